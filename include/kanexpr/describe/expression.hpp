@@ -1,0 +1,214 @@
+#pragma once
+
+#include <kanexpr/describe/token.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace kanexpr {
+
+/// A scalar of a model, written with ordinary operators: `m*r*r/4`, `u3/cos(q2)`.
+template <int size>
+struct scalar {
+  describe::token tokens[size];
+};
+
+/// `left == right`, kept as left − right.
+template <int size>
+struct equation {
+  describe::token tokens[size];
+};
+
+namespace describe {
+
+template <class Result, int a, int b>
+constexpr Result join(const token (&left)[a], const token (&right)[b], const token& last) {
+  Result all{};
+  for (int i = 0; i < a; ++i) all.tokens[i] = left[i];
+  for (int i = 0; i < b; ++i) all.tokens[a + i] = right[i];
+  all.tokens[a + b] = last;
+  return all;
+}
+
+template <class Result, int a>
+constexpr Result join(const token (&left)[a], const token& last) {
+  Result all{};
+  for (int i = 0; i < a; ++i) all.tokens[i] = left[i];
+  all.tokens[a] = last;
+  return all;
+}
+
+template <class T>
+concept plain_number = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
+
+template <plain_number T>
+constexpr scalar<1> constant(T value) {
+  token t{};
+  if constexpr (std::integral<T>)
+    t.number = symbolic::exactly(static_cast<std::int64_t>(value));
+  else
+    t.number = symbolic::real(static_cast<double>(value));
+  return {{t}};
+}
+
+constexpr token with(word what) {
+  token t{};
+  t.what = what;
+  return t;
+}
+
+constexpr token with(symbolic::operation function) {
+  token t{};
+  t.what = word::scalar_function;
+  t.operation = function;
+  return t;
+}
+
+} // namespace describe
+
+template <int a>
+constexpr scalar<a + 1> operator-(const scalar<a>& x) {
+  return describe::join<scalar<a + 1>>(x.tokens, describe::with(describe::word::negate));
+}
+template <int a>
+constexpr const scalar<a>& operator+(const scalar<a>& x) {
+  return x;
+}
+
+template <int a, int b>
+constexpr scalar<a + b + 1> operator+(const scalar<a>& x, const scalar<b>& y) {
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::add));
+}
+template <int a, int b>
+constexpr scalar<a + b + 1> operator-(const scalar<a>& x, const scalar<b>& y) {
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::subtract));
+}
+template <int a, int b>
+constexpr scalar<a + b + 1> operator*(const scalar<a>& x, const scalar<b>& y) {
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::multiply));
+}
+template <int a, int b>
+constexpr scalar<a + b + 1> operator/(const scalar<a>& x, const scalar<b>& y) {
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::divide));
+}
+template <int a, int b>
+constexpr equation<a + b + 1> operator==(const scalar<a>& x, const scalar<b>& y) {
+  return describe::join<equation<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::subtract));
+}
+
+template <int a, describe::plain_number T>
+constexpr auto operator+(const scalar<a>& x, T y) {
+  return x + describe::constant(y);
+}
+template <int a, describe::plain_number T>
+constexpr auto operator+(T x, const scalar<a>& y) {
+  return describe::constant(x) + y;
+}
+template <int a, describe::plain_number T>
+constexpr auto operator-(const scalar<a>& x, T y) {
+  return x - describe::constant(y);
+}
+template <int a, describe::plain_number T>
+constexpr auto operator-(T x, const scalar<a>& y) {
+  return describe::constant(x) - y;
+}
+template <int a, describe::plain_number T>
+constexpr auto operator*(const scalar<a>& x, T y) {
+  return x * describe::constant(y);
+}
+template <int a, describe::plain_number T>
+constexpr auto operator*(T x, const scalar<a>& y) {
+  return describe::constant(x) * y;
+}
+template <int a, describe::plain_number T>
+constexpr auto operator/(const scalar<a>& x, T y) {
+  return x / describe::constant(y);
+}
+template <int a, describe::plain_number T>
+constexpr auto operator/(T x, const scalar<a>& y) {
+  return describe::constant(x) / y;
+}
+template <int a, describe::plain_number T>
+constexpr auto operator==(const scalar<a>& x, T y) {
+  return x == describe::constant(y);
+}
+
+namespace describe {
+
+template <int a>
+constexpr scalar<a + 1> function_of(symbolic::operation f, const scalar<a>& x) {
+  return join<scalar<a + 1>>(x.tokens, with(f));
+}
+template <int a, int b>
+constexpr scalar<a + b + 1> function_of(symbolic::operation f, const scalar<a>& x, const scalar<b>& y) {
+  return join<scalar<a + b + 1>>(x.tokens, y.tokens, with(f));
+}
+
+} // namespace describe
+
+template <int a>
+constexpr auto sqrt(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::sqrt, x);
+}
+template <int a>
+constexpr auto sin(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::sin, x);
+}
+template <int a>
+constexpr auto cos(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::cos, x);
+}
+template <int a>
+constexpr auto tan(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::tan, x);
+}
+template <int a>
+constexpr auto asin(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::asin, x);
+}
+template <int a>
+constexpr auto acos(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::acos, x);
+}
+template <int a>
+constexpr auto atan(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::atan, x);
+}
+template <int a, int b>
+constexpr auto atan2(const scalar<a>& y, const scalar<b>& x) {
+  return describe::function_of(symbolic::operation::atan2, y, x);
+}
+template <int a>
+constexpr auto exp(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::exp, x);
+}
+template <int a>
+constexpr auto log(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::log, x);
+}
+template <int a>
+constexpr auto abs(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::abs, x);
+}
+template <int a>
+constexpr auto sign(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::sign, x);
+}
+template <int a, int b>
+constexpr auto pow(const scalar<a>& x, const scalar<b>& exponent) {
+  return describe::function_of(symbolic::operation::power, x, exponent);
+}
+template <int a, describe::plain_number T>
+constexpr auto pow(const scalar<a>& x, T exponent) {
+  return pow(x, describe::constant(exponent));
+}
+
+/// An exact fraction, where a plain number would be a double: `rational<1, 3>*m`.
+template <std::int64_t numerator, std::int64_t denominator>
+inline constexpr scalar<1> rational = [] {
+  describe::token t{};
+  t.number = symbolic::exactly(numerator, denominator);
+  return scalar<1>{{t}};
+}();
+
+} // namespace kanexpr

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <kanexpr/describe/record.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+template <class Frame>
+constexpr frame_record record_frame() {
+  frame_record r = Frame::orientation();
+  r.called = type_name<Frame>();
+  if constexpr (requires { Frame::turns_in; }) {
+    r.reference = Frame::turns_in;
+    r.angular_velocity = Frame::declared_angular_velocity;
+  }
+  return r;
+}
+
+template <class Frame>
+inline constexpr frame_record frame_of = record_frame<Frame>();
+
+constexpr vector<1> basis(const frame_record* frame, int axis) {
+  token t{};
+  t.what = word::basis;
+  t.index = axis;
+  t.frame = frame;
+  return {{t}};
+}
+
+/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`.
+template <class Frame>
+struct axes {
+  static constexpr vector<1> x = basis(&frame_of<Frame>, 0);
+  static constexpr vector<1> y = basis(&frame_of<Frame>, 1);
+  static constexpr vector<1> z = basis(&frame_of<Frame>, 2);
+};
+
+} // namespace describe
+
+/// The axes of the frame that is being described, which has no name yet:
+/// `struct B : quaternion<B, N, e0, e1, e2, e3>, angular_velocity<N, u1*own::x + u2*own::y + u3*own::z> {};`
+struct own {
+  static constexpr vector<1> x = describe::basis(nullptr, 0);
+  static constexpr vector<1> y = describe::basis(nullptr, 1);
+  static constexpr vector<1> z = describe::basis(nullptr, 2);
+};
+
+/// The frame in which Newton's laws hold: `struct N : inertial_frame<N> {};`
+template <class Self>
+struct inertial_frame : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    describe::frame_record r;
+    r.calls_itself = type_name<Self>();
+    return r;
+  }
+};
+
+/// A frame turned by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1, N::z>`.
+template <class Self, class Parent, auto angle, auto axis>
+struct rotated : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    describe::frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.orientation = describe::orientation_word::rotated;
+    r.parent = &describe::frame_of<Parent>;
+    r.given[0] = describe::phrase_of<angle>;
+    r.axis = describe::phrase_of<axis>;
+    return r;
+  }
+};
+
+namespace describe {
+
+template <class Self, class Parent, orientation_word kind, text sequence, auto first, auto second, auto third>
+struct sequence_of_turns : axes<Self> {
+  static constexpr frame_record orientation() {
+    frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.orientation = kind;
+    r.parent = &frame_of<Parent>;
+    for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
+    if (sequence.view().size() != 3) r.sequence[0] = '?';
+    r.given[0] = phrase_of<first>;
+    r.given[1] = phrase_of<second>;
+    r.given[2] = phrase_of<third>;
+    return r;
+  }
+};
+
+} // namespace describe
+
+/// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2, q3>`.
+/// All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
+template <class Self, class Parent, text sequence, auto first, auto second, auto third>
+struct body_fixed
+    : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed, sequence, first, second, third> {};
+
+/// Three turns about the parent's axes, one after the other.
+template <class Self, class Parent, text sequence, auto first, auto second, auto third>
+struct space_fixed
+    : describe::sequence_of_turns<Self, Parent, describe::orientation_word::space_fixed, sequence, first, second, third> {};
+
+/// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k of its rotation from the parent.
+template <class Self, class Parent, auto e0, auto e1, auto e2, auto e3>
+struct quaternion : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    describe::frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.orientation = describe::orientation_word::quaternion;
+    r.parent = &describe::frame_of<Parent>;
+    r.given[0] = describe::phrase_of<e0>;
+    r.given[1] = describe::phrase_of<e1>;
+    r.given[2] = describe::phrase_of<e2>;
+    r.given[3] = describe::phrase_of<e3>;
+    return r;
+  }
+};
+
+/// A frame given by its direction cosine matrix, by rows: v in the parent's axes = matrix · v in the frame's axes.
+/// The columns are the frame's basis vectors in the parent's axes.
+template <class Self, class Parent, auto xx, auto xy, auto xz, auto yx, auto yy, auto yz, auto zx, auto zy, auto zz>
+struct direction_cosines : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    using describe::phrase_of;
+    return {.called = {},
+            .calls_itself = type_name<Self>(),
+            .orientation = describe::orientation_word::direction_cosines,
+            .parent = &describe::frame_of<Parent>,
+            .given = {phrase_of<xx>, phrase_of<xy>, phrase_of<xz>, phrase_of<yx>, phrase_of<yy>, phrase_of<yz>,
+                      phrase_of<zx>, phrase_of<zy>, phrase_of<zz>}};
+  }
+};
+
+/// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always.
+template <class Reference, auto value>
+struct angular_velocity {
+  static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
+  static constexpr describe::phrase declared_angular_velocity = describe::phrase_of<value>;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <kanexpr/describe/point.hpp>
+
+namespace kanexpr {
+
+/// A force that acts at a point: `force<P, F*N::x>`.
+template <class Point, auto vector>
+struct force {
+  static constexpr describe::load_record load{describe::load_word::force, &describe::point_of<Point>, nullptr,
+                                              describe::phrase_of<vector>};
+};
+
+/// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.
+template <class Frame, auto vector>
+struct torque {
+  static constexpr describe::load_record load{describe::load_word::torque, nullptr, &describe::frame_of<Frame>,
+                                              describe::phrase_of<vector>};
+};
+
+/// Uniform gravity on every body, by the acceleration of free fall: `gravity<-g*N::z>`.
+template <auto acceleration>
+struct gravity {
+  static constexpr describe::load_record load{describe::load_word::gravity, nullptr, nullptr,
+                                              describe::phrase_of<acceleration>};
+};
+
+} // namespace kanexpr

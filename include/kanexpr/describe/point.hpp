@@ -1,0 +1,64 @@
+#pragma once
+
+#include <kanexpr/describe/frame.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+template <class Point>
+constexpr point_record record_point() {
+  point_record r = Point::place();
+  r.called = type_name<Point>();
+  if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
+  if constexpr (requires { Point::moves_in; }) {
+    r.reference = Point::moves_in;
+    r.velocity = Point::declared_velocity;
+  }
+  return r;
+}
+
+template <class Point>
+inline constexpr point_record point_of = record_point<Point>();
+
+} // namespace describe
+
+/// A point that does not move in the inertial frame: `struct O : origin<O, N> {};`
+template <class Self, class Frame>
+struct origin {
+  static constexpr describe::point_record place() {
+    describe::point_record r;
+    r.calls_itself = type_name<Self>();
+    r.origin_of = &describe::frame_of<Frame>;
+    return r;
+  }
+};
+
+/// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the vector's
+/// change in time, unless `fixed_in` or `velocity` says how it moves.
+template <class Self, class From, auto vector>
+struct offset {
+  static constexpr describe::point_record place() {
+    describe::point_record r;
+    r.calls_itself = type_name<Self>();
+    r.parent = &describe::point_of<From>;
+    r.offset = describe::phrase_of<vector>;
+    return r;
+  }
+};
+
+/// This point and the one it is offset from are fixed in `Frame`: v = v_from + ω × r (two-point theorem).
+template <class Frame>
+struct fixed_in {
+  static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
+};
+
+/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the point
+/// that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
+template <class Reference, auto value>
+struct velocity {
+  static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
+  static constexpr describe::phrase declared_velocity = describe::phrase_of<value>;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kanexpr/describe/text.hpp>
+#include <kanexpr/describe/vector.hpp>
+
+/// What a model's entities are read from: plain constants that point at each other and at their expressions.
+namespace kanexpr::describe {
+
+/// What an expression turns out to be.
+enum class shape : unsigned char { nothing, scalar, vector, dyadic, equation };
+
+/// An expression in static storage.
+struct phrase {
+  shape kind = shape::nothing;
+  const token* tokens = nullptr;
+  int size = 0;
+};
+
+template <int size>
+constexpr shape shape_of(const scalar<size>&) {
+  return shape::scalar;
+}
+template <int size>
+constexpr shape shape_of(const vector<size>&) {
+  return shape::vector;
+}
+template <int size>
+constexpr shape shape_of(const dyadic<size>&) {
+  return shape::dyadic;
+}
+template <int size>
+constexpr shape shape_of(const equation<size>&) {
+  return shape::equation;
+}
+
+template <class T>
+constexpr auto with_numbers_as_scalars(const T& value) {
+  if constexpr (plain_number<T>)
+    return constant(value);
+  else
+    return value;
+}
+
+template <auto value>
+struct stored {
+  static constexpr auto expression = with_numbers_as_scalars(value);
+  static constexpr phrase words{shape_of(expression), expression.tokens,
+                                static_cast<int>(sizeof(expression.tokens) / sizeof(token))};
+};
+
+/// The phrase for any expression that a model gives as a template argument.
+template <auto value>
+inline constexpr phrase phrase_of = stored<value>::words;
+
+enum class orientation_word : unsigned char {
+  inertial,
+  rotated,
+  body_fixed,
+  space_fixed,
+  quaternion,
+  direction_cosines,
+};
+
+struct frame_record {
+  std::string_view called;
+  std::string_view calls_itself; ///< the first template argument of its orientation
+  orientation_word orientation = orientation_word::inertial;
+  const frame_record* parent = nullptr;
+  phrase given[9]{}; ///< angles, quaternion or matrix
+  phrase axis{};
+  char sequence[4]{}; ///< "zxz" or "313"
+  const frame_record* reference = nullptr;
+  phrase angular_velocity{};
+};
+
+struct point_record {
+  std::string_view called;
+  std::string_view calls_itself;
+  const point_record* parent = nullptr; ///< none: an origin
+  const frame_record* origin_of = nullptr;
+  phrase offset{};
+  const frame_record* fixed_in = nullptr;
+  const frame_record* reference = nullptr;
+  phrase velocity{};
+};
+
+struct body_record {
+  std::string_view called;
+  std::string_view calls_itself;
+  bool rigid = false;
+  const point_record* center = nullptr;
+  const frame_record* frame = nullptr;
+  phrase mass{};
+  const frame_record* inertia_axes = nullptr; ///< of the six scalars
+  phrase inertia[6]{};
+  phrase inertia_dyadic{};
+  const point_record* about = nullptr;
+};
+
+enum class load_word : unsigned char { force, torque, gravity };
+
+struct load_record {
+  load_word what{};
+  const point_record* point = nullptr;
+  const frame_record* frame = nullptr;
+  phrase value{};
+};
+
+} // namespace kanexpr::describe

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kanexpr/describe/expression.hpp>
+#include <kanexpr/describe/text.hpp>
+
+namespace kanexpr {
+
+/// Stands for "no index" in `coordinate<"q">`.
+inline constexpr int unnumbered = -1;
+
+namespace describe {
+
+template <symbolic::symbol_kind kind, text called, int index>
+struct symbol_storage {
+  static constexpr symbol_record record = [] {
+    symbol_record r{kind, symbolic::name(called.view())};
+    if (index != unnumbered) r.called.append(index);
+    return r;
+  }();
+};
+
+template <symbolic::symbol_kind kind, text called, int index>
+constexpr scalar<1> symbol_token() {
+  token t{};
+  t.what = word::symbol;
+  t.symbol = &symbol_storage<kind, called, index>::record;
+  return {{t}};
+}
+
+} // namespace describe
+
+/// A generalized coordinate: `constexpr coordinate<"q1"> q1;`, or one of a chain, `coordinate<"q", i>`.
+template <text called, int index = unnumbered>
+struct coordinate : scalar<1> {
+  constexpr coordinate()
+      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate, called, index>()) {}
+};
+
+/// A generalized speed.
+template <text called, int index = unnumbered>
+struct speed : scalar<1> {
+  constexpr speed() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::speed, called, index>()) {}
+};
+
+/// A constant of the system, given with each evaluation or bound in the type by `values`.
+template <text called, int index = unnumbered>
+struct parameter : scalar<1> {
+  constexpr parameter()
+      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::parameter, called, index>()) {}
+};
+
+/// A force, torque or other quantity that is given with each evaluation and may change at will.
+template <text called, int index = unnumbered>
+struct input : scalar<1> {
+  constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
+};
+
+/// The time, for what depends on it explicitly.
+struct time_variable : scalar<1> {
+  constexpr time_variable()
+      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
+};
+
+/// The rate dq/dt of a coordinate.
+template <text called, int index>
+constexpr scalar<1> dot(const coordinate<called, index>&) {
+  return describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>();
+}
+
+/// The rate du/dt of a speed.
+template <text called, int index>
+constexpr scalar<1> dot(const speed<called, index>&) {
+  return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index>();
+}
+
+} // namespace kanexpr

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <kanexpr/describe/body.hpp>
+#include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/symbol.hpp>
+
+#include <boost/hana/count_if.hpp>
+#include <boost/hana/for_each.hpp>
+#include <boost/hana/tuple.hpp>
+#include <boost/hana/type.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+/// A list of records in static storage.
+template <class Record>
+struct listing {
+  const Record* const* entries = nullptr;
+  int size = 0;
+  constexpr const Record& operator[](int i) const { return *entries[i]; }
+};
+
+struct system_record {
+  const frame_record* inertial = nullptr;
+  listing<phrase> coordinates, speeds, parameters, inputs;
+  listing<phrase> kinematics;
+  listing<phrase> values;
+  listing<body_record> bodies;
+  listing<load_record> loads;
+};
+
+template <class Record, const Record*... entries>
+struct list_of {
+  static constexpr const Record* storage[sizeof...(entries) + 1]{entries..., nullptr};
+  static constexpr listing<Record> all{storage, sizeof...(entries)};
+};
+
+/// What a system must be told once and only once, and what it may be told.
+template <class Word>
+concept system_word = requires(system_record& r) { Word::tell(r); };
+
+} // namespace describe
+
+/// The inertial frame.
+template <class Frame>
+struct inertial {
+  static constexpr std::string_view word = "inertial";
+  static constexpr void tell(describe::system_record& r) { r.inertial = &describe::frame_of<Frame>; }
+};
+
+/// The generalized coordinates, in the order of the state.
+template <auto... symbols>
+struct coordinates {
+  static constexpr std::string_view word = "coordinates";
+  static constexpr void tell(describe::system_record& r) {
+    r.coordinates = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
+  }
+};
+
+/// The generalized speeds, in the order of the state, where they follow the coordinates.
+template <auto... symbols>
+struct speeds {
+  static constexpr std::string_view word = "speeds";
+  static constexpr void tell(describe::system_record& r) {
+    r.speeds = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
+  }
+};
+
+/// The order of the parameter vector; without it, the order in which the model mentions them.
+template <auto... symbols>
+struct parameters {
+  static constexpr std::string_view word = "parameters";
+  static constexpr void tell(describe::system_record& r) {
+    r.parameters = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
+  }
+};
+
+/// The order of the input vector; without it, the order in which the model mentions them.
+template <auto... symbols>
+struct inputs {
+  static constexpr std::string_view word = "inputs";
+  static constexpr void tell(describe::system_record& r) {
+    r.inputs = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
+  }
+};
+
+/// The kinematic differential equations, in any form that is linear in the rates: `dot(q1) == u1`.
+template <auto... equations>
+struct kinematics {
+  static constexpr std::string_view word = "kinematics";
+  static constexpr void tell(describe::system_record& r) {
+    r.kinematics = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
+  }
+};
+
+/// Parameters bound to numbers, which fold into the derivation: `values<m == 2.2, r == 0.45>`.
+template <auto... equations>
+struct values {
+  static constexpr std::string_view word = "values";
+  static constexpr void tell(describe::system_record& r) {
+    r.values = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
+  }
+};
+
+/// Every particle and rigid body of the system.
+template <class... Bodies>
+struct bodies {
+  static constexpr std::string_view word = "bodies";
+  static constexpr void tell(describe::system_record& r) {
+    r.bodies = describe::list_of<describe::body_record, &describe::body_of<Bodies>...>::all;
+  }
+};
+
+/// Every force, torque and field that does work.
+template <class... Loads>
+struct loads {
+  static constexpr std::string_view word = "loads";
+  static constexpr void tell(describe::system_record& r) {
+    r.loads = describe::list_of<describe::load_record, &Loads::load...>::all;
+  }
+};
+
+/// A system whose equations of motion Kane's method gives, told in any order:
+/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};`
+template <class... Words>
+struct kane_system {
+  static constexpr auto words = boost::hana::tuple_t<Words...>;
+
+  static constexpr int times_told(std::string_view wanted) {
+    int times = 0;
+    ((times += Words::word == wanted ? 1 : 0), ...);
+    return times;
+  }
+
+  static constexpr describe::system_record record = [] {
+    describe::system_record r;
+    (Words::tell(r), ...);
+    return r;
+  }();
+};
+
+} // namespace kanexpr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace kanexpr {
+
+/// A string literal as a template argument: the "q1" of `coordinate<"q1">`.
+template <std::size_t size>
+struct text {
+  char letters[size]{};
+
+  constexpr text() = default;
+  constexpr text(const char (&literal)[size]) {
+    for (std::size_t i = 0; i < size; ++i) letters[i] = literal[i];
+  }
+  constexpr std::string_view view() const { return {letters, size - 1}; }
+};
+
+/// The name of a type as its model wrote it, without namespaces: `Link<3>`.
+template <class T>
+constexpr std::string_view type_name() {
+  std::string_view whole = __PRETTY_FUNCTION__;
+  whole.remove_prefix(whole.find("T = ") + 4);
+  std::size_t end = 0, start = 0;
+  for (int depth = 0; end < whole.size(); ++end) {
+    const char c = whole[end];
+    if (depth == 0 && (c == ';' || c == ']')) break;
+    if (c == '<') ++depth;
+    if (c == '>') --depth;
+    if (depth == 0 && c == ':') start = end + 1;
+  }
+  return whole.substr(start, end - start);
+}
+
+} // namespace kanexpr

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kanexpr/symbolic/number.hpp>
+#include <kanexpr/symbolic/operation.hpp>
+#include <kanexpr/symbolic/symbol.hpp>
+
+/// What the words of a model are stored as: flat arrays of tokens in postfix order, which are template arguments and
+/// cost the compiler next to nothing, and records of entities that point at each other.
+namespace kanexpr::describe {
+
+struct frame_record;
+struct point_record;
+
+struct symbol_record {
+  symbolic::symbol_kind kind;
+  symbolic::name called;
+};
+
+enum class word : unsigned char {
+  number,
+  symbol,
+  scalar_function, ///< `operation` says which
+  basis,           ///< axis `index` of `frame`; no frame: of the frame that is being described
+  add,
+  subtract,
+  negate,
+  multiply, ///< a scalar with anything
+  divide,   ///< anything by a scalar
+  dot,      ///< also of a dyadic with a vector
+  cross,
+  outer,
+  magnitude,
+  normalized,
+  position, ///< of `point` from its origin
+  velocity,
+  acceleration,
+  angular_velocity, ///< of `frame` in the inertial frame
+  angular_acceleration,
+  partial, ///< derivative of a vector by a symbol
+  kinetic_energy,
+  potential_energy,
+};
+
+struct token {
+  word what = word::number;
+  symbolic::operation operation{};
+  int index = 0;
+  symbolic::number number{};
+  const symbol_record* symbol = nullptr;
+  const frame_record* frame = nullptr;
+  const point_record* point = nullptr;
+};
+
+} // namespace kanexpr::describe

@@ -1,0 +1,7 @@
+#pragma once
+
+/// Describe a mechanical system as types and get its equations of motion as compiled functions.
+/// Needs Eigen and Boost.Hana only.
+
+#include <kanexpr/describe/system.hpp>
+#include <kanexpr/lower/equations_of_motion.hpp>

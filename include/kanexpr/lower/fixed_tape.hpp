@@ -1,0 +1,51 @@
+#pragma once
+
+#include <kanexpr/lower/tape.hpp>
+
+namespace kanexpr::lower {
+
+struct tape_sizes {
+  int steps = 0;
+  int numbers = 0;
+  int loads = 0;
+  int results = 0;
+};
+
+/// A tape that can leave a constant evaluation, as plain arrays; what is behind the sizes is unused.
+template <int step_room, int number_room, int load_room, int result_room>
+struct fixed_tape {
+  tape_sizes sizes;
+  symbolic::cost cost;
+  operation op[step_room]{};
+  bool paired[step_room]{};
+  int a[step_room]{};
+  int b[step_room]{};
+  symbolic::number numbers[number_room]{};
+  load loads[load_room]{};
+  int results[result_room]{};
+
+  constexpr int first_step() const { return sizes.numbers + sizes.loads; }
+  constexpr int slots() const { return first_step() + sizes.steps; }
+};
+
+/// Room for any model that a compiler can be asked to derive. Unused room costs nothing.
+inline constexpr int roomy = 1 << 16;
+using roomy_tape = fixed_tape<roomy, roomy, roomy, roomy>;
+
+constexpr roomy_tape fixed(const tape& t) {
+  roomy_tape out{};
+  out.sizes = {t.steps.size(), t.numbers.size(), t.loads.size(), t.results.size()};
+  out.cost = cost_of(t);
+  for (int i = 0; i < t.steps.size(); ++i) {
+    out.op[i] = t.steps[i].op;
+    out.paired[i] = t.steps[i].paired;
+    out.a[i] = t.steps[i].a;
+    out.b[i] = t.steps[i].b;
+  }
+  for (int i = 0; i < t.numbers.size(); ++i) out.numbers[i] = t.numbers[i];
+  for (int i = 0; i < t.loads.size(); ++i) out.loads[i] = t.loads[i];
+  for (int i = 0; i < t.results.size(); ++i) out.results[i] = t.results[i];
+  return out;
+}
+
+} // namespace kanexpr::lower

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kanexpr/symbolic/operation.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace kanexpr::lower {
+
+/// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
+/// Specialise it to replace one, such as sine and cosine together by a vector routine.
+template <class T>
+struct scalar_math {
+  static void sincos(const T& angle, T& sine, T& cosine) {
+    using std::cos;
+    using std::sin;
+    sine = sin(angle);
+    cosine = cos(angle);
+  }
+  static T sin(const T& x) { return by_name<symbolic::operation::sin>(x); }
+  static T cos(const T& x) { return by_name<symbolic::operation::cos>(x); }
+
+  template <symbolic::operation op>
+  static T by_name(const T& x) {
+    using std::abs;
+    using std::acos;
+    using std::asin;
+    using std::atan;
+    using std::cos;
+    using std::exp;
+    using std::log;
+    using std::sin;
+    using std::sqrt;
+    using std::tan;
+    using symbolic::operation;
+    if constexpr (op == operation::sqrt) return sqrt(x);
+    else if constexpr (op == operation::sin) return sin(x);
+    else if constexpr (op == operation::cos) return cos(x);
+    else if constexpr (op == operation::tan) return tan(x);
+    else if constexpr (op == operation::asin) return asin(x);
+    else if constexpr (op == operation::acos) return acos(x);
+    else if constexpr (op == operation::atan) return atan(x);
+    else if constexpr (op == operation::exp) return exp(x);
+    else if constexpr (op == operation::log) return log(x);
+    else if constexpr (op == operation::abs) return abs(x);
+    else return sign(x);
+  }
+
+  static T sign(const T& x) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return static_cast<T>((T(0) < x) - (x < T(0)));
+    else
+      return T((T(0) < x) - (x < T(0)));
+  }
+  static T power(const T& x, const T& y) {
+    using std::pow;
+    return pow(x, y);
+  }
+  static T atan2(const T& y, const T& x) {
+    using std::atan2;
+    return atan2(y, x);
+  }
+};
+
+/// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled and for
+/// interpreted evaluation alike.
+template <symbolic::operation op, class T>
+[[gnu::always_inline]] inline T apply(const T& a, const T& b) {
+  using symbolic::operation;
+  if constexpr (op == operation::negate) return T(-a);
+  else if constexpr (op == operation::add) return T(a + b);
+  else if constexpr (op == operation::subtract) return T(a - b);
+  else if constexpr (op == operation::multiply) return T(a * b);
+  else if constexpr (op == operation::divide) return T(a / b);
+  else if constexpr (op == operation::power) return scalar_math<T>::power(a, b);
+  else if constexpr (op == operation::atan2) return scalar_math<T>::atan2(a, b);
+  else return scalar_math<T>::template by_name<op>(a);
+}
+
+/// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its digits.
+template <class T>
+[[gnu::always_inline]] inline T number_as(const symbolic::number& n) {
+  if (n.denominator == 0) return T(n.real);
+  if (n.denominator == 1) return T(static_cast<double>(n.numerator));
+  return T(T(static_cast<double>(n.numerator)) / T(static_cast<double>(n.denominator)));
+}
+
+} // namespace kanexpr::lower

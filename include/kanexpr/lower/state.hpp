@@ -1,0 +1,118 @@
+#pragma once
+
+#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derive/survey.hpp>
+
+#include <Eigen/Core>
+
+namespace kanexpr {
+
+namespace lower {
+
+/// A system's survey, formed once, with the end of the compilation if it holds a mistake.
+template <class System>
+struct surveyed {
+  static constexpr derive::survey survey = derive::survey_of<System>();
+  static constexpr mechanics::problem mistake = survey.mistake;
+  static_assert(derive::tell<surveyed>());
+};
+
+template <class System>
+inline constexpr const derive::survey& survey_of = surveyed<System>::survey;
+
+template <class System, symbolic::symbol_kind kind, text called, int index>
+constexpr int place_of() {
+  return survey_of<System>.place(kind, describe::symbol_storage<kind, called, index>::record.called);
+}
+
+template <class System, symbolic::symbol_kind kind, text called, int index>
+struct placed {
+  static constexpr int place = place_of<System, kind, called, index>();
+  static constexpr mechanics::problem mistake = [] {
+    if (place >= 0) return mechanics::problem{};
+    return mechanics::sentence({"the system has no symbol ", describe::symbol_storage<kind, called, index>::record.called.view()});
+  }();
+  static_assert(derive::tell<placed>());
+};
+
+} // namespace lower
+
+/// The state [q; u] of a system: a fixed-size Eigen vector with access by name, `x[q1]`.
+template <class System, class Scalar = double>
+class state : public Eigen::Matrix<Scalar, lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds, 1> {
+public:
+  static constexpr int coordinates = lower::survey_of<System>.coordinates;
+  static constexpr int speeds = lower::survey_of<System>.speeds;
+  using base = Eigen::Matrix<Scalar, coordinates + speeds, 1>;
+  using base::base;
+  using base::operator=;
+  using base::operator[];
+
+  state() : base(base::Zero()) {}
+
+  template <text called, int index>
+  Scalar& operator[](const coordinate<called, index>&) {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
+  }
+  template <text called, int index>
+  const Scalar& operator[](const coordinate<called, index>&) const {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
+  }
+  template <text called, int index>
+  Scalar& operator[](const speed<called, index>&) {
+    return (*this)(coordinates + lower::placed<System, symbolic::symbol_kind::speed, called, index>::place);
+  }
+  template <text called, int index>
+  const Scalar& operator[](const speed<called, index>&) const {
+    return (*this)(coordinates + lower::placed<System, symbolic::symbol_kind::speed, called, index>::place);
+  }
+
+  auto q() { return this->template head<coordinates>(); }
+  auto q() const { return this->template head<coordinates>(); }
+  auto u() { return this->template tail<speeds>(); }
+  auto u() const { return this->template tail<speeds>(); }
+};
+
+/// The parameters of a system that are not bound in its type, with access by name, `p[m]`.
+template <class System, class Scalar = double>
+class parameter_values : public Eigen::Matrix<Scalar, lower::survey_of<System>.parameters, 1> {
+public:
+  using base = Eigen::Matrix<Scalar, lower::survey_of<System>.parameters, 1>;
+  using base::base;
+  using base::operator=;
+  using base::operator[];
+
+  parameter_values() : base(base::Zero()) {}
+
+  template <text called, int index>
+  Scalar& operator[](const parameter<called, index>&) {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
+  }
+  template <text called, int index>
+  const Scalar& operator[](const parameter<called, index>&) const {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
+  }
+};
+
+/// The inputs of a system, with access by name, `r[T1]`.
+template <class System, class Scalar = double>
+class input_values : public Eigen::Matrix<Scalar, lower::survey_of<System>.inputs, 1> {
+public:
+  using base = Eigen::Matrix<Scalar, lower::survey_of<System>.inputs, 1>;
+  using base::base;
+  using base::operator=;
+  using base::operator[];
+
+  input_values() : base(base::Zero()) {}
+
+  template <text called, int index>
+  Scalar& operator[](const input<called, index>&) {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::input, called, index>::place);
+  }
+  template <text called, int index>
+  const Scalar& operator[](const input<called, index>&) const {
+    return (*this)(lower::placed<System, symbolic::symbol_kind::input, called, index>::place);
+  }
+};
+
+} // namespace kanexpr

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton.hpp>
+
+/// Masses gathered where they move as one, and regrouped to the fewest numbers that the motion can feel.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// Links while they are gathered: at most one for each node and frame.
+class gathering {
+public:
+  constexpr gathering(const skeleton& s, const sequence<link>& links) : s_(s) {
+    for (const link& l : links) put(l);
+  }
+
+  /// Walks from the tips to the ground; `regroup` decides whether numbers may move across joints.
+  constexpr sequence<link> run(bool regroup) {
+    for (int c = s_.nodes.size() - 1; c >= 0; --c)
+      for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
+        const link l = links_[i];
+        links_[i].node = none;
+        const node& at = s_.nodes[c];
+        if (l.frame == at.frame && at.rigid && !at.absolute)
+          put({at.parent, l.frame, shifted(l.mass, at.r)});
+        else if (regroup)
+          settled_.push(without_invisible_part(l));
+        else
+          settled_.push(l);
+      }
+    return settled_;
+  }
+
+private:
+  constexpr void put(const link& added) {
+    for (link& l : links_)
+      if (l.node == added.node && l.frame == added.frame) {
+        l.mass += added.mass;
+        return;
+      }
+    links_.push(added);
+  }
+
+  /// The unsettled link at node `c` whose frame is the farthest from the ground, or -1.
+  constexpr int deepest_at(int c) const {
+    int found = -1, depth = -1;
+    for (int i = 0; i < links_.size(); ++i) {
+      if (links_[i].node != c) continue;
+      const int d = path::depth(*s_.model, links_[i].frame);
+      if (d > depth) found = i, depth = d;
+    }
+    return found;
+  }
+
+  /// A joint about axis a does not feel the part {m, h_a, I_dd about both other axes} of what it carries: that part
+  /// moves to the frame below, where it is a constant too (base inertial parameters: Gautier & Khalil 1990).
+  constexpr link without_invisible_part(const link& l) {
+    const int a = s_.joint_axis(l.frame);
+    const node& at = s_.nodes[l.node];
+    const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
+    if (a == none || !stands || !l.mass.is_constant() || s_.body_axes[l.frame] != l.frame ||
+        s_.turns_in[l.frame] != at.frame)
+      return l;
+    const int b = (a + 1) % 3, d = (a + 2) % 3;
+    const mechanism& m = *s_.model;
+    rigid_mass moved(*m.g);
+    components along(*m.g);
+    along[a] = l.mass.first_moment[a];
+    moved.mass = l.mass.mass;
+    moved.inertia(b, b) = moved.inertia(d, d) = l.mass.inertia(d, d);
+    const path to_below(m, m.frames[l.frame].parent, s_.body_axes[at.frame]);
+    moved.first_moment = to_below.turn(along);
+    moved.inertia = to_below.turn(moved.inertia);
+    put({l.node, at.frame, moved});
+
+    link left = l;
+    left.mass.mass = m.zero();
+    left.mass.first_moment[a] = m.zero();
+    left.mass.inertia(b, b) -= l.mass.inertia(d, d);
+    left.mass.inertia(d, d) = m.zero();
+    return left;
+  }
+
+  const skeleton& s_;
+  sequence<link> links_;
+  sequence<link> settled_;
+};
+
+} // namespace detail
+
+constexpr void gather_masses(skeleton& s) {
+  s.base_links = detail::gathering(s, s.links).run(true);
+  s.links = detail::gathering(s, s.links).run(false);
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <kanexpr/symbolic/number.hpp>
+#include <kanexpr/symbolic/operation.hpp>
+#include <kanexpr/symbolic/sequence.hpp>
+#include <kanexpr/symbolic/symbol.hpp>
+
+namespace kanexpr::symbolic {
+
+/// One operation; its operands are the numbers of earlier nodes.
+///
+/// A constant's `a` is its place among the numbers, a symbol's its place among the symbols.
+struct node {
+  operation op = operation::constant;
+  int a = 0;
+  int b = 0;
+};
+
+/// A hash-consed expression graph: equal expressions are one node, operands come before their users.
+///
+/// This class only stores. What may be built, and in which simplest form, is in rules.hpp.
+class graph {
+public:
+  static constexpr int zero = 0;
+  static constexpr int one = 1;
+
+  constexpr graph() {
+    table_.resize(1 << 10, -1);
+    constant(exactly(0));
+    constant(exactly(1));
+  }
+
+  constexpr int size() const { return nodes_.size(); }
+  constexpr const node& operator[](int id) const { return nodes_[id]; }
+
+  constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
+  constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
+  constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
+  constexpr const sequence<symbol>& symbols() const { return symbols_; }
+
+  constexpr int constant(const number& value) {
+    unsigned place = hash(value);
+    for (; table_[slot(place)] >= 0; ++place) {
+      const int id = table_[slot(place)];
+      if (nodes_[id].op == operation::constant && number_at(id) == value) return id;
+    }
+    table_[slot(place)] = nodes_.size();
+    return append({operation::constant, numbers_.push(value), 0});
+  }
+
+  /// The node of a symbol; two symbols are the same where kind and name are.
+  constexpr int variable(const symbol& wanted) {
+    for (int i = 0; i < symbols_.size(); ++i)
+      if (symbols_[i] == wanted) return find_or_append({operation::symbol, i, 0});
+    return find_or_append({operation::symbol, symbols_.push(wanted), 0});
+  }
+
+  /// Number of an existing node, or -1.
+  constexpr int find(const node& wanted) const { return table_[slot(place_of(wanted))]; }
+
+  constexpr int find_or_append(const node& wanted) {
+    const int place = slot(place_of(wanted));
+    if (table_[place] >= 0) return table_[place];
+    table_[place] = nodes_.size();
+    return append(wanted);
+  }
+
+private:
+  static constexpr unsigned hash(const number& value) {
+    const double bounded = value.real > -1e9 && value.real < 1e9 ? value.real : 0;
+    return hash(operation::constant, static_cast<int>(value.numerator * 31 + value.denominator),
+                static_cast<int>(static_cast<std::int64_t>(bounded * 65536.0)));
+  }
+  static constexpr unsigned hash(operation op, int a, int b) {
+    const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^ (static_cast<unsigned>(b) * 2246822519u) ^
+                           (static_cast<unsigned>(op) * 3266489917u);
+    return mixed ^ (mixed >> 15);
+  }
+  constexpr int slot(unsigned place) const {
+    return static_cast<int>(place & (static_cast<unsigned>(table_.size()) - 1));
+  }
+  constexpr unsigned place_of(const node& wanted) const {
+    unsigned place = hash(wanted.op, wanted.a, wanted.b);
+    for (; table_[slot(place)] >= 0; ++place) {
+      const node& present = nodes_[table_[slot(place)]];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) break;
+    }
+    return place;
+  }
+  constexpr int append(const node& added) {
+    const int id = nodes_.push(added);
+    if (2 * nodes_.size() > table_.size()) rehash();
+    return id;
+  }
+  constexpr void rehash() {
+    table_ = sequence<int>(4 * table_.size(), -1);
+    for (int id = 0; id < nodes_.size(); ++id) {
+      const node& kept = nodes_[id];
+      unsigned place =
+          kept.op == operation::constant ? hash(numbers_[kept.a]) : hash(kept.op, kept.a, kept.b);
+      while (table_[slot(place)] >= 0) ++place;
+      table_[slot(place)] = id;
+    }
+  }
+
+  sequence<node> nodes_;
+  sequence<number> numbers_;
+  sequence<symbol> symbols_;
+  sequence<int> table_; ///< open addressing; -1 is free
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+
+namespace kanexpr::symbolic {
+
+/// A constant: an exact fraction where it was written so (`/4`), a double otherwise.
+///
+/// Exact arithmetic falls back to doubles where a numerator or denominator would overflow.
+struct number {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1; ///< positive; 0: the value is `real`
+  double real = 0;
+
+  constexpr bool exact() const { return denominator != 0; }
+  constexpr bool integer() const { return denominator == 1; }
+  constexpr double value() const {
+    return exact() ? static_cast<double>(numerator) / static_cast<double>(denominator) : real;
+  }
+  constexpr bool negative() const { return exact() ? numerator < 0 : real < 0; }
+  constexpr bool operator==(const number&) const = default;
+};
+
+constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
+  if (denominator < 0) numerator = -numerator, denominator = -denominator;
+  std::int64_t a = numerator < 0 ? -numerator : numerator, b = denominator;
+  while (b != 0) {
+    const std::int64_t rest = a % b;
+    a = b;
+    b = rest;
+  }
+  if (a > 1) numerator /= a, denominator /= a;
+  return {numerator, denominator, 0};
+}
+
+/// A double; one that holds an integer becomes exact, so that `1.0*x` is `x`.
+constexpr number real(double value) {
+  constexpr double integers_end = 9007199254740992.0; // 2^53
+  if (value > -integers_end && value < integers_end) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value) return {whole, 1, 0};
+  }
+  return {0, 0, value};
+}
+
+constexpr number operator-(const number& a) {
+  return a.exact() ? number{-a.numerator, a.denominator, 0} : number{0, 0, -a.real};
+}
+
+constexpr number operator+(const number& a, const number& b) {
+  if (a.exact() && b.exact()) {
+    std::int64_t left = 0, right = 0, sum = 0, below = 0;
+    if (!__builtin_mul_overflow(a.numerator, b.denominator, &left) &&
+        !__builtin_mul_overflow(b.numerator, a.denominator, &right) &&
+        !__builtin_add_overflow(left, right, &sum) &&
+        !__builtin_mul_overflow(a.denominator, b.denominator, &below))
+      return exactly(sum, below);
+  }
+  return real(a.value() + b.value());
+}
+
+constexpr number operator-(const number& a, const number& b) { return a + -b; }
+
+constexpr number operator*(const number& a, const number& b) {
+  if (a.exact() && b.exact()) {
+    std::int64_t above = 0, below = 0;
+    if (!__builtin_mul_overflow(a.numerator, b.numerator, &above) &&
+        !__builtin_mul_overflow(a.denominator, b.denominator, &below))
+      return exactly(above, below);
+  }
+  return real(a.value() * b.value());
+}
+
+/// The caller has made sure that `b` is not zero.
+constexpr number operator/(const number& a, const number& b) {
+  if (a.exact() && b.exact()) {
+    std::int64_t above = 0, below = 0;
+    if (!__builtin_mul_overflow(a.numerator, b.denominator, &above) &&
+        !__builtin_mul_overflow(a.denominator, b.numerator, &below))
+      return exactly(above, below);
+  }
+  return real(a.value() / b.value());
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <initializer_list>
+
+namespace kanexpr::symbolic {
+
+/// A growable array for constant evaluation.
+///
+/// The compiler interprets every call, so a thin array halves the time of a derivation against
+/// `std::vector`.
+template <class T>
+class sequence {
+public:
+  constexpr sequence() = default;
+  constexpr explicit sequence(int size, const T& value = T{}) { resize(size, value); }
+  constexpr sequence(std::initializer_list<T> values) {
+    for (const T& value : values) push(value);
+  }
+  constexpr sequence(const sequence& other) {
+    reserve(other.size_);
+    for (int i = 0; i < other.size_; ++i) data_[i] = other.data_[i];
+    size_ = other.size_;
+  }
+  constexpr sequence(sequence&& other) noexcept { swap(other); }
+  constexpr sequence& operator=(const sequence& other) {
+    sequence copy(other);
+    swap(copy);
+    return *this;
+  }
+  constexpr sequence& operator=(sequence&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  constexpr ~sequence() { delete[] data_; }
+
+  constexpr int size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr T& operator[](int i) { return data_[i]; }
+  constexpr const T& operator[](int i) const { return data_[i]; }
+  constexpr T& back() { return data_[size_ - 1]; }
+  constexpr const T& back() const { return data_[size_ - 1]; }
+  constexpr T* begin() { return data_; }
+  constexpr T* end() { return data_ + size_; }
+  constexpr const T* begin() const { return data_; }
+  constexpr const T* end() const { return data_ + size_; }
+
+  constexpr int push(const T& value) {
+    const T kept = value; // may live in this very array
+    if (size_ == capacity_) reserve(capacity_ < 8 ? 8 : 2 * capacity_);
+    data_[size_] = kept;
+    return size_++;
+  }
+  constexpr void pop() { --size_; }
+  constexpr void clear() { size_ = 0; }
+  constexpr void resize(int size, const T& value = T{}) {
+    reserve(size);
+    for (int i = size_; i < size; ++i) data_[i] = value;
+    size_ = size;
+  }
+  constexpr void reserve(int capacity) {
+    if (capacity <= capacity_) return;
+    T* const grown = new T[static_cast<unsigned>(capacity)];
+    for (int i = 0; i < size_; ++i) grown[i] = data_[i];
+    delete[] data_;
+    data_ = grown;
+    capacity_ = capacity;
+  }
+  constexpr bool contains(const T& value) const { return find(value) >= 0; }
+  /// Position of the first element equal to `value`, or -1.
+  constexpr int find(const T& value) const {
+    for (int i = 0; i < size_; ++i)
+      if (data_[i] == value) return i;
+    return -1;
+  }
+
+private:
+  constexpr void swap(sequence& other) noexcept {
+    T* const data = data_;
+    const int size = size_, capacity = capacity_;
+    data_ = other.data_, size_ = other.size_, capacity_ = other.capacity_;
+    other.data_ = data, other.size_ = size, other.capacity_ = capacity;
+  }
+
+  T* data_ = nullptr;
+  int size_ = 0;
+  int capacity_ = 0;
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+
+namespace kanexpr::symbolic {
+
+/// A short name that is a plain value, so that a graph of names can leave a constant evaluation.
+struct name {
+  static constexpr int capacity = 63;
+  char letters[capacity + 1]{};
+  int length = 0;
+
+  constexpr name() = default;
+  constexpr name(std::string_view text) { append(text); }
+  constexpr name(const char* text) { append(text); }
+
+  constexpr void append(std::string_view text) {
+    for (char letter : text)
+      if (length < capacity) letters[length++] = letter;
+  }
+  constexpr void append(int value) {
+    if (value < 0) append("-"), value = -value;
+    if (value >= 10) append(value / 10);
+    const char digit = static_cast<char>('0' + value % 10);
+    append(std::string_view(&digit, 1));
+  }
+  constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
+  constexpr bool operator==(const name& other) const { return view() == other.view(); }
+};
+
+enum class symbol_kind : unsigned char {
+  time,
+  coordinate,        ///< generalized coordinate q
+  speed,             ///< generalized speed u
+  parameter,
+  input,
+  coordinate_rate,   ///< dq/dt
+  speed_rate,        ///< du/dt
+};
+
+struct symbol {
+  symbol_kind kind{};
+  name called;
+  int position = 0; ///< among the symbols of its kind, in the order of the state, parameter or input vector
+
+  constexpr bool operator==(const symbol& other) const { return kind == other.kind && called == other.called; }
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,3 @@
+#include <kanexpr/kanexpr.hpp>
+
+int main() {}

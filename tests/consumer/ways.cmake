@@ -1,0 +1,15 @@
+# Builds and runs this folder as a project of its own, once for each way of using the library.
+set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
+
+add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
+set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
+
+foreach(way IN ITEMS add_subdirectory FetchContent find_package)
+  add_test(NAME consumer_${way}
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/${way}
+      --build-generator ${CMAKE_GENERATOR}
+      --build-options -DWAY=${way} -DKANEXPR_SOURCE=${PROJECT_SOURCE_DIR} -DCMAKE_PREFIX_PATH=${prefix}
+        -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+      --test-command consumer)
+endforeach()
+set_tests_properties(consumer_find_package PROPERTIES FIXTURES_REQUIRED installed)
