@@ -3,5 +3,6 @@
 /// Describe a mechanical system as types and get its equations of motion as compiled functions.
 /// Needs Eigen and Boost.Hana only.
 
+#include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/lower/equations_of_motion.hpp>

@@ -38,7 +38,49 @@ struct request<wanted> {
     default: return {1, 1};
     }
   }
+  static constexpr void visit(reader&) {}
   static constexpr symbolic::matrix form(reader&, mechanics::equations& e) { return e.get(wanted); }
+};
+
+/// An expression of the model: a scalar, or a vector by its components in inertial axes or those it was put in.
+template <auto wanted>
+  requires requires { describe::shape_of(wanted); }
+struct request<wanted> {
+  static constexpr phrase words = describe::phrase_of<wanted>;
+  static constexpr extent of(const survey&) { return {words.kind == shape::vector ? 3 : 1, 1}; }
+  static constexpr void visit(reader& r) { r.visit(words.tokens, words.size); }
+  static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
+    const mechanism& m = *e.skeleton_used().model;
+    const value v = r.evaluate(words, "an expression");
+    const bool own_axes = words.tokens[words.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
+    symbolic::matrix result(*m.g, of({}).rows, 1);
+    if (v.kind != shape::vector) {
+      result.entries[0] = e.in_motion(v.scalar);
+      return result;
+    }
+    components c = own_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
+    for (int i = 0; i < 3; ++i) result.entries[i] = e.in_motion(c[i]);
+    return result;
+  }
+};
+
+template <int size, int columns, jacobian_matrix<size, columns> wanted>
+struct request<wanted> {
+  static constexpr extent of(const survey&) { return {wanted.of_vector ? 3 : 1, columns}; }
+  static constexpr void visit(reader& r) { r.visit(wanted.tokens, size); }
+  static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
+    const mechanism& m = *e.skeleton_used().model;
+    const value v = r.evaluate({wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}, "a jacobian");
+    symbolic::matrix result(*m.g, wanted.of_vector ? 3 : 1, columns);
+    components c(*m.g);
+    if (wanted.of_vector) c = mechanics::express(m, v.vector, mechanism::inertial);
+    for (int j = 0; j < columns; ++j) {
+      const expression by = r.symbol(*wanted.by[j].symbol, "a jacobian");
+      if (!wanted.of_vector) result(0, j) = e.in_motion(symbolic::differentiate(v.scalar, by));
+      for (int i = 0; wanted.of_vector && i < 3; ++i) result(i, j) = e.in_motion(symbolic::differentiate(c[i], by));
+    }
+    return result;
+  }
 };
 
 struct outcome {
@@ -53,7 +95,9 @@ constexpr outcome derived() {
   mechanism m(g);
   reader r(System::record, m);
   r.read();
+  (request<wanted>::visit(r), ...);
   mechanics::equations e(m);
+  r.know(e);
   sequence<int> outputs;
   (
       [&] {
@@ -61,7 +105,8 @@ constexpr outcome derived() {
         for (const expression& entry : result.entries) outputs.push(entry.node());
       }(),
       ...);
-  return {e.mistake(), lower::fixed(lower::tape_of(g, outputs))};
+  const problem mistake = r.mistake() ? r.mistake() : e.mistake();
+  return {mistake, lower::fixed(lower::tape_of(g, outputs))};
 }
 
 } // namespace kanexpr::derive

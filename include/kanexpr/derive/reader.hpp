@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/derive/value.hpp>
+#include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/frames.hpp>
+#include <kanexpr/mechanics/observe.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
 namespace kanexpr::derive {
@@ -49,6 +52,17 @@ public:
     if (mistake_ || stack.empty()) return value::of(m_.zero());
     return stack.back();
   }
+
+  /// Reads the entities that a phrase mentions, before the mechanism is taken as complete.
+  constexpr void visit(const describe::token* tokens, int size) {
+    for (int i = 0; i < size && !mistake_; ++i) {
+      if (tokens[i].frame != nullptr) frame(tokens[i].frame, "an expression");
+      if (tokens[i].point != nullptr) point(tokens[i].point, "an expression");
+    }
+  }
+
+  /// From here on phrases may speak of positions, velocities and derivatives.
+  constexpr void know(mechanics::equations& derived) { derived_ = &derived; }
 
   /// The number of a frame that `whom` mentions; it and all that it hangs on are read if they were not yet.
   constexpr int frame(const frame_record* r, std::string_view whom) {
@@ -423,12 +437,54 @@ private:
       stack.push(value::of((1 / sqrt(dot(m_, a.vector, a.vector))) * a.vector));
       break;
     }
-    default: fail({"a position, velocity or energy stands in ", whom, ", where only the model itself may"}); break;
+    default: motion(t, stack, whom); break;
+    }
+  }
+
+  /// What a point or frame does, which only a model that has been read knows.
+  constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    using describe::word;
+    if (derived_ == nullptr)
+      return fail({"a position, velocity or derivative stands in ", whom, ", where it is not known yet"});
+    mechanics::motion& k = derived_->moving();
+    switch (t.what) {
+    case word::position: stack.push(value::of(mechanics::position_from_origin(m_, point(t.point, whom)))); break;
+    case word::velocity: stack.push(value::of(mechanics::velocity_of_point(k, point(t.point, whom)))); break;
+    case word::acceleration: stack.push(value::of(mechanics::acceleration_of_point(k, point(t.point, whom)))); break;
+    case word::angular_velocity:
+      stack.push(value::of(mechanics::angular_velocity_of_frame(k, frame(t.frame, whom))));
+      break;
+    case word::angular_acceleration:
+      stack.push(value::of(mechanics::angular_acceleration_of_frame(k, frame(t.frame, whom))));
+      break;
+    case word::derivative:
+      if (t.frame == nullptr)
+        stack.back().scalar = k.rate(k.known(stack.back().scalar));
+      else
+        stack.back().vector = mechanics::derivative_in(k, stack.back().vector, frame(t.frame, whom));
+      break;
+    case word::partial: {
+      const expression by = symbol(*t.symbol, whom);
+      value& of = stack.back();
+      if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
+      for (mechanics::vector::part& p : of.vector.parts)
+        for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
+      break;
+    }
+    case word::in_axes: {
+      const int axes = frame(t.frame, whom);
+      mechanics::vector v;
+      v.add(axes, mechanics::express(m_, stack.back().vector, axes));
+      stack.back().vector = v;
+      break;
+    }
+    default: break;
     }
   }
 
   const system_record& from_;
   mechanism& m_;
+  mechanics::equations* derived_ = nullptr;
   problem mistake_;
   sequence<const frame_record*> frames_;
   sequence<int> places_of_frames_; ///< a sequence of turns has frames of its own in between

@@ -36,9 +36,9 @@ enum class word : unsigned char {
   acceleration,
   angular_velocity, ///< of `frame` in the inertial frame
   angular_acceleration,
-  partial, ///< derivative of a vector by a symbol
-  kinetic_energy,
-  potential_energy,
+  derivative, ///< in time; of a vector as `frame` sees it
+  partial,    ///< by `symbol`
+  in_axes,    ///< of `frame`
 };
 
 struct token {

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/check.hpp>
 #include <kanexpr/mechanics/energy.hpp>
 #include <kanexpr/mechanics/kane.hpp>
+#include <kanexpr/symbolic/cost.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -63,6 +64,17 @@ public:
     return {};
   }
 
+  /// An expression with the rates q̇ and u̇ as the equations of motion give them.
+  constexpr expression in_motion(expression e) {
+    symbolic::substitution rates(*m_->g);
+    for (int i = 0; i < m_->coordinates.size(); ++i) rates.replace(m_->coordinate_rates[i], s_.coordinate_rates[i]);
+    e = rates.in(e);
+    if (!holds_speed_rate(e.node())) return e;
+    symbolic::substitution accelerated(*m_->g);
+    for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);
+    return accelerated.in(e);
+  }
+
   /// Velocities and accelerations as they are, with the symbols u̇.
   constexpr motion& moving() {
     if (!has_motion_) motion_ = motion(s_, speed_rates::as_symbols);
@@ -71,6 +83,13 @@ public:
   }
 
 private:
+  constexpr bool holds_speed_rate(int output) const {
+    const sequence<char> live = symbolic::live_nodes(*m_->g, {output});
+    for (const expression& rate : m_->speed_rates)
+      if (live[rate.node()] != 0) return true;
+    return false;
+  }
+
   constexpr const symbolic::matrix& mass() {
     if (mass_.rows == 0) {
       mass_ = mechanics::mass_matrix(s_);

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/axes.hpp>
 #include <kanexpr/mechanics/skeleton.hpp>
 #include <kanexpr/symbolic/differentiate.hpp>
+#include <kanexpr/symbolic/substitute.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -34,6 +35,13 @@ public:
 
   /// The time derivative of a scalar.
   constexpr expression rate(expression e) { return along_time_.of(e); }
+
+  /// A scalar with the coordinate rates that the kinematic equations give.
+  constexpr expression known(expression e) const {
+    symbolic::substitution rates(*m_->g);
+    for (int i = 0; i < m_->coordinates.size(); ++i) rates.replace(m_->coordinate_rates[i], s_->coordinate_rates[i]);
+    return rates.in(e);
+  }
 
   /// A uniform acceleration given to the ground; −g stands for gravity on every body.
   constexpr void accelerate_ground(const vector& acceleration) { ground_ = acceleration; }

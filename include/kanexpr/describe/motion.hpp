@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kanexpr/describe/point.hpp>
+#include <kanexpr/describe/symbol.hpp>
+
+/// What a model's entities do, as expressions that `function` compiles and `derive` prints.
+namespace kanexpr {
+
+namespace describe {
+
+constexpr vector<1> motion_of(word what, const point_record* point) {
+  token t = with(what);
+  t.point = point;
+  return {{t}};
+}
+
+constexpr vector<1> motion_of(word what, const frame_record* frame) {
+  token t = with(what);
+  t.frame = frame;
+  return {{t}};
+}
+
+constexpr token by_symbol(word what, const scalar<1>& symbol) {
+  token t = with(what);
+  t.symbol = symbol.tokens[0].symbol;
+  return t;
+}
+
+} // namespace describe
+
+/// The position of `Point` from `From`; both must hang on one origin.
+template <class Point, class From>
+inline constexpr auto position_of = describe::motion_of(describe::word::position, &describe::point_of<Point>) -
+                                    describe::motion_of(describe::word::position, &describe::point_of<From>);
+
+/// Velocity of a point in the inertial frame.
+template <class Point>
+inline constexpr auto velocity_of = describe::motion_of(describe::word::velocity, &describe::point_of<Point>);
+
+/// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
+template <class Point>
+inline constexpr auto acceleration_of = describe::motion_of(describe::word::acceleration, &describe::point_of<Point>);
+
+/// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
+template <class Frame>
+inline constexpr auto angular_velocity_of =
+    describe::motion_of(describe::word::angular_velocity, &describe::frame_of<Frame>);
+
+template <class Frame>
+inline constexpr auto angular_acceleration_of =
+    describe::motion_of(describe::word::angular_acceleration, &describe::frame_of<Frame>);
+
+/// The time derivative of a vector as it is seen in `Frame`.
+template <class Frame, int a>
+constexpr vector<a + 1> derivative_in(const vector<a>& v) {
+  describe::token t = describe::with(describe::word::derivative);
+  t.frame = &describe::frame_of<Frame>;
+  return describe::join<vector<a + 1>>(v.tokens, t);
+}
+
+/// The time derivative of a scalar.
+template <int a>
+constexpr scalar<a + 1> derivative(const scalar<a>& s) {
+  return describe::join<scalar<a + 1>>(s.tokens, describe::with(describe::word::derivative));
+}
+
+/// The same vector by its components in the axes of `Frame`.
+template <class Frame, int a>
+constexpr vector<a + 1> in_axes_of(const vector<a>& v) {
+  describe::token t = describe::with(describe::word::in_axes);
+  t.frame = &describe::frame_of<Frame>;
+  return describe::join<vector<a + 1>>(v.tokens, t);
+}
+
+/// The partial derivative by a symbol; of a vector, in its own axes. `partial(velocity_of<P>, u1)` is a partial velocity.
+template <int a>
+constexpr scalar<a + 1> partial(const scalar<a>& s, const scalar<1>& symbol) {
+  return describe::join<scalar<a + 1>>(s.tokens, describe::by_symbol(describe::word::partial, symbol));
+}
+template <int a>
+constexpr vector<a + 1> partial(const vector<a>& v, const scalar<1>& symbol) {
+  return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::word::partial, symbol));
+}
+
+/// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial axes.
+template <int a, int columns>
+struct jacobian_matrix {
+  bool of_vector;
+  describe::token tokens[a];
+  describe::token by[columns];
+};
+
+template <int a, class... Symbols>
+constexpr auto jacobian(const vector<a>& v, const Symbols&... symbols) {
+  jacobian_matrix<a, sizeof...(Symbols)> j{true, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
+  for (int i = 0; i < a; ++i) j.tokens[i] = v.tokens[i];
+  return j;
+}
+template <int a, class... Symbols>
+constexpr auto jacobian(const scalar<a>& s, const Symbols&... symbols) {
+  jacobian_matrix<a, sizeof...(Symbols)> j{false, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
+  for (int i = 0; i < a; ++i) j.tokens[i] = s.tokens[i];
+  return j;
+}
+
+} // namespace kanexpr
