@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/derivation.hpp>
+#include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/state.hpp>
 
@@ -23,12 +24,13 @@ struct code {
 };
 
 /// What a load finds in the arguments of a call.
-template <class System, class T, class X, class P, class R>
+template <class System, class T, class X, class P, class R, class A>
 struct arguments {
   const T& t;
   const X& x;
   const P& p;
   const R& r;
+  const A& a;
 
   template <symbolic::symbol_kind from, int position>
   [[gnu::always_inline]] T operator()() const noexcept {
@@ -37,6 +39,7 @@ struct arguments {
     else if constexpr (from == symbol_kind::coordinate) return T(x[position]);
     else if constexpr (from == symbol_kind::speed) return T(x[survey_of<System>.coordinates + position]);
     else if constexpr (from == symbol_kind::parameter) return T(p[position]);
+    else if constexpr (from == symbol_kind::speed_rate) return T(a[position]);
     else return T(r[position]);
   }
 };
@@ -47,51 +50,74 @@ struct not_given {};
 template <auto wanted, class System>
 inline constexpr derive::extent extent_of = derive::request<wanted>::of(survey_of<System>);
 
-template <class T, derive::extent size>
-struct result_of {
-  using type = Eigen::Matrix<T, size.rows, size.columns>;
-};
-template <class T, derive::extent size>
-  requires(size.rows == 1 && size.columns == 1)
-struct result_of<T, size> {
-  using type = T;
-};
-
 } // namespace lower
 
 /// Compiled evaluation of one or several results of a system: a function object without state, which allocates nothing
-/// and throws nothing. Called as f(x), f(x, p), f(x, p, r) or with the time in front; x is the state [q; u],
-/// p the parameters, r the inputs, any Eigen vectors of their sizes.
+/// and throws nothing. Called as f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x, p, r, a); t is the time, x the state
+/// [q; u], p the parameters, r the inputs, a the rates of the speeds, any Eigen vectors of their sizes.
 template <class System, auto... wanted>
 struct function {
   using code = lower::code<System, wanted...>;
+  static constexpr std::size_t state_size =
+      static_cast<std::size_t>(lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds);
+  static constexpr std::size_t parameter_count = static_cast<std::size_t>(lower::survey_of<System>.parameters);
+  static constexpr std::size_t input_count = static_cast<std::size_t>(lower::survey_of<System>.inputs);
 
   /// Operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
 
   template <class X>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), lower::not_given{}, lower::not_given{});
+    return evaluate(typename X::Scalar(0), x.derived(), none, none, none);
   }
   template <class X, class P>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), lower::not_given{});
+    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), none, none);
   }
   template <class X, class P, class R>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), r.derived());
+    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), r.derived(), none);
   }
   template <class Time, class X, class P, class R>
   [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(typename X::Scalar(t), x.derived(), p.derived(), r.derived());
+    return evaluate(typename X::Scalar(t), x.derived(), p.derived(), r.derived(), none);
+  }
+  template <class Time, class X, class P, class R, class A>
+  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
+                                         const Eigen::MatrixBase<R>& r, const Eigen::MatrixBase<A>& a) const noexcept {
+    return evaluate(typename X::Scalar(t), x.derived(), p.derived(), r.derived(), a.derived());
+  }
+
+  /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
+  static constexpr auto constant(const std::array<double, state_size>& x,
+                                 const std::array<double, parameter_count>& p = {},
+                                 const std::array<double, input_count>& r = {}, double t = 0) {
+    using symbolic::symbol_kind;
+    const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
+      const auto i = static_cast<std::size_t>(l.position);
+      switch (l.from) {
+      case symbol_kind::coordinate: return x[i];
+      case symbol_kind::speed: return x[static_cast<std::size_t>(lower::survey_of<System>.coordinates) + i];
+      case symbol_kind::parameter: return p[i];
+      case symbol_kind::input: return r[i];
+      default: return t;
+      }
+    });
+    constexpr derive::extent size = std::get<0>(std::tuple(lower::extent_of<wanted, System>...));
+    lower::constant_matrix<size.rows, size.columns> result;
+    for (int i = 0; i < size.rows * size.columns; ++i)
+      result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
+    return result;
   }
 
 private:
-  template <class T, class X, class P, class R>
-  [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r) noexcept {
-    const lower::evaluation<code, T> done(lower::arguments<System, T, X, P, R>{t, x, p, r});
+  static constexpr lower::not_given none{};
+
+  template <class T, class X, class P, class R, class A>
+  [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r, const A& a) noexcept {
+    const lower::evaluation<code, T> done(lower::arguments<System, T, X, P, R, A>{t, x, p, r, a});
     if constexpr (sizeof...(wanted) == 1) {
       return collect<T, 0, wanted...>(done);
     } else {
