@@ -4,7 +4,7 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
-namespace kanexpr::derive {
+namespace kanexpr::derivation {
 
 using mechanics::quantity;
 
@@ -109,4 +109,4 @@ constexpr outcome derived() {
   return {mistake, lower::fixed(lower::tape_of(g, outputs))};
 }
 
-} // namespace kanexpr::derive
+} // namespace kanexpr::derivation

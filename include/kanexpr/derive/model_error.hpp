@@ -5,16 +5,32 @@
 
 #include <utility>
 
+/// How a mistake in a model reaches the person who made it: as the one error of the compilation, a sentence.
 namespace kanexpr {
 
 /// Never defined: its arguments are the sentence that the compiler prints.
 template <text... sentence>
 struct model_error;
 
-namespace derive {
+namespace derivation {
 
-// clang cuts character arrays after some forty letters, so the sentence is handed over in pieces.
-inline constexpr int longest_piece = 34;
+#if __cpp_static_assert >= 202306L // C++26: the message may be computed
+
+/// Ends the compilation with the sentence `Told::mistake`, if there is one.
+template <class Told>
+constexpr bool tell() {
+  static_assert(!static_cast<bool>(Told::mistake), Told::mistake.view());
+  return true;
+}
+
+#else
+
+// g++ prints character arrays in full, clang cuts them after some thirty letters: there the sentence comes in pieces.
+#ifdef __clang__
+inline constexpr int longest_piece = 30;
+#else
+inline constexpr int longest_piece = mechanics::problem::capacity;
+#endif
 
 /// Where piece number `piece` of a sentence begins, cut at spaces; the length of the sentence for those behind its end.
 constexpr int piece_begin(const mechanics::problem& p, int piece) {
@@ -45,17 +61,24 @@ constexpr int count_pieces() {
     return count_pieces<Told, pieces + 1>();
 }
 
+template <class Told, class Pieces>
+struct told;
+template <class Told, int... i>
+struct told<Told, std::integer_sequence<int, i...>> : model_error<piece_of<Told, i>()...> {
+  static constexpr bool value = true;
+};
+
 /// Ends the compilation with the sentence `Told::mistake`, if there is one.
 template <class Told>
 constexpr bool tell() {
   if constexpr (static_cast<bool>(Told::mistake))
-    return []<int... i>(std::integer_sequence<int, i...>) {
-      return sizeof(model_error<piece_of<Told, i>()...>) != 0;
-    }(std::make_integer_sequence<int, count_pieces<Told>()>{});
+    return sizeof(told<Told, std::make_integer_sequence<int, count_pieces<Told>()>>) != 0; // not run: one error
   else
     return true;
 }
 
-} // namespace derive
+#endif
+
+} // namespace derivation
 
 } // namespace kanexpr

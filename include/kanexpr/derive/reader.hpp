@@ -8,7 +8,7 @@
 #include <kanexpr/mechanics/observe.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
-namespace kanexpr::derive {
+namespace kanexpr::derivation {
 
 using describe::body_record;
 using describe::frame_record;
@@ -68,6 +68,7 @@ public:
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)
       if (frames_[i] == r) return places_of_frames_[i];
+    if (derived_ != nullptr) fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_frame(*r, whom);
     if (mistake_) return mechanism::inertial;
     const int parent = r->parent != nullptr ? frame(r->parent, r->called) : none;
@@ -88,6 +89,7 @@ public:
   constexpr int point(const point_record* r, std::string_view whom) {
     const int present = points_.find(r);
     if (present >= 0) return present;
+    if (derived_ != nullptr) fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_point(*r, whom);
     if (mistake_) return 0;
     mechanics::point p;
@@ -496,4 +498,4 @@ private:
   int describing_ = none; ///< the frame whose own axes `own` means
 };
 
-} // namespace kanexpr::derive
+} // namespace kanexpr::derivation

@@ -3,7 +3,7 @@
 #include <kanexpr/derive/reader.hpp>
 #include <kanexpr/mechanics/check.hpp>
 
-namespace kanexpr::derive {
+namespace kanexpr::derivation {
 
 /// What is known of a system before anything is derived: its symbols in order, and its first mistake.
 struct survey {
@@ -75,4 +75,4 @@ constexpr survey survey_of() {
   return s;
 }
 
-} // namespace kanexpr::derive
+} // namespace kanexpr::derivation

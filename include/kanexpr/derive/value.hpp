@@ -3,7 +3,7 @@
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/orientation.hpp>
 
-namespace kanexpr::derive {
+namespace kanexpr::derivation {
 
 using mechanics::components;
 using mechanics::matrix3;
@@ -125,4 +125,4 @@ constexpr mechanics::vector dot(const mechanics::mechanism& m, const mechanics::
   return product;
 }
 
-} // namespace kanexpr::derive
+} // namespace kanexpr::derivation

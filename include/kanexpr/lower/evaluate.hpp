@@ -7,9 +7,8 @@
 
 namespace kanexpr::lower {
 
-/// How many steps one function holds. Long tapes are cut here, since compilers are slow with very large functions.
+/// How many steps one function template holds: fewer cost more instantiations, more cost longer ones.
 inline constexpr int steps_in_a_block = 24;
-inline constexpr int blocks_inlined = 4096 / steps_in_a_block;
 
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
@@ -24,7 +23,9 @@ public:
   [[gnu::always_inline]] explicit evaluation(const Arguments& arguments) noexcept {
     load_numbers(std::make_integer_sequence<int, tape.sizes.numbers>{});
     load_arguments(arguments, std::make_integer_sequence<int, tape.sizes.loads>{});
-    run(std::make_integer_sequence<int, (tape.sizes.steps + steps_in_a_block - 1) / steps_in_a_block>{});
+    run<0, tape.sizes.first_angle>();
+    turn(std::make_integer_sequence<int, tape.sizes.angles>{});
+    run<tape.sizes.first_angle + 2 * tape.sizes.angles, tape.sizes.steps>();
   }
 
   template <int i>
@@ -48,16 +49,33 @@ private:
     static_cast<void>(order);
   }
 
-  template <int... block>
-  [[gnu::always_inline]] void run(std::integer_sequence<int, block...>) noexcept {
-    const int order[]{0, (run_block<block>(), 0)...};
+  /// The sines and cosines of all angles that are known first, in one call that a scalar type may replace.
+  template <int... i>
+  [[gnu::always_inline]] void turn(std::integer_sequence<int, i...>) noexcept {
+    if constexpr (sizeof...(i) != 0) {
+      const T angle[]{slot_[tape.a[tape.sizes.first_angle + 2 * i]]...};
+      T sine[sizeof...(i)], cosine[sizeof...(i)];
+      scalar_math<T>::template sincos<sizeof...(i)>(angle, sine, cosine);
+      const int order[]{(slot_[first + tape.sizes.first_angle + 2 * i] = sine[i],
+                         slot_[first + tape.sizes.first_angle + 2 * i + 1] = cosine[i], 0)...};
+      static_cast<void>(order);
+    }
+  }
+
+  template <int begin, int end>
+  [[gnu::always_inline]] void run() noexcept {
+    run_blocks<begin, end>(std::make_integer_sequence<int, (end - begin + steps_in_a_block - 1) / steps_in_a_block>{});
+  }
+
+  template <int begin, int end, int... block>
+  [[gnu::always_inline]] void run_blocks(std::integer_sequence<int, block...>) noexcept {
+    const int order[]{0, (run_block<begin + block * steps_in_a_block, end>(), 0)...};
     static_cast<void>(order);
   }
 
-  template <int block>
+  template <int begin, int end>
   [[gnu::always_inline]] void run_block() noexcept {
-    constexpr int begin = block * steps_in_a_block;
-    constexpr int left = tape.sizes.steps - begin;
+    constexpr int left = end - begin;
     run_steps<begin>(std::make_integer_sequence<int, (left < steps_in_a_block ? left : steps_in_a_block)>{});
   }
 

@@ -9,6 +9,8 @@ struct tape_sizes {
   int numbers = 0;
   int loads = 0;
   int results = 0;
+  int first_angle = 0;
+  int angles = 0;
 };
 
 /// A tape that can leave a constant evaluation, as plain arrays; what is behind the sizes is unused.
@@ -34,7 +36,7 @@ using roomy_tape = fixed_tape<roomy, roomy, roomy, roomy>;
 
 constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
-  out.sizes = {t.steps.size(), t.numbers.size(), t.loads.size(), t.results.size()};
+  out.sizes = {t.steps.size(), t.numbers.size(), t.loads.size(), t.results.size(), t.first_angle, t.angle_count};
   out.cost = cost_of(t);
   for (int i = 0; i < t.steps.size(); ++i) {
     out.op[i] = t.steps[i].op;

@@ -14,13 +14,13 @@ namespace lower {
 /// The tape for some results of a system, derived once for each set of them.
 template <class System, auto... wanted>
 struct code {
-  static constexpr derive::outcome outcome = [] {
-    if (survey_of<System>.mistake) return derive::outcome{};
-    return derive::derived<System, wanted...>();
+  static constexpr derivation::outcome outcome = [] {
+    if (survey_of<System>.mistake) return derivation::outcome{};
+    return derivation::derived<System, wanted...>();
   }();
   static constexpr const auto& tape = outcome.tape;
   static constexpr mechanics::problem mistake = outcome.mistake;
-  static_assert(derive::tell<code>());
+  static_assert(derivation::tell<code>());
 };
 
 /// What a load finds in the arguments of a call.
@@ -48,7 +48,7 @@ struct arguments {
 struct not_given {};
 
 template <auto wanted, class System>
-inline constexpr derive::extent extent_of = derive::request<wanted>::of(survey_of<System>);
+inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(survey_of<System>);
 
 } // namespace lower
 
@@ -105,7 +105,7 @@ struct function {
       default: return t;
       }
     });
-    constexpr derive::extent size = std::get<0>(std::tuple(lower::extent_of<wanted, System>...));
+    constexpr derivation::extent size = std::get<0>(std::tuple(lower::extent_of<wanted, System>...));
     lower::constant_matrix<size.rows, size.columns> result;
     for (int i = 0; i < size.rows * size.columns; ++i)
       result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
@@ -127,7 +127,7 @@ private:
 
   template <class T, int first, auto one>
   [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
-    constexpr derive::extent size = lower::extent_of<one, System>;
+    constexpr derivation::extent size = lower::extent_of<one, System>;
     if constexpr (size.rows == 1 && size.columns == 1) {
       return T(done.template result<first>());
     } else {
@@ -141,7 +141,7 @@ private:
   }
 
   static constexpr int first_of(std::size_t which) {
-    const derive::extent sizes[]{lower::extent_of<wanted, System>...};
+    const derivation::extent sizes[]{lower::extent_of<wanted, System>...};
     int first = 0;
     for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
     return first;

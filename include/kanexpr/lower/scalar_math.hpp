@@ -3,7 +3,9 @@
 #include <kanexpr/symbolic/operation.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace kanexpr::lower {
 
@@ -12,13 +14,24 @@ namespace kanexpr::lower {
 template <class T>
 struct scalar_math {
   static void sincos(const T& angle, T& sine, T& cosine) {
+#if defined(__GLIBC__)
+    if constexpr (std::is_same_v<T, double>) return ::sincos(angle, &sine, &cosine);
+    if constexpr (std::is_same_v<T, float>) return ::sincosf(angle, &sine, &cosine);
+    if constexpr (std::is_same_v<T, long double>) return ::sincosl(angle, &sine, &cosine);
+#endif
     using std::cos;
     using std::sin;
     sine = sin(angle);
     cosine = cos(angle);
   }
-  static T sin(const T& x) { return by_name<symbolic::operation::sin>(x); }
-  static T cos(const T& x) { return by_name<symbolic::operation::cos>(x); }
+
+  /// Several angles at once: the place for a vector routine.
+  template <std::size_t count>
+  [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (sincos(angle[i], sine[i], cosine[i]), ...);
+    }(std::make_index_sequence<count>{});
+  }
 
   template <symbolic::operation op>
   static T by_name(const T& x) {

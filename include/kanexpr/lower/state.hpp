@@ -12,13 +12,13 @@ namespace lower {
 /// A system's survey, formed once, with the end of the compilation if it holds a mistake.
 template <class System>
 struct surveyed {
-  static constexpr derive::survey survey = derive::survey_of<System>();
+  static constexpr derivation::survey survey = derivation::survey_of<System>();
   static constexpr mechanics::problem mistake = survey.mistake;
-  static_assert(derive::tell<surveyed>());
+  static_assert(derivation::tell<surveyed>());
 };
 
 template <class System>
-inline constexpr const derive::survey& survey_of = surveyed<System>::survey;
+inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
 
 template <class System, symbolic::symbol_kind kind, text called, int index>
 constexpr int place_of() {
@@ -32,7 +32,7 @@ struct placed {
     if (place >= 0) return mechanics::problem{};
     return mechanics::sentence({"the system has no symbol ", describe::symbol_storage<kind, called, index>::record.called.view()});
   }();
-  static_assert(derive::tell<placed>());
+  static_assert(derivation::tell<placed>());
 };
 
 } // namespace lower

@@ -24,57 +24,121 @@ struct load {
 
 /// Straight-line code: first the constants, then what is loaded from the arguments, then the steps, each in the slot
 /// of its number. Only what the outputs need is there.
+///
+/// The sines and cosines of angles that need none themselves stand together, `angle_count` pairs from step
+/// `first_angle` on, so that one routine can compute them all.
 struct tape {
   sequence<instruction> steps;
   sequence<symbolic::number> numbers;
   sequence<load> loads;
   sequence<int> results; ///< slots
+  int first_angle = 0;
+  int angle_count = 0;
 
   constexpr int first_step() const { return numbers.size() + loads.size(); }
   constexpr int slots() const { return first_step() + steps.size(); }
 };
 
-/// Sorts the live nodes of a graph into a tape. Sine and cosine of one angle become one step, and a tangent whose
-/// sine or cosine is needed anyway a division.
-constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
-  sequence<char> live = symbolic::live_nodes(g, outputs);
-  for (int id = 0; id < g.size(); ++id) {
-    if (live[id] == 0 || g[id].op != operation::tan) continue;
-    const int s = g.find({operation::sin, g[id].a, 0}), c = g.find({operation::cos, g[id].a, 0});
-    const bool free = s >= 0 && c >= 0 && (live[s] != 0 || live[c] != 0);
-    if (free) live[s] = live[c] = 1;
+namespace detail {
+
+/// Puts the live nodes of a graph in order.
+class scheduling {
+public:
+  constexpr scheduling(const graph& g, const sequence<int>& outputs)
+      : g_(g), live_(symbolic::live_nodes(g, outputs)), slot_(g.size(), none), outputs_(outputs) {
+    for (int id = 0; id < g.size(); ++id)
+      if (g[id].op == operation::tan && live_[id] != 0 && has_either(id)) live_[sine_of(id)] = live_[cosine_of(id)] = 1;
   }
 
-  tape t;
-  sequence<int> slot(g.size(), -1);
-  for (int id = 0; id < g.size(); ++id)
-    if (live[id] != 0 && g.is_constant(id)) slot[id] = t.numbers.push(g.number_at(id));
-  for (int id = 0; id < g.size(); ++id)
-    if (live[id] != 0 && g[id].op == operation::symbol) {
-      const symbolic::symbol& s = g.symbol_at(id);
-      slot[id] = t.numbers.size() + t.loads.push({s.kind, s.position});
-    }
-  const int first = t.first_step();
-  for (int id = 0; id < g.size(); ++id) {
-    const symbolic::node& n = g[id];
-    if (live[id] == 0 || is_leaf(n.op) || slot[id] >= 0) continue;
-    if (n.op == operation::sin || n.op == operation::cos || n.op == operation::tan) {
-      const int s = g.find({operation::sin, n.a, 0}), c = g.find({operation::cos, n.a, 0});
-      if (s >= 0 && c >= 0 && live[s] != 0 && live[c] != 0) {
-        if (slot[s] < 0) {
-          slot[s] = first + t.steps.push({operation::sin, slot[n.a], 0, true});
-          slot[c] = first + t.steps.push({operation::cos, slot[n.a], 0, true});
-        }
-        if (n.op == operation::tan) slot[id] = first + t.steps.push({operation::divide, slot[s], slot[c], false});
-        continue;
+  constexpr tape run() {
+    for (int id = 0; id < g_.size(); ++id)
+      if (live_[id] != 0 && g_.is_constant(id)) slot_[id] = tape_.numbers.push(g_.number_at(id));
+    for (int id = 0; id < g_.size(); ++id)
+      if (live_[id] != 0 && g_[id].op == operation::symbol) {
+        const symbolic::symbol& s = g_.symbol_at(id);
+        slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
       }
-    }
-    slot[id] = first + t.steps.push({n.op, slot[n.a], symbolic::is_binary(n.op) ? slot[n.b] : 0, false});
+    gather_angles();
+    for (int id = 0; id < g_.size(); ++id)
+      if (live_[id] != 0) put(id);
+    for (int id : outputs_) tape_.results.push(slot_[id]);
+    return tape_;
   }
-  for (int id : outputs) t.results.push(slot[id]);
-  return t;
-}
 
+private:
+  static constexpr int none = -1;
+
+  constexpr int sine_of(int id) const { return g_.find({operation::sin, g_[id].a, 0}); }
+  constexpr int cosine_of(int id) const { return g_.find({operation::cos, g_[id].a, 0}); }
+  static constexpr bool is_circular(operation op) {
+    return op == operation::sin || op == operation::cos || op == operation::tan;
+  }
+  constexpr bool has_either(int id) const {
+    const int s = sine_of(id), c = cosine_of(id);
+    return s >= 0 && c >= 0 && (live_[s] != 0 || live_[c] != 0);
+  }
+  constexpr bool has_both(int id) const {
+    const int s = sine_of(id), c = cosine_of(id);
+    return s >= 0 && c >= 0 && live_[s] != 0 && live_[c] != 0;
+  }
+
+  /// Angles first, then all their sines and cosines.
+  constexpr void gather_angles() {
+    sequence<char> free(g_.size(), 0); // nodes that rest on no function: sums and products of what is given
+    sequence<int> gathered;
+    for (int id = 0; id < g_.size(); ++id) {
+      const symbolic::node& n = g_[id];
+      if (is_leaf(n.op)) free[id] = 1;
+      else if (n.op <= operation::divide) free[id] = free[n.a] != 0 && (!symbolic::is_binary(n.op) || free[n.b] != 0);
+      if (live_[id] == 0 || n.op != operation::sin || free[n.a] == 0 || !has_both(id)) continue;
+      put_with_operands(n.a);
+      gathered.push(id);
+    }
+    tape_.first_angle = tape_.steps.size();
+    tape_.angle_count = gathered.size();
+    for (int id : gathered) put(id);
+  }
+
+  constexpr void put_with_operands(int id) {
+    if (slot_[id] != none) return;
+    put_with_operands(g_[id].a);
+    if (symbolic::is_binary(g_[id].op)) put_with_operands(g_[id].b);
+    put(id);
+  }
+
+  /// Gives a node its step, once its operands have theirs. Sine and cosine of one angle become one step, and a tangent
+  /// whose sine or cosine is needed anyway a division.
+  constexpr void put(int id) {
+    const symbolic::node& n = g_[id];
+    if (slot_[id] != none) return;
+    if (is_circular(n.op) && has_both(id)) {
+      const int s = sine_of(id), c = cosine_of(id);
+      if (slot_[s] == none) {
+        slot_[s] = step({operation::sin, slot_[n.a], 0, true});
+        slot_[c] = step({operation::cos, slot_[n.a], 0, true});
+      }
+      if (n.op == operation::tan) slot_[id] = step({operation::divide, slot_[s], slot_[c], false});
+      return;
+    }
+    const int b = symbolic::is_binary(n.op) ? slot_[n.b] : 0;
+    slot_[id] = step({n.op, slot_[n.a], b, false});
+  }
+
+  constexpr int step(const instruction& added) { return tape_.first_step() + tape_.steps.push(added); }
+
+  const graph& g_;
+  sequence<char> live_;
+  sequence<int> slot_;
+  const sequence<int>& outputs_;
+  tape tape_;
+};
+
+} // namespace detail
+
+/// Sorts what some outputs need of a graph into a tape.
+constexpr tape tape_of(const graph& g, const sequence<int>& outputs) { return detail::scheduling(g, outputs).run(); }
+
+/// What one evaluation of a tape does.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
   for (const instruction& step : t.steps) {

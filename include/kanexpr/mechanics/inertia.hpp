@@ -65,16 +65,24 @@ struct rigid_mass {
 /// The same mass seen from a point that lies at −r: what was about c is now about p, with c at p + r.
 ///
 /// With h' = h + m r the diagonal gains r·(h + h') less its own product, the rest r_i h_j + r_j h'_i:
-/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation).
+/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation). Without mass h' is
+/// h, and the diagonal gains twice what the moments of forces at r need as well.
 constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
   rigid_mass to = at;
   const components& h = at.first_moment;
   to.first_moment = h + at.mass * r;
   const components& k = to.first_moment;
-  const expression x = r.x * (h.x + k.x), y = r.y * (h.y + k.y), z = r.z * (h.z + k.z);
-  to.inertia.xx = at.inertia.xx + (y + z);
-  to.inertia.yy = at.inertia.yy + (z + x);
-  to.inertia.zz = at.inertia.zz + (x + y);
+  if (at.mass.is_zero()) {
+    const expression x = r.x * h.x, y = r.y * h.y, z = r.z * h.z;
+    to.inertia.xx = at.inertia.xx + 2 * (y + z);
+    to.inertia.yy = at.inertia.yy + 2 * (z + x);
+    to.inertia.zz = at.inertia.zz + 2 * (x + y);
+  } else {
+    const expression x = r.x * (h.x + k.x), y = r.y * (h.y + k.y), z = r.z * (h.z + k.z);
+    to.inertia.xx = at.inertia.xx + (y + z);
+    to.inertia.yy = at.inertia.yy + (z + x);
+    to.inertia.zz = at.inertia.zz + (x + y);
+  }
   to.inertia.xy = at.inertia.xy - (r.x * h.y + r.y * k.x);
   to.inertia.yz = at.inertia.yz - (r.y * h.z + r.z * k.y);
   to.inertia.zx = at.inertia.zx - (r.z * h.x + r.x * k.z);

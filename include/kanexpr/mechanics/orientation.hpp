@@ -55,11 +55,8 @@ public:
   constexpr path(const mechanism& m, int from, int to) {
     if (from == to) return;
     const int meeting = common_ancestor(m, from, to);
-    for (int f = from; f != meeting; f = m.frames[f].parent) push_up(m.frames[f]);
-    sequence<int> down;
-    for (int f = to; f != meeting; f = m.frames[f].parent) down.push(f);
-    const int climbed = hops_.size();
-    for (int i = down.size() - 1; i >= 0; --i) push_down(m.frames[down[i]], climbed);
+    climb(m, from, meeting);
+    descend(m, to, meeting);
   }
 
   constexpr const sequence<hop>& hops() const { return hops_; }
@@ -84,17 +81,38 @@ public:
   }
 
 private:
-  constexpr void push_up(const frame& f) {
-    if (f.kind == orientation::about_basis)
-      push_turn(f.axis, f.angle, 0);
-    else if (!f.to_parent.is_identity())
-      hops_.push({false, 0, expression{}, f.to_parent});
+  /// Formed from the meeting outwards and then turned round: so the angles of a chain add up as running sums.
+  constexpr void climb(const mechanism& m, int from, int meeting) {
+    const sequence<int> way = way_down(m, from, meeting);
+    for (int i = way.size() - 1; i >= 0; --i) {
+      const frame& f = m.frames[way[i]];
+      if (f.kind == orientation::about_basis)
+        push_turn(f.axis, f.angle, 0);
+      else if (!f.to_parent.is_identity())
+        hops_.push({false, 0, expression{}, f.to_parent});
+    }
+    for (int i = 0, j = hops_.size() - 1; i < j; ++i, --j) {
+      const hop first = hops_[i];
+      hops_[i] = hops_[j];
+      hops_[j] = first;
+    }
   }
-  constexpr void push_down(const frame& f, int climbed) {
-    if (f.kind == orientation::about_basis)
-      push_turn(f.axis, -f.angle, climbed);
-    else if (!f.to_parent.is_identity())
-      hops_.push({false, 0, expression{}, transpose(f.to_parent)});
+  constexpr void descend(const mechanism& m, int to, int meeting) {
+    const sequence<int> way = way_down(m, to, meeting);
+    const int climbed = hops_.size();
+    for (int i = way.size() - 1; i >= 0; --i) {
+      const frame& f = m.frames[way[i]];
+      if (f.kind == orientation::about_basis)
+        push_turn(f.axis, -f.angle, climbed);
+      else if (!f.to_parent.is_identity())
+        hops_.push({false, 0, expression{}, transpose(f.to_parent)});
+    }
+  }
+  /// The frames from `f` to the one below `meeting`, the last first.
+  static constexpr sequence<int> way_down(const mechanism& m, int f, int meeting) {
+    sequence<int> way;
+    for (; f != meeting; f = m.frames[f].parent) way.push(f);
+    return way;
   }
   constexpr void push_turn(int axis, expression angle, int first_to_merge) {
     if (hops_.size() > first_to_merge && hops_.back().about_basis && hops_.back().axis == axis)

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// A bob on a massless rod, with viscous friction and a motor at the pivot. It hangs straight down at q = 0.
+namespace simple_pendulum {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"m"> m;
+constexpr parameter<"l"> l;
+constexpr parameter<"g"> g;
+constexpr parameter<"c"> c;
+constexpr input<"T"> T;
+
+struct N : inertial_frame<N> {}; // x points down
+struct A : rotated<A, N, q, N::z> {};
+
+struct O : origin<O, N> {};
+struct P : offset<P, O, l * A::x> {};
+
+struct Bob : particle<Bob, P, m> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
+                  inputs<T>, bodies<Bob>, loads<gravity<g * N::x>, torque<A, (T - c * u) * N::z>>> {};
+
+} // namespace simple_pendulum

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// A symmetric top whose tip stays where it is. The speeds are the components of its angular velocity in the
+/// frame that precesses and nutates with the top and does not spin.
+namespace spinning_top {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q3"> q3;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr speed<"u3"> u3;
+constexpr parameter<"m"> m;
+constexpr parameter<"l"> l;
+constexpr parameter<"g"> g;
+constexpr parameter<"A"> A; // moment of inertia across the axis
+constexpr parameter<"C"> C; // and about it
+
+struct N : inertial_frame<N> {};
+struct F1 : rotated<F1, N, q1, N::z> {};   // precession
+struct F2 : rotated<F2, F1, q2, F1::x> {}; // nutation
+struct B : rotated<B, F2, q3, F2::z>,      // spin
+           angular_velocity<N, u1 * F2::x + u2 * F2::y + u3 * F2::z> {};
+
+struct O : origin<O, N> {};                         // tip
+struct G : offset<G, O, l * F2::z>, fixed_in<B> {}; // mass centre
+
+struct Top : rigid_body<Top, G, B, m, inertia<F2, A, A, C>> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
+                  kinematics<u1 == dot(q2), u2 == dot(q1) * sin(q2), u3 == dot(q3) + dot(q1) * cos(q2)>,
+                  parameters<m, l, g, A, C>, bodies<Top>, loads<gravity<-g * N::z>>> {};
+
+} // namespace spinning_top
