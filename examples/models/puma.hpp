@@ -7,29 +7,17 @@ namespace puma {
 
 using namespace kanexpr;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
-constexpr coordinate<"q4"> q4;
-constexpr coordinate<"q5"> q5;
-constexpr coordinate<"q6"> q6;
-constexpr speed<"u1"> u1;
-constexpr speed<"u2"> u2;
-constexpr speed<"u3"> u3;
-constexpr speed<"u4"> u4;
-constexpr speed<"u5"> u5;
-constexpr speed<"u6"> u6;
-constexpr input<"T1"> T1;
-constexpr input<"T2"> T2;
-constexpr input<"T3"> T3;
-constexpr input<"T4"> T4;
-constexpr input<"T5"> T5;
-constexpr input<"T6"> T6;
+template <int i>
+constexpr coordinate<"q", i> q;
+template <int i>
+constexpr speed<"u", i> u;
+template <int i>
+constexpr input<"T", i> T;
 
 struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};
 
-struct Link1 : rotated<Link1, N, q1, N::z> {};
+struct Link1 : rotated<Link1, N, q<1>, N::z> {};
 struct Link1_center : offset<Link1_center, O, 0.011 * Link1::x - 0.013 * Link1::y + 0.017 * Link1::z> {};
 struct Link1_body
     : rigid_body<
@@ -38,14 +26,14 @@ struct Link1_body
 };
 
 struct Link2_home : direction_cosines<Link2_home, Link1, 1, 0, 0, 0, 0, 1, 0, -1, 0> {};
-struct Link2 : rotated<Link2, Link2_home, q2, Link2_home::z> {};
+struct Link2 : rotated<Link2, Link2_home, q<2>, Link2_home::z> {};
 struct Link2_center
     : offset<Link2_center, O, 0.0801 * Link2::x - 0.0083 * Link2::y + 0.002700000000000001 * Link2::z> {};
 struct Link2_body
     : rigid_body<Link2_body, Link2_center, Link2, 17.4,
                  inertia<Link2, 0.13, 0.524, 0.539, 0.01573, 0.007150000000000001, -0.010010000000000002>> {};
 
-struct Link3 : rotated<Link3, Link2, q3, Link2::z> {};
+struct Link3 : rotated<Link3, Link2, q<3>, Link2::z> {};
 struct Link3_joint : offset<Link3_joint, O, 0.4318 * Link2::x + 0.15005 * Link2::z> {};
 struct Link3_center
     : offset<Link3_center, Link3_joint,
@@ -55,7 +43,7 @@ struct Link3_body : rigid_body<Link3_body, Link3_center, Link3, 4.8,
                                        0.0007500000000000024, -0.0010500000000000002>> {};
 
 struct Link4_home : direction_cosines<Link4_home, Link3, 1, 0, 0, 0, 0, 1, 0, -1, 0> {};
-struct Link4 : rotated<Link4, Link4_home, q4, Link4_home::z> {};
+struct Link4 : rotated<Link4, Link4_home, q<4>, Link4_home::z> {};
 struct Link4_joint : offset<Link4_joint, Link3_joint, 0.0203 * Link3::x + 0.4318 * Link3::y> {};
 struct Link4_center : offset<Link4_center, Link4_joint,
                              0.0143 * Link4::x - 0.0169 * Link4::y + 0.003100000000000002 * Link4::z> {};
@@ -64,7 +52,7 @@ struct Link4_body : rigid_body<Link4_body, Link4_center, Link4, 0.82,
                                        0.00018590000000000007, 8.45e-05, -0.0001183>> {};
 
 struct Link5_home : direction_cosines<Link5_home, Link4, 1, 0, 0, 0, 0, -1, 0, 1, 0> {};
-struct Link5 : rotated<Link5, Link5_home, q5, Link5_home::z> {};
+struct Link5 : rotated<Link5, Link5_home, q<5>, Link5_home::z> {};
 struct Link5_center
     : offset<Link5_center, Link4_joint,
              0.015399999999999999 * Link5::x - 0.018199999999999997 * Link5::y + 0.0238 * Link5::z> {};
@@ -75,7 +63,7 @@ struct Link5_body
 };
 
 struct Link6_home : direction_cosines<Link6_home, Link5, 1, 0, 0, 0, 0, 1, 0, -1, 0> {};
-struct Link6 : rotated<Link6, Link6_home, q6, Link6_home::z> {};
+struct Link6 : rotated<Link6, Link6_home, q<6>, Link6_home::z> {};
 struct Link6_center
     : offset<Link6_center, Link4_joint, 0.0165 * Link6::x - 0.0195 * Link6::y + 0.0575 * Link6::z> {};
 struct Link6_body
@@ -83,17 +71,17 @@ struct Link6_body
                  inertia<Link6, 0.00014999999999999996, 0.00015000000000000001, 3.9999999999999996e-05,
                          6.600000000000001e-06, 3.000000000000005e-06, -4.199999999999994e-06>> {};
 
-struct System
-    : kane_system<
-          inertial<N>, coordinates<q1, q2, q3, q4, q5, q6>, speeds<u1, u2, u3, u4, u5, u6>,
-          kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3, dot(q4) == u4, dot(q5) == u5,
-                     dot(q6) == u6>,
-          inputs<T1, T2, T3, T4, T5, T6>,
-          bodies<Link1_body, Link2_body, Link3_body, Link4_body, Link5_body, Link6_body>,
-          loads<gravity<-9.81 * N::z>, torque<Link1, T1 * Link1::z>, torque<Link2, T2 * Link2::z>,
-                torque<Link1, -T2 * Link2::z>, torque<Link3, T3 * Link3::z>, torque<Link2, -T3 * Link3::z>,
-                torque<Link4, T4 * Link4::z>, torque<Link3, -T4 * Link4::z>, torque<Link5, T5 * Link5::z>,
-                torque<Link4, -T5 * Link5::z>, torque<Link6, T6 * Link6::z>, torque<Link5, -T6 * Link6::z>>> {
-};
+struct System : kane_system<inertial<N>, coordinates<q<1>, q<2>, q<3>, q<4>, q<5>, q<6>>,
+                            speeds<u<1>, u<2>, u<3>, u<4>, u<5>, u<6>>,
+                            kinematics<dot(q<1>) == u<1>, dot(q<2>) == u<2>, dot(q<3>) == u<3>,
+                                       dot(q<4>) == u<4>, dot(q<5>) == u<5>, dot(q<6>) == u<6>>,
+                            inputs<T<1>, T<2>, T<3>, T<4>, T<5>, T<6>>,
+                            bodies<Link1_body, Link2_body, Link3_body, Link4_body, Link5_body, Link6_body>,
+                            loads<gravity<-9.81 * N::z>, torque<Link1, T<1> * Link1::z>,
+                                  torque<Link2, T<2> * Link2::z>, torque<Link1, -T<2> * Link2::z>,
+                                  torque<Link3, T<3> * Link3::z>, torque<Link2, -T<3> * Link3::z>,
+                                  torque<Link4, T<4> * Link4::z>, torque<Link3, -T<4> * Link4::z>,
+                                  torque<Link5, T<5> * Link5::z>, torque<Link4, -T<5> * Link5::z>,
+                                  torque<Link6, T<6> * Link6::z>, torque<Link5, -T<6> * Link6::z>>> {};
 
 } // namespace puma

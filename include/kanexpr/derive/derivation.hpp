@@ -8,10 +8,11 @@ namespace kanexpr::derivation {
 
 using mechanics::quantity;
 
-/// Rows and columns of a result; 1×1 is a scalar.
+/// Rows and columns of a result; a scalar is not a matrix, though a matrix may be 1×1.
 struct extent {
   int rows = 1;
   int columns = 1;
+  bool scalar = false;
 };
 
 /// Something that can be asked of a system: a quantity of its own, or an expression of the model.
@@ -35,7 +36,7 @@ struct request<wanted> {
     case quantity::linear_momentum:
     case quantity::angular_momentum:
     case quantity::center_of_mass: return {3, 1};
-    default: return {1, 1};
+    default: return {1, 1, true};
     }
   }
   static constexpr void visit(reader&) {}
@@ -47,7 +48,9 @@ template <auto wanted>
   requires requires { describe::shape_of(wanted); }
 struct request<wanted> {
   static constexpr phrase words = describe::phrase_of<wanted>;
-  static constexpr extent of(const survey&) { return {words.kind == shape::vector ? 3 : 1, 1}; }
+  static constexpr extent of(const survey&) {
+    return {words.kind == shape::vector ? 3 : 1, 1, words.kind != shape::vector};
+  }
   static constexpr void visit(reader& r) { r.visit(words.tokens, words.size); }
   static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
     const mechanism& m = *e.skeleton_used().model;

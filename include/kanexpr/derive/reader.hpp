@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/value.hpp>
+#include <kanexpr/derive/wording.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -37,12 +38,7 @@ public:
     frame(from_.inertial, "the system");
     for (int i = 0; i < from_.bodies.size && !mistake_; ++i) read_body(from_.bodies[i]);
     for (int i = 0; i < from_.loads.size && !mistake_; ++i) read_load(from_.loads[i]);
-    for (int i = 0; i < from_.kinematics.size && !mistake_; ++i) {
-      const phrase& p = from_.kinematics[i];
-      if (p.kind != shape::equation)
-        fail({"a kinematic differential equation is not an equation; write dot(q) == u"});
-      m_.kinematics.push(evaluate(p, "the kinematic equations").scalar);
-    }
+    for (int i = 0; i < from_.kinematics.size && !mistake_; ++i) read_kinematics(from_.kinematics[i]);
   }
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
@@ -71,7 +67,11 @@ public:
     if (derived_ != nullptr) fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_frame(*r, whom);
     if (mistake_) return mechanism::inertial;
+    const int describing_before = describing_;
+    describing_ = none;
+    open_frames_.push(r);
     const int parent = r->parent != nullptr ? frame(r->parent, r->called) : none;
+    open_frames_.pop();
     if (mistake_) return mechanism::inertial;
     const int place = add_frame(*r, parent);
     frames_.push(r);
@@ -79,10 +79,10 @@ public:
     if (r->reference != nullptr && !mistake_) {
       describing_ = place;
       const int reference = frame(r->reference, r->called);
-      const mechanics::vector w = vector_of(r->angular_velocity, {"the angular velocity of ", r->called}, r->called);
-      describing_ = none;
+      const mechanics::vector w = vector_of(r->angular_velocity, {"the angular velocity of frame ", r->called}, r->called);
       if (!mistake_) mechanics::declare_angular_velocity(m_, place, reference, w);
     }
+    describing_ = describing_before;
     return place;
   }
 
@@ -95,15 +95,17 @@ public:
     mechanics::point p;
     p.called = symbolic::name(r->called);
     if (r->parent != nullptr) {
+      open_points_.push(r);
       p.parent = point(r->parent, r->called);
-      p.offset = vector_of(r->offset, {"the offset of ", r->called}, r->called);
+      open_points_.pop();
+      p.offset = vector_of(r->offset, {"the offset of point ", r->called}, r->called);
     } else if (frame(r->origin_of, r->called) != mechanism::inertial) {
-      fail({"origin ", r->called, " is not in the inertial frame; a point that moves needs an offset"});
+      fail({"origin ", r->called, " does not stand in the inertial frame; a point that moves needs an offset"});
     }
     if (r->fixed_in != nullptr) p.fixed_in = frame(r->fixed_in, r->called);
     if (r->reference != nullptr) {
       p.reference = frame(r->reference, r->called);
-      p.velocity = vector_of(r->velocity, {"the velocity of ", r->called}, r->called);
+      p.velocity = vector_of(r->velocity, {"the velocity of point ", r->called}, r->called);
     }
     if (mistake_) return 0;
     points_.push(r);
@@ -129,9 +131,15 @@ public:
 
 private:
   using words = std::initializer_list<std::string_view>;
+  static constexpr std::string_view axis_names = "xyz";
 
   constexpr void fail(words pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
+  }
+
+  /// `struct B : rotated<A, ...>` would be a second A.
+  constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
+    fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ", called});
   }
 
   constexpr void read_lists() {
@@ -152,12 +160,12 @@ private:
 
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind, std::string_view list) {
     if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", list, " holds something that is not a symbol"});
+      fail({"the list of ", list, " holds something that is not a symbol", p.size > 1 ? ", with " : "", name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({s->called.view(), " stands in the list of ", list, " and is none"});
+      fail({kind_of(*s), s->called.view(), " stands in the list of ", list});
       return nullptr;
     }
     claim_name(s->called, list);
@@ -170,6 +178,8 @@ private:
       if (names_[i] == called) {
         if (lists_[i] == list)
           fail({called.view(), " is listed twice among the ", list});
+        else if (lists_[i] == "values")
+          fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
         else
           fail({"the name ", called.view(), " is used twice: among the ", lists_[i], " and among the ", list});
       }
@@ -178,25 +188,43 @@ private:
   }
 
   constexpr void read_value(const phrase& p) {
-    const symbol_record* s = p.kind == shape::equation && p.size >= 3 ? p.tokens[0].symbol : nullptr;
-    if (s == nullptr || s->kind != symbolic::symbol_kind::parameter) {
-      fail({"a value is given to something that is not a parameter; write values<m == 2.5>"});
-      return;
-    }
+    const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
+    const phrase right{shape::scalar, p.tokens + 1, p.size - 2};
+    if (s == nullptr || !is_whole(right))
+      return fail({"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
+                   p.size > 0 ? " with " : "", name_in(p)});
+    if (s->kind != symbolic::symbol_kind::parameter)
+      return fail({kind_of(*s), s->called.view(), " is given a value; only parameters have one"});
     for (const symbolic::name& present : bound_)
-      if (present == s->called) fail({"parameter ", s->called.view(), " is given two values"});
-    const expression number = evaluate({shape::scalar, p.tokens + 1, p.size - 2}, s->called.view()).scalar;
-    if (!mistake_ && !number.is_constant()) fail({"the value of parameter ", s->called.view(), " is not a number"});
+      if (present == s->called) return fail({"parameter ", s->called.view(), " is given two values"});
+    for (int i = 0; i < right.size; ++i)
+      if (right.tokens[i].symbol != nullptr)
+        return fail({"the value of parameter ", s->called.view(), " is not a number: it holds ",
+                     right.tokens[i].symbol->called.view()});
+    const value number = evaluate(right, s->called.view());
+    if (!mistake_ && (number.kind != shape::scalar || !number.scalar.is_constant()))
+      fail({"the value of parameter ", s->called.view(), " is not a number"});
     bound_.push(s->called);
-    bound_values_.push(number);
+    bound_values_.push(number.scalar);
     claim_name(s->called, "values");
+  }
+
+  constexpr void read_kinematics(const phrase& p) {
+    constexpr std::string_view whom = "a kinematic differential equation";
+    if (p.kind != shape::equation)
+      return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "", name_in(p),
+                   "; write dot(q) == u"});
+    const value left_minus_right = evaluate(p, whom);
+    if (!mistake_ && left_minus_right.kind != shape::scalar)
+      fail({whom, " with ", name_in(p), " equates vectors; equate their dot products with basis vectors"});
+    m_.kinematics.push(left_minus_right.scalar);
   }
 
   constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)
       if (m_.g->symbol_at(own[i].node()).called == r.called) return wanted[i];
-    fail({kind, " ", r.called.view(), " of ", whom, " is not in the list of ", kind, "s"});
+    fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
     return m_.zero();
   }
 
@@ -205,7 +233,7 @@ private:
     for (const expression& e : known)
       if (m_.g->symbol_at(e.node()).called == r.called) return e;
     if (complete) {
-      fail({kind, " ", r.called.view(), " of ", whom, " is not in the list of ", kind, "s"});
+      fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
       return m_.zero();
     }
     claim_name(r.called, kind == "input" ? "inputs" : "parameters");
@@ -215,20 +243,26 @@ private:
   // ---- frames and points
 
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
-    if (r.called != r.calls_itself)
-      fail({"frame ", r.called, " must name itself first, not ", r.calls_itself});
+    if (r.calls_itself.empty()) return fail({r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
+    if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
+    if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
+      fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
     if (r.orientation == describe::orientation_word::inertial && &r != from_.inertial)
       fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
             from_.inertial->called});
-    for (int i = 0; i < frames_.size(); ++i)
-      if (frames_[i]->called == r.called) fail({"two frames are called ", r.called});
+    if (open_frames_.contains(&r)) fail({"frame ", r.called, " stands in itself"});
+    for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
+      for (const frame_record* f : *list)
+        if (f->called == r.called) fail({"two frames are called ", r.called});
   }
 
-  constexpr void check_point(const point_record& r, std::string_view) {
-    if (r.called != r.calls_itself)
-      fail({"point ", r.called, " must name itself first, not ", r.calls_itself});
-    for (const point_record* p : points_)
-      if (p->called == r.called) fail({"two points are called ", r.called});
+  constexpr void check_point(const point_record& r, std::string_view whom) {
+    if (r.calls_itself.empty()) return fail({r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
+    if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
+    if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
+    for (const sequence<const point_record*>* list : {&points_, &open_points_})
+      for (const point_record* p : *list)
+        if (p->called == r.called) fail({"two points are called ", r.called});
     if (r.fixed_in != nullptr && r.reference != nullptr)
       fail({"point ", r.called, " is said to be fixed in ", r.fixed_in->called, " and to have a velocity of its own"});
   }
@@ -238,12 +272,12 @@ private:
     const symbolic::name called(r.called);
     sequence<expression> given;
     for (const phrase& p : r.given)
-      if (p.kind != shape::nothing) given.push(scalar_of(p, {"an angle or parameter of frame ", r.called}, r.called));
+      if (p.kind != shape::nothing) given.push(scalar_of(p, {what_is_given(r), r.called}, r.called));
     if (mistake_) return mechanism::inertial;
     switch (r.orientation) {
     case orientation_word::inertial: return mechanics::add_inertial_frame(m_, called);
     case orientation_word::rotated: {
-      const mechanics::vector axis = vector_of(r.axis, {"the axis of ", r.called}, r.called);
+      const mechanics::vector axis = vector_of(r.axis, {"the axis of frame ", r.called}, r.called);
       if (mistake_) return mechanism::inertial;
       const components a = mechanics::express(m_, axis, parent);
       if (a.is_zero()) fail({"frame ", r.called, " is turned about an axis of no length"});
@@ -254,7 +288,7 @@ private:
     case orientation_word::body_fixed:
     case orientation_word::space_fixed:
       if (!mechanics::is_sequence({r.sequence, 3})) {
-        fail({"frame ", r.called, " is turned by a sequence that is none: three axes, no two neighbours alike"});
+        fail({"frame ", r.called, " is turned by a sequence that is none; take three axes, no two neighbours alike: zxz"});
         return mechanism::inertial;
       }
       return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,
@@ -282,9 +316,12 @@ private:
   // ---- bodies and loads
 
   constexpr void read_body(const body_record& r) {
-    if (r.called != r.calls_itself) fail({"body ", r.called, " must name itself first, not ", r.calls_itself});
-    for (const mechanics::body& b : m_.bodies)
-      if (b.called == symbolic::name(r.called)) fail({"body ", r.called, " is listed twice"});
+    if (r.calls_itself.empty()) return fail({"bodies<...> lists ", r.called, ", which is not a body"});
+    if (r.called != r.calls_itself) return slip("body ", r.called, r.calls_itself);
+    for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one
+      if (&from_.bodies[i] == &r) return fail({"body ", r.called, " is listed twice"});
+      if (from_.bodies[i].called == r.called) return fail({"two bodies are called ", r.called});
+    }
     mechanics::body b;
     b.called = symbolic::name(r.called);
     b.mass = scalar_of(r.mass, {"the mass of ", r.called}, r.called);
@@ -300,8 +337,9 @@ private:
   constexpr mechanics::dyadic inertia_of(const body_record& r) {
     mechanics::dyadic inertia;
     if (r.inertia_axes == nullptr) {
-      const value v = evaluate(r.inertia_dyadic, r.called);
-      if (v.kind != shape::dyadic) fail({"the inertia of ", r.called, " is not a dyadic"});
+      const value v = evaluate_part("the inertia of ", r.inertia_dyadic, r.called);
+      if (v.kind != shape::dyadic)
+        fail({"the inertia of ", r.called, is_a(r.inertia_dyadic.kind), "it must be a dyadic: I*outer(A::x, A::x)"});
       return v.dyadic;
     }
     expression i[6];
@@ -331,31 +369,56 @@ private:
     }
     case describe::load_word::gravity: {
       if (m_.has_gravity) fail({"gravity is given twice"});
-      const mechanics::vector v = vector_of(r.value, {"gravity"}, "gravity");
+      const mechanics::vector v = vector_of(r.value, {"", "gravity"}, "gravity");
       if (mistake_) return;
       m_.has_gravity = true;
       m_.gravity = v;
       break;
     }
+    case describe::load_word::none: fail({"loads<...> lists ", r.called, ", which is not a load"}); break;
     }
   }
 
   // ---- phrases
 
-  constexpr expression scalar_of(const phrase& p, words what, std::string_view whom) {
+  /// A phrase that is the part `what` of an entity: "the offset of point ".
+  constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
+    const std::string_view before = part_;
+    part_ = what;
     const value v = evaluate(p, whom);
-    if (!mistake_ && v.kind != shape::scalar) fail_about(what, " must be a scalar");
-    return mistake_ ? m_.zero() : v.scalar;
+    part_ = before;
+    return v;
+  }
+
+  constexpr expression scalar_of(const phrase& p, words what, std::string_view whom) {
+    const value v = evaluate_part(*what.begin(), p, whom);
+    if (mistake_) return m_.zero();
+    if (p.kind == shape::scalar) return v.scalar;
+    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a scalar"});
+    return m_.zero();
   }
   constexpr mechanics::vector vector_of(const phrase& p, words what, std::string_view whom) {
-    const value v = evaluate(p, whom);
-    if (!mistake_ && v.kind != shape::vector) fail_about(what, " must be a vector");
+    const value v = evaluate_part(*what.begin(), p, whom);
     if (mistake_) return {};
-    return v.vector;
+    if (p.kind == shape::vector) return v.vector;
+    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a vector"});
+    return {};
   }
-  constexpr void fail_about(words what, std::string_view demand) {
-    const problem start = sentence(what);
-    fail({start.view(), demand});
+  /// Words that mean nothing for these kinds of quantities.
+  constexpr bool senseless(const describe::token& t, const value& a, const value& b, std::string_view whom) {
+    using describe::word;
+    const auto kind = [](const value& v) {
+      return v.kind == shape::scalar ? "a scalar" : v.kind == shape::vector ? "a vector" : "a dyadic";
+    };
+    if ((t.what == word::add || t.what == word::subtract) && a.kind != b.kind)
+      fail({part_, whom, t.what == word::add ? " adds " : " subtracts or equates ", kind(a), " and ", kind(b)});
+    if (t.what == word::multiply && a.kind != shape::scalar)
+      fail({part_, whom, " multiplies ", kind(a), " by ", kind(b), "; write dot, cross or outer"});
+    if (t.what == word::divide && b.kind != shape::scalar)
+      fail({part_, whom, " divides ", kind(a), " by ", kind(b)});
+    if (t.what == word::divide && b.kind == shape::scalar && b.scalar.is_zero())
+      fail({part_, whom, " is divided by zero"});
+    return static_cast<bool>(mistake_);
   }
 
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
@@ -371,7 +434,9 @@ private:
     case word::basis: {
       mechanics::vector v;
       const int f = t.frame != nullptr ? frame(t.frame, whom) : describing_;
-      if (f == none) return fail({"own axes mean nothing outside the declared angular velocity of a frame"});
+      if (f == none)
+        return fail({part_, whom, " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
+                     ", which stands for a frame while its angular velocity is declared"});
       v.add(f, mechanics::unit(*m_.g, t.index));
       stack.push(value::of(v));
       break;
@@ -389,22 +454,25 @@ private:
     case word::negate: stack.push(negative(m_, pop())); break;
     case word::add: {
       const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
       stack.push(sum(a, b));
       break;
     }
     case word::subtract: {
       const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
       stack.push(sum(a, negative(m_, b)));
       break;
     }
     case word::multiply: {
       const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
       stack.push(scaled(a.scalar, b));
       break;
     }
     case word::divide: {
       const value b = pop(), a = pop();
-      if (b.scalar.is_zero()) return fail({"something of ", whom, " is divided by zero"});
+      if (senseless(t, a, b, whom)) return;
       if (a.kind == shape::scalar)
         stack.push(value::of(a.scalar / b.scalar));
       else
@@ -447,7 +515,7 @@ private:
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::word;
     if (derived_ == nullptr)
-      return fail({"a position, velocity or derivative stands in ", whom, ", where it is not known yet"});
+      return fail({part_, whom, " holds a position, velocity or derivative, which is not known yet while a model is read"});
     mechanics::motion& k = derived_->moving();
     switch (t.what) {
     case word::position: stack.push(value::of(mechanics::position_from_origin(m_, point(t.point, whom)))); break;
@@ -495,7 +563,10 @@ private:
   sequence<expression> bound_values_;
   sequence<symbolic::name> names_;
   sequence<std::string_view> lists_;
-  int describing_ = none; ///< the frame whose own axes `own` means
+  sequence<const frame_record*> open_frames_; ///< whose parents are being read
+  sequence<const point_record*> open_points_;
+  int describing_ = none;  ///< the frame whose own axes `own` means
+  std::string_view part_;  ///< of an entity, that is being read: "the offset of point "
 };
 
 } // namespace kanexpr::derivation

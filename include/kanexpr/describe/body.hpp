@@ -64,7 +64,8 @@ namespace describe {
 
 template <class Body>
 inline constexpr body_record body_of = [] {
-  body_record r = Body::content();
+  body_record r;
+  if constexpr (requires { Body::content(); }) r = Body::content(); // else no body: it has no name for itself
   r.called = type_name<Body>();
   return r;
 }();

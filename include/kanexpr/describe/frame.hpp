@@ -8,7 +8,8 @@ namespace describe {
 
 template <class Frame>
 constexpr frame_record record_frame() {
-  frame_record r = Frame::orientation();
+  frame_record r;
+  if constexpr (requires { Frame::orientation(); }) r = Frame::orientation(); // else no frame: it has no name for itself
   r.called = type_name<Frame>();
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;

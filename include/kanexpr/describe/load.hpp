@@ -25,4 +25,23 @@ struct gravity {
                                               describe::phrase_of<acceleration>};
 };
 
+namespace describe {
+
+template <class Load>
+constexpr load_record record_load() {
+  load_record r;
+  if constexpr (requires { Load::load; }) {
+    r = Load::load;
+  } else {
+    r.what = load_word::none;
+    r.called = type_name<Load>();
+  }
+  return r;
+}
+
+template <class Load>
+inline constexpr load_record load_of = record_load<Load>();
+
+} // namespace describe
+
 } // namespace kanexpr

@@ -8,7 +8,8 @@ namespace describe {
 
 template <class Point>
 constexpr point_record record_point() {
-  point_record r = Point::place();
+  point_record r;
+  if constexpr (requires { Point::place(); }) r = Point::place(); // else no point: it has no name for itself
   r.called = type_name<Point>();
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {

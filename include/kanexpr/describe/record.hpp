@@ -1,13 +1,13 @@
 #pragma once
 
 #include <kanexpr/describe/text.hpp>
-#include <kanexpr/describe/vector.hpp>
+#include <kanexpr/describe/mixed.hpp>
 
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
 namespace kanexpr::describe {
 
-/// What an expression turns out to be.
-enum class shape : unsigned char { nothing, scalar, vector, dyadic, equation };
+/// What an expression turns out to be; foreign: it is none.
+enum class shape : unsigned char { nothing, scalar, vector, dyadic, equation, foreign };
 
 /// An expression in static storage.
 struct phrase {
@@ -44,8 +44,13 @@ constexpr auto with_numbers_as_scalars(const T& value) {
 template <auto value>
 struct stored {
   static constexpr auto expression = with_numbers_as_scalars(value);
-  static constexpr phrase words{shape_of(expression), expression.tokens,
-                                static_cast<int>(sizeof(expression.tokens) / sizeof(token))};
+  static constexpr phrase words = [] {
+    if constexpr (requires { shape_of(expression); })
+      return phrase{shape_of(expression), expression.tokens,
+                    static_cast<int>(sizeof(expression.tokens) / sizeof(token))};
+    else
+      return phrase{shape::foreign, nullptr, 0};
+  }();
 };
 
 /// The phrase for any expression that a model gives as a template argument.
@@ -97,13 +102,14 @@ struct body_record {
   const point_record* about = nullptr;
 };
 
-enum class load_word : unsigned char { force, torque, gravity };
+enum class load_word : unsigned char { force, torque, gravity, none };
 
 struct load_record {
   load_word what{};
   const point_record* point = nullptr;
   const frame_record* frame = nullptr;
   phrase value{};
+  std::string_view called{};
 };
 
 } // namespace kanexpr::describe

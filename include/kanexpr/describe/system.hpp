@@ -40,6 +40,19 @@ struct list_of {
 template <class Word>
 concept system_word = requires(system_record& r) { Word::tell(r); };
 
+template <class Word>
+constexpr std::string_view word_of() {
+  if constexpr (system_word<Word>)
+    return Word::word;
+  else
+    return {};
+}
+
+template <class Word>
+constexpr void tell(system_record& r) {
+  if constexpr (system_word<Word>) Word::tell(r);
+}
+
 } // namespace describe
 
 /// The inertial frame.
@@ -117,7 +130,7 @@ template <class... Loads>
 struct loads {
   static constexpr std::string_view word = "loads";
   static constexpr void tell(describe::system_record& r) {
-    r.loads = describe::list_of<describe::load_record, &Loads::load...>::all;
+    r.loads = describe::list_of<describe::load_record, &describe::load_of<Loads>...>::all;
   }
 };
 
@@ -129,13 +142,13 @@ struct kane_system {
 
   static constexpr int times_told(std::string_view wanted) {
     int times = 0;
-    ((times += Words::word == wanted ? 1 : 0), ...);
+    ((times += describe::word_of<Words>() == wanted ? 1 : 0), ...);
     return times;
   }
 
   static constexpr describe::system_record record = [] {
     describe::system_record r;
-    (Words::tell(r), ...);
+    (describe::tell<Words>(r), ...);
     return r;
   }();
 };

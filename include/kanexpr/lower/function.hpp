@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/derivation.hpp>
+#include <kanexpr/lower/call.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/state.hpp>
@@ -15,8 +16,10 @@ namespace lower {
 template <class System, auto... wanted>
 struct code {
   static constexpr derivation::outcome outcome = [] {
-    if (survey_of<System>.mistake) return derivation::outcome{};
-    return derivation::derived<System, wanted...>();
+    if constexpr (static_cast<bool>(survey_of<System>.mistake))
+      return derivation::outcome{};
+    else
+      return derivation::derived<System, wanted...>();
   }();
   static constexpr const auto& tape = outcome.tape;
   static constexpr mechanics::problem mistake = outcome.mistake;
@@ -43,9 +46,6 @@ struct arguments {
     else return T(r[position]);
   }
 };
-
-/// What stands for arguments that are not given.
-struct not_given {};
 
 template <auto wanted, class System>
 inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(survey_of<System>);
@@ -117,7 +117,23 @@ private:
 
   template <class T, class X, class P, class R, class A>
   [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r, const A& a) noexcept {
-    const lower::evaluation<code, T> done(lower::arguments<System, T, X, P, R, A>{t, x, p, r, a});
+    if constexpr (!lower::call<System, code, X, P, R, A, wanted...>::possible) {
+      return no_results<T>();
+    } else {
+      return collect_from<T>(lower::evaluation<code, T>(lower::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+    }
+  }
+
+  template <class T>
+  static auto no_results() {
+    if constexpr (sizeof...(wanted) == 1)
+      return lower::no_result<T>{};
+    else
+      return std::tuple((static_cast<void>(wanted), lower::no_result<T>{})...);
+  }
+
+  template <class T>
+  [[gnu::always_inline]] static auto collect_from(const lower::evaluation<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
       return collect<T, 0, wanted...>(done);
     } else {
@@ -128,7 +144,7 @@ private:
   template <class T, int first, auto one>
   [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
     constexpr derivation::extent size = lower::extent_of<one, System>;
-    if constexpr (size.rows == 1 && size.columns == 1) {
+    if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
       Eigen::Matrix<T, size.rows, size.columns> m;

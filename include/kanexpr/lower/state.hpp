@@ -27,12 +27,33 @@ constexpr int place_of() {
 
 template <class System, symbolic::symbol_kind kind, text called, int index>
 struct placed {
-  static constexpr int place = place_of<System, kind, called, index>();
+  static constexpr int found = place_of<System, kind, called, index>();
+  static constexpr int place = found >= 0 ? found : 0;
   static constexpr mechanics::problem mistake = [] {
-    if (place >= 0) return mechanics::problem{};
-    return mechanics::sentence({"the system has no symbol ", describe::symbol_storage<kind, called, index>::record.called.view()});
+    if (found >= 0 || survey_of<System>.mistake) return mechanics::problem{};
+    using symbolic::symbol_kind;
+    const std::string_view what = kind == symbol_kind::coordinate  ? "coordinate "
+                                  : kind == symbol_kind::speed     ? "speed "
+                                  : kind == symbol_kind::parameter ? "parameter "
+                                                                   : "input ";
+    return mechanics::sentence({"the system ", type_name<System>(), " has no ", what,
+                                describe::symbol_storage<kind, called, index>::record.called.view()});
   }();
   static_assert(derivation::tell<placed>());
+};
+
+/// A symbol of a kind that a vector does not hold, such as a parameter asked of the state.
+template <class System, class Symbol, text vector>
+struct misplaced {
+  static constexpr Symbol asked{};
+  static constexpr mechanics::problem mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::problem{};
+    const describe::symbol_record* s = asked.tokens[0].symbol;
+    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ", vector.view(),
+                                " of ", type_name<System>()});
+  }();
+  static_assert(derivation::tell<misplaced>());
+  static constexpr int place = 0;
 };
 
 } // namespace lower
@@ -67,6 +88,11 @@ public:
     return (*this)(coordinates + lower::placed<System, symbolic::symbol_kind::speed, called, index>::place);
   }
 
+  template <std::derived_from<scalar<1>> Symbol>
+  Scalar& operator[](const Symbol&) {
+    return (*this)(lower::misplaced<System, Symbol, "state vector">::place);
+  }
+
   auto q() { return this->template head<coordinates>(); }
   auto q() const { return this->template head<coordinates>(); }
   auto u() { return this->template tail<speeds>(); }
@@ -92,6 +118,10 @@ public:
   const Scalar& operator[](const parameter<called, index>&) const {
     return (*this)(lower::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
   }
+  template <std::derived_from<scalar<1>> Symbol>
+  Scalar& operator[](const Symbol&) {
+    return (*this)(lower::misplaced<System, Symbol, "parameter vector">::place);
+  }
 };
 
 /// The inputs of a system, with access by name, `r[T1]`.
@@ -112,6 +142,10 @@ public:
   template <text called, int index>
   const Scalar& operator[](const input<called, index>&) const {
     return (*this)(lower::placed<System, symbolic::symbol_kind::input, called, index>::place);
+  }
+  template <std::derived_from<scalar<1>> Symbol>
+  Scalar& operator[](const Symbol&) {
+    return (*this)(lower::misplaced<System, Symbol, "input vector">::place);
   }
 };
 

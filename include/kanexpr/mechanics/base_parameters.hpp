@@ -52,32 +52,34 @@ private:
     return found;
   }
 
-  /// A joint about axis a does not feel the part {m, h_a, I_dd about both other axes} of what it carries: that part
-  /// moves to the frame below, where it is a constant too (base inertial parameters: Gautier & Khalil 1990).
+  /// Whatever a frame does about a point that is fixed in the frame below it, its mass acts on that frame as a particle
+  /// at the point. A joint about axis a does not feel the part {m, h_a, I_dd about both other axes} of what it carries
+  /// either. These parts move to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there,
+  /// and of symbols the mass alone moves, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
-    const int a = s_.joint_axis(l.frame);
     const node& at = s_.nodes[l.node];
     const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
-    if (a == none || !stands || !l.mass.is_constant() || s_.body_axes[l.frame] != l.frame ||
-        s_.turns_in[l.frame] != at.frame)
-      return l;
-    const int b = (a + 1) % 3, d = (a + 2) % 3;
+    if (!stands || l.frame == at.frame) return l;
     const mechanism& m = *s_.model;
     rigid_mass moved(*m.g);
-    components along(*m.g);
-    along[a] = l.mass.first_moment[a];
-    moved.mass = l.mass.mass;
-    moved.inertia(b, b) = moved.inertia(d, d) = l.mass.inertia(d, d);
-    const path to_below(m, m.frames[l.frame].parent, s_.body_axes[at.frame]);
-    moved.first_moment = to_below.turn(along);
-    moved.inertia = to_below.turn(moved.inertia);
-    put({l.node, at.frame, moved});
-
     link left = l;
+    moved.mass = l.mass.mass;
     left.mass.mass = m.zero();
-    left.mass.first_moment[a] = m.zero();
-    left.mass.inertia(b, b) -= l.mass.inertia(d, d);
-    left.mass.inertia(d, d) = m.zero();
+
+    const int a = s_.joint_axis(l.frame);
+    if (a != none && l.mass.is_constant() && s_.body_axes[l.frame] == l.frame && s_.turns_in[l.frame] == at.frame) {
+      const int b = (a + 1) % 3, d = (a + 2) % 3;
+      components along(*m.g);
+      along[a] = l.mass.first_moment[a];
+      moved.inertia(b, b) = moved.inertia(d, d) = l.mass.inertia(d, d);
+      const path to_below(m, m.frames[l.frame].parent, s_.body_axes[at.frame]);
+      moved.first_moment = to_below.turn(along);
+      moved.inertia = to_below.turn(moved.inertia);
+      left.mass.first_moment[a] = m.zero();
+      left.mass.inertia(b, b) -= l.mass.inertia(d, d);
+      left.mass.inertia(d, d) = m.zero();
+    }
+    put({l.node, at.frame, moved});
     return left;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/directions.hpp>
+#include <kanexpr/mechanics/skeleton.hpp>
 #include <kanexpr/symbolic/solve.hpp>
 
 namespace kanexpr::mechanics {
@@ -89,7 +89,7 @@ private:
     at_[n].pop();
 
     const int f = c.frame, below = s_.turns_in[f];
-    const sequence<direction> turning = directions(s_, s_.turning[f], f);
+    const sequence<direction>& turning = s_.partial_turning[f];
     sequence<composite::column> entering;
     for (const direction& w : turning)
       entering.push({w.speed, cross(w.value, c.mass.first_moment), c.mass.inertia * w.value});
@@ -122,7 +122,7 @@ private:
     }
     if (c.mass.is_zero() && c.columns.empty()) return;
     if (!at.slide.parts.empty()) {
-      const sequence<direction> slide = directions(s_, at.slide, at.axes);
+      const sequence<direction>& slide = s_.partial_slide[n];
       sequence<composite::column> entering;
       for (const direction& v : slide)
         entering.push({v.speed, c.mass.mass * v.value, cross(c.mass.first_moment, v.value)});

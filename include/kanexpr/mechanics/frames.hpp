@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/mechanism.hpp>
+#include <kanexpr/mechanics/dependence.hpp>
 
 #include <string_view>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/mechanics/directions.hpp>
 #include <kanexpr/mechanics/motion.hpp>
 #include <kanexpr/symbolic/substitute.hpp>
 
@@ -42,7 +41,7 @@ public:
     for (int n = s_.nodes.size() - 1; n >= 0; --n) {
       const node& at = s_.nodes[n];
       if (force_[n].is_zero()) continue;
-      for (const direction& v : directions(s_, at.slide, at.axes)) share_[v.speed] += dot(v.value, force_[n]);
+      for (const direction& v : s_.partial_slide[n]) share_[v.speed] += dot(v.value, force_[n]);
       if (at.absolute || at.parent == none) continue;
       moment_[at.frame] += cross(s_.offset_in_working_axes(n), force_[n]);
       const int parent_axes = s_.nodes[at.parent].axes;
@@ -50,7 +49,7 @@ public:
     }
     for (int f : tips_first()) {
       if (moment_[f].is_zero()) continue;
-      for (const direction& w : directions(s_, s_.turning[f], f)) share_[w.speed] += dot(w.value, moment_[f]);
+      for (const direction& w : s_.partial_turning[f]) share_[w.speed] += dot(w.value, moment_[f]);
       const int below = s_.turns_in[f];
       if (below != mechanism::inertial) moment_[below] += turn(moment_[f], f, below);
     }

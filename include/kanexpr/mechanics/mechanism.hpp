@@ -44,6 +44,20 @@ constexpr vector operator*(expression s, const vector& v) {
   return scaled;
 }
 
+constexpr vector operator+(vector a, const vector& b) {
+  a.add(b);
+  return a;
+}
+constexpr vector operator-(vector a, const vector& b) {
+  a.subtract(b);
+  return a;
+}
+constexpr vector operator-(const vector& v) {
+  vector turned;
+  turned.subtract(v);
+  return turned;
+}
+
 /// A dyadic as a sum over pairs of frames: Σ value(i,j) left.i ⊗ right.j.
 struct dyadic {
   struct part {
@@ -74,6 +88,11 @@ constexpr dyadic operator*(expression s, const dyadic& d) {
     scaled.parts.push({p.left, p.right, value});
   }
   return scaled;
+}
+
+constexpr dyadic operator+(dyadic a, const dyadic& b) {
+  a.add(b);
+  return a;
 }
 
 /// How a frame stands in its parent.

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/central_inertia.hpp>
 #include <kanexpr/mechanics/joint_points.hpp>
 #include <kanexpr/mechanics/kinematic_equations.hpp>
+#include <kanexpr/mechanics/partial_velocities.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -178,6 +179,7 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   place_joint_points(s);
   gather_masses(s);
   choose_working_axes(s);
+  form_partial_velocities(s);
   return s;
 }
 

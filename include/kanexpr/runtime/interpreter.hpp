@@ -3,92 +3,104 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/tape.hpp>
 
-#include <cstddef>
-#include <vector>
-
 namespace kanexpr::runtime {
 
-/// Evaluates a tape step by step while the program runs: the same operations in the same order as the compiled code.
-/// Its memory is taken once, when it is made.
-template <class Scalar>
+/// Evaluates a tape that is only known while the program runs: the steps of the compiled evaluation, in its
+/// order and with its arithmetic, so the results agree to the last bit. All memory is taken once, by the
+/// constructor.
+template <class T = double>
 class interpreter {
 public:
-  explicit interpreter(const lower::tape& code) : code_(code), slot_(static_cast<std::size_t>(code.slots())) {
-    for (int i = 0; i < code.numbers.size(); ++i) at(i) = lower::number_as<Scalar>(code.numbers[i]);
+  explicit interpreter(const lower::tape& code) : code_(code), slots_(code.slots(), T(0)) {
+    for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 
-  int results() const { return code_.results.size(); }
   const lower::tape& code() const { return code_; }
+  int size() const { return code_.results.size(); }
 
-  /// Evaluates; `value_of(load)` gives what each load stands for. Results are read with `result` afterwards.
-  template <class ValueOf>
-  void evaluate(const ValueOf& value_of) noexcept {
-    int next = code_.numbers.size();
-    for (const lower::load& l : code_.loads) at(next++) = value_of(l);
-    for (const lower::instruction& step : code_.steps) {
-      run(step, next);
-      ++next;
-    }
+  /// Writes `results[i]` for each result; `value_of(load)` gives the value of a symbol by its kind and
+  /// position.
+  template <class Arguments, class Results>
+  void evaluate(const Arguments& value_of, Results&& results) {
+    const int first_load = code_.numbers.size();
+    for (int i = 0; i < code_.loads.size(); ++i) slots_[first_load + i] = value_of(code_.loads[i]);
+    T* next = slots_.begin() + code_.first_step();
+    for (const lower::instruction& step : code_.steps) run(step, next++);
+    for (int i = 0; i < size(); ++i) results[i] = slots_[code_.results[i]];
   }
-
-  /// Evaluates at a time, a state [q; u], parameters, inputs and rates of the speeds; what the results do not need
-  /// may be anything that is indexed.
-  template <class X, class P, class R, class A>
-  void operator()(const Scalar& t, const X& x, int coordinates, const P& p, const R& r, const A& a) noexcept {
-    using symbolic::symbol_kind;
-    evaluate([&](const lower::load& l) -> Scalar {
-      switch (l.from) {
-      case symbol_kind::coordinate: return Scalar(x[l.position]);
-      case symbol_kind::speed: return Scalar(x[coordinates + l.position]);
-      case symbol_kind::parameter: return Scalar(p[l.position]);
-      case symbol_kind::input: return Scalar(r[l.position]);
-      case symbol_kind::speed_rate: return Scalar(a[l.position]);
-      default: return t;
-      }
-    });
-  }
-
-  const Scalar& result(int i) const { return slot_[static_cast<std::size_t>(code_.results[i])]; }
 
 private:
-  Scalar& at(int i) { return slot_[static_cast<std::size_t>(i)]; }
-
-  void run(const lower::instruction& step, int slot) noexcept {
+  void run(const lower::instruction& step, T* out) {
     using symbolic::operation;
-    const Scalar &a = at(step.a), &b = at(step.b);
+    const T& a = slots_[step.a];
+    const T& b = slots_[step.b];
+    if (step.paired) {
+      if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
+      return;
+    }
     switch (step.op) {
-    case operation::negate: at(slot) = lower::apply<operation::negate>(a, b); break;
-    case operation::add: at(slot) = lower::apply<operation::add>(a, b); break;
-    case operation::subtract: at(slot) = lower::apply<operation::subtract>(a, b); break;
-    case operation::multiply: at(slot) = lower::apply<operation::multiply>(a, b); break;
-    case operation::divide: at(slot) = lower::apply<operation::divide>(a, b); break;
-    case operation::power: at(slot) = lower::apply<operation::power>(a, b); break;
-    case operation::sqrt: at(slot) = lower::apply<operation::sqrt>(a, b); break;
-    case operation::sin:
-      if (step.paired)
-        lower::scalar_math<Scalar>::sincos(a, at(slot), at(slot + 1));
-      else
-        at(slot) = lower::apply<operation::sin>(a, b);
-      break;
-    case operation::cos:
-      if (!step.paired) at(slot) = lower::apply<operation::cos>(a, b);
-      break;
-    case operation::tan: at(slot) = lower::apply<operation::tan>(a, b); break;
-    case operation::asin: at(slot) = lower::apply<operation::asin>(a, b); break;
-    case operation::acos: at(slot) = lower::apply<operation::acos>(a, b); break;
-    case operation::atan: at(slot) = lower::apply<operation::atan>(a, b); break;
-    case operation::atan2: at(slot) = lower::apply<operation::atan2>(a, b); break;
-    case operation::exp: at(slot) = lower::apply<operation::exp>(a, b); break;
-    case operation::log: at(slot) = lower::apply<operation::log>(a, b); break;
-    case operation::abs: at(slot) = lower::apply<operation::abs>(a, b); break;
-    case operation::sign: at(slot) = lower::apply<operation::sign>(a, b); break;
     case operation::constant:
-    case operation::symbol: break;
+    case operation::symbol:
+      return;
+    case operation::negate:
+      *out = lower::apply<operation::negate>(a, b);
+      return;
+    case operation::add:
+      *out = lower::apply<operation::add>(a, b);
+      return;
+    case operation::subtract:
+      *out = lower::apply<operation::subtract>(a, b);
+      return;
+    case operation::multiply:
+      *out = lower::apply<operation::multiply>(a, b);
+      return;
+    case operation::divide:
+      *out = lower::apply<operation::divide>(a, b);
+      return;
+    case operation::power:
+      *out = lower::apply<operation::power>(a, b);
+      return;
+    case operation::sqrt:
+      *out = lower::apply<operation::sqrt>(a, b);
+      return;
+    case operation::sin:
+      *out = lower::apply<operation::sin>(a, b);
+      return;
+    case operation::cos:
+      *out = lower::apply<operation::cos>(a, b);
+      return;
+    case operation::tan:
+      *out = lower::apply<operation::tan>(a, b);
+      return;
+    case operation::asin:
+      *out = lower::apply<operation::asin>(a, b);
+      return;
+    case operation::acos:
+      *out = lower::apply<operation::acos>(a, b);
+      return;
+    case operation::atan:
+      *out = lower::apply<operation::atan>(a, b);
+      return;
+    case operation::atan2:
+      *out = lower::apply<operation::atan2>(a, b);
+      return;
+    case operation::exp:
+      *out = lower::apply<operation::exp>(a, b);
+      return;
+    case operation::log:
+      *out = lower::apply<operation::log>(a, b);
+      return;
+    case operation::abs:
+      *out = lower::apply<operation::abs>(a, b);
+      return;
+    case operation::sign:
+      *out = lower::apply<operation::sign>(a, b);
+      return;
     }
   }
 
   lower::tape code_;
-  std::vector<Scalar> slot_;
+  symbolic::sequence<T> slots_;
 };
 
 } // namespace kanexpr::runtime

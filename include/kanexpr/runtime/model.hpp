@@ -2,7 +2,7 @@
 
 #include <kanexpr/derive/derivation.hpp>
 #include <kanexpr/mechanics/print_vector.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/symbolic/latex.hpp>
 #include <kanexpr/symbolic/print.hpp>
 
@@ -54,18 +54,10 @@ public:
     return mechanics::latex(mechanism_, v, style);
   }
 
-  /// Interpreted evaluation of results; the same steps as in the compiled function, to the last bit.
+  /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the last bit.
   template <class Scalar = double>
-  runtime::interpreter<Scalar> function(const symbolic::matrix& result) const {
-    symbolic::sequence<int> outputs;
-    for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-    return runtime::interpreter<Scalar>(lower::tape_of(graph_, outputs));
-  }
-
-  symbolic::cost cost(const symbolic::matrix& result) const {
-    symbolic::sequence<int> outputs;
-    for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-    return lower::cost_of(lower::tape_of(graph_, outputs));
+  runtime::interpreted<Scalar> function(const symbolic::matrix& result) const {
+    return {graph_, result, mechanism_.coordinates.size()};
   }
 
   symbolic::graph& graph() { return graph_; }

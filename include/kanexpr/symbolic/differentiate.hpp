@@ -55,12 +55,19 @@ public:
 
   constexpr expression of(expression e) { return {*graph_, of(e.node())}; }
 
+  /// Forgets all rates, to begin with others.
+  constexpr void restart() {
+    for (int id : known_) rates_[id] = unknown;
+    known_.clear();
+  }
+
 private:
   static constexpr int unknown = -1;
 
   constexpr void remember(int id, int rate) {
     if (rates_.size() <= id) rates_.resize(graph_->size() + 64, unknown);
     rates_[id] = rate;
+    known_.push(id);
   }
 
   constexpr int of(int id) {
@@ -83,7 +90,8 @@ private:
   }
 
   graph* graph_ = nullptr;
-  sequence<int> rates_;
+  sequence<int> rates_; ///< by node
+  sequence<int> known_; ///< the nodes that have one
 };
 
 /// The partial derivative of an expression by a symbol.

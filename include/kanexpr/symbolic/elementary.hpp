@@ -29,7 +29,6 @@ namespace kanexpr::symbolic::elementary {
 namespace detail {
 
 using real = long double;
-__extension__ using wide = unsigned __int128;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -124,6 +123,13 @@ inline constexpr std::uint64_t turns_per_radian[] = {
     0x4e64758e60d4ce7du, 0x272117e2ef7e4a0eu, 0xc7fe25fff7816603u, 0xfbcbc462d6829b47u, 0xdb4d9fb3c9f2c26du,
     0xd3d18fd9a797fa8bu, 0x5d49eeb1faf97c5eu, 0xcf41ce7de294a4bau, 0x9afed7ec47e35742u, 0x1580cc11bf1edaeau};
 
+// The upper 64 bits of a product; not every target has integers of 128.
+constexpr std::uint64_t high_half(std::uint64_t a, std::uint64_t b) noexcept {
+  const std::uint64_t a0 = a & 0xffffffffu, a1 = a >> 32, b0 = b & 0xffffffffu, b1 = b >> 32;
+  const std::uint64_t middle = a1 * b0 + (a0 * b0 >> 32);
+  return a1 * b1 + (middle >> 32) + ((a0 * b1 + (middle & 0xffffffffu)) >> 32);
+}
+
 // The quadrant and the offset, at most pi/4 either way, of which x is quadrant * pi/2 + offset up to whole
 // turns. The digits of 1/(2 pi) that only add whole turns are skipped (Payne and Hanek, "Radian reduction for
 // trigonometric functions", SIGNUM Newsletter 18, 1983). Of the 128 digits kept of the fraction of a turn,
@@ -134,9 +140,10 @@ constexpr std::pair<unsigned, real> reduce_angle(double x) noexcept {
   const std::uint64_t* const digits = turns_per_radian + (exponent + 64) / 64;
   const int shift = (exponent + 64) % 64;
   const auto window = [=](int i) { return (digits[i] << shift) | (digits[i + 1] >> 1 >> (63 - shift)); };
-  const wide fraction = wide{significand} * window(1) + (wide{significand} * window(2) >> 64);
-  const auto low = static_cast<std::uint64_t>(fraction);
-  const auto high = significand * window(0) + static_cast<std::uint64_t>(fraction >> 64);
+  const std::uint64_t carried = high_half(significand, window(2));
+  const std::uint64_t low = significand * window(1) + carried;
+  const std::uint64_t high =
+      significand * window(0) + high_half(significand, window(1)) + (low < carried ? 1u : 0u);
   const std::uint64_t quadrant = (high + (std::uint64_t{1} << 61)) >> 62;
   const auto remainder = static_cast<std::int64_t>(high - (quadrant << 62));
   const real turns = static_cast<real>(remainder) * 0x1p-64L + static_cast<real>(low) * 0x1p-128L;

@@ -12,6 +12,7 @@ public:
 
   constexpr int node() const { return node_; }
   constexpr graph& owner() const { return *graph_; }
+  constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
   constexpr bool is_zero() const { return node_ == graph::zero; }
   constexpr bool is_one() const { return node_ == graph::one; }
   constexpr bool is_constant() const { return graph_->is_constant(node_); }

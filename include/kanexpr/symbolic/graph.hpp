@@ -68,7 +68,9 @@ public:
 private:
   static constexpr unsigned hash(const number& value) {
     const double bounded = value.real > -1e9 && value.real < 1e9 ? value.real : 0;
-    return hash(operation::constant, static_cast<int>(value.numerator * 31 + value.denominator),
+    const std::uint64_t fraction = static_cast<std::uint64_t>(value.numerator) * 31 +
+                                   static_cast<std::uint64_t>(value.denominator);
+    return hash(operation::constant, static_cast<int>(fraction),
                 static_cast<int>(static_cast<std::int64_t>(bounded * 65536.0)));
   }
   static constexpr unsigned hash(operation op, int a, int b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace kanexpr::symbolic {
 
@@ -21,7 +22,20 @@ struct number {
   constexpr bool operator==(const number&) const = default;
 };
 
+/// A double; one that holds an integer becomes exact, so that `1.0*x` is `x`.
+constexpr number real(double value) {
+  constexpr double integers_end = 9007199254740992.0; // 2^53
+  if (value > -integers_end && value < integers_end) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value) return {whole, 1, 0};
+  }
+  return {0, 0, value};
+}
+
 constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
+  constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min(); // has no negative
+  if (numerator == lowest || denominator == lowest)
+    return real(static_cast<double>(numerator) / static_cast<double>(denominator));
   if (denominator < 0) numerator = -numerator, denominator = -denominator;
   std::int64_t a = numerator < 0 ? -numerator : numerator, b = denominator;
   while (b != 0) {
@@ -31,16 +45,6 @@ constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
   }
   if (a > 1) numerator /= a, denominator /= a;
   return {numerator, denominator, 0};
-}
-
-/// A double; one that holds an integer becomes exact, so that `1.0*x` is `x`.
-constexpr number real(double value) {
-  constexpr double integers_end = 9007199254740992.0; // 2^53
-  if (value > -integers_end && value < integers_end) {
-    const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) return {whole, 1, 0};
-  }
-  return {0, 0, value};
 }
 
 constexpr number operator-(const number& a) {

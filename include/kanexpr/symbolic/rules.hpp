@@ -221,6 +221,7 @@ constexpr int integer_power(graph& g, int base, std::int64_t exponent) {
 
 /// Integer powers become products and halves square roots; the rest is left to `pow`.
 constexpr int power(graph& g, int base, int exponent) {
+  if (base == graph::one) return graph::one;
   if (g.is_constant(exponent)) {
     const number n = g.number_at(exponent);
     constexpr std::int64_t largest = 64;

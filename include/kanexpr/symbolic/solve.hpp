@@ -76,7 +76,7 @@ constexpr sequence<expression> solve_symmetric(graph& g, matrix m, sequence<expr
     }
     eliminated[pivot] = 1;
     order.push(pivot);
-    inverse[pivot] = 1 / at(pivot, pivot);
+    if (least > 0) inverse[pivot] = 1 / at(pivot, pivot);
     for (int i = n - 1; i >= 0; --i) {
       if (eliminated[i] != 0 || at(pivot, i).is_zero()) continue;
       factor(pivot, i) = at(pivot, i) * inverse[pivot];
@@ -88,7 +88,10 @@ constexpr sequence<expression> solve_symmetric(graph& g, matrix m, sequence<expr
   sequence<expression> x(n, expression{g, graph::zero});
   for (int step = n - 1; step >= 0; --step) {
     const int p = order[step];
-    x[p] = f[p] * inverse[p];
+    if (inverse[p].is_zero()) // coupled to nothing that is left: one division does
+      x[p] = f[p] / at(p, p);
+    else
+      x[p] = f[p] * inverse[p];
     for (int i = 0; i < n; ++i)
       if (!factor(p, i).is_zero()) x[p] -= factor(p, i) * x[i];
   }

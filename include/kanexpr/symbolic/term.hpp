@@ -92,41 +92,84 @@ inline std::strong_ordering compare_names(std::string_view a, std::string_view b
   return a <=> b;
 }
 
-/// Where a factor stands: parameters, other symbols, general powers, functions, and at last what needs
-/// parentheses.
-inline int rank(const graph& g, int id) {
-  const operation op = g[id].op;
-  if (op == operation::symbol) return g.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
-  return op == operation::power ? 2 : is_function(op) ? 3 : 4;
-}
+/// Reads a graph as sums of products. The order of terms and of factors follows from names and structure
+/// alone: the numbers of nodes depend on the order in which a compiler evaluates operands.
+class term_reader {
+public:
+  explicit term_reader(const graph& g) : graph_(&g) {}
 
-inline bool stands_before(const graph& g, int a, int b) {
-  const int p = rank(g, a), q = rank(g, b);
-  if (p != q) return p < q;
-  const node &x = g[a], &y = g[b];
-  if (is_function(x.op) && is_function(y.op)) {
-    if (x.op != y.op) return x.op < y.op;
-    return x.a != y.a ? stands_before(g, x.a, y.a) : a < b;
+  /// A node as a sum, never empty; numbers come last, but some positive term first.
+  const std::vector<term>& terms_of(int id) {
+    const auto known = sums_.find(id);
+    return known != sums_.end() ? known->second : sums_.emplace(id, sum_of(id)).first->second;
   }
-  if (x.op == operation::symbol && y.op == operation::symbol) {
-    const auto order = compare_names(g.symbol_at(a).called.view(), g.symbol_at(b).called.view());
-    if (order != 0) return order < 0;
-    return g.symbol_at(a).kind < g.symbol_at(b).kind;
-  }
-  return a < b;
-}
 
-/// A node as one product.
-inline term product_of(const graph& g, int root) {
+private:
+  std::vector<term> sum_of(int root);
+  term product_of(int root);
+
+  /// Parameters, other symbols, general powers, functions, and at last what needs parentheses.
+  int rank(int id) const {
+    const operation op = (*graph_)[id].op;
+    if (op == operation::symbol) return graph_->symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
+    return op == operation::power ? 2 : is_function(op) ? 3 : 4;
+  }
+
+  std::strong_ordering compare(int a, int b) {
+    if (a == b) return std::strong_ordering::equal;
+    const auto known = compared_.find({a, b});
+    if (known != compared_.end()) return known->second;
+    return compared_.emplace(std::pair(a, b), compare_structure(a, b)).first->second;
+  }
+
+  std::strong_ordering compare_structure(int a, int b) {
+    const node &x = (*graph_)[a], &y = (*graph_)[b];
+    if (const auto order = rank(a) <=> rank(b); order != 0) return order;
+    if (x.op == operation::symbol) {
+      const symbol &s = graph_->symbol_at(a), &t = graph_->symbol_at(b);
+      const auto order = compare_names(s.called.view(), t.called.view());
+      return order != 0 ? order : s.kind <=> t.kind;
+    }
+    if (rank(a) == 4) return compare_all(terms_of(a), terms_of(b), &term_reader::compare_terms);
+    if (x.op != y.op) return x.op <=> y.op;
+    const auto order = compare(x.a, y.a);
+    return order != 0 || !is_binary(x.op) ? order : compare(x.b, y.b);
+  }
+
+  std::strong_ordering compare_terms(const term& a, const term& b) {
+    if (a.factors.empty() != b.factors.empty()) return a.factors.empty() <=> b.factors.empty();
+    const auto order = compare_all(a.factors, b.factors, &term_reader::compare_factors);
+    return order != 0 ? order : std::strong_order(a.coefficient.value(), b.coefficient.value());
+  }
+
+  std::strong_ordering compare_factors(const factor& a, const factor& b) {
+    const auto order = compare(a.base, b.base);
+    return order != 0 ? order : b.exponent <=> a.exponent;
+  }
+
+  template <class T>
+  std::strong_ordering compare_all(const std::vector<T>& a, const std::vector<T>& b,
+                                   std::strong_ordering (term_reader::*order)(const T&, const T&)) {
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      if (const auto found = (this->*order)(a[i], b[i]); found != 0) return found;
+    return a.size() <=> b.size();
+  }
+
+  const graph* graph_;
+  std::map<int, std::vector<term>> sums_;
+  std::map<std::pair<int, int>, std::strong_ordering> compared_;
+};
+
+inline term term_reader::product_of(int root) {
   constexpr std::int64_t largest_exponent = std::int64_t{1} << 30;
   term product;
   const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
     if (exponent > largest_exponent || exponent < -largest_exponent) return false;
-    const node& n = g[id];
+    const node& n = (*graph_)[id];
     switch (n.op) {
     case operation::constant:
       if (id == graph::zero && exponent < 0) return false;
-      product.coefficient = product.coefficient * integer_power(g.number_at(id), exponent);
+      product.coefficient = product.coefficient * integer_power(graph_->number_at(id), exponent);
       return true;
     case operation::negate:
       if (exponent % 2 != 0) product.coefficient = -product.coefficient;
@@ -147,35 +190,29 @@ inline term product_of(const graph& g, int root) {
   for (const auto& [base, exponent] : gather(root, std::int64_t{1}, expand))
     if (exponent != 0) product.factors.push_back({base, exponent});
   std::ranges::sort(product.factors,
-                    [&g](const factor& a, const factor& b) { return stands_before(g, a.base, b.base); });
+                    [this](const factor& a, const factor& b) { return compare_factors(a, b) < 0; });
   return product;
 }
 
-/// A node as a sum, never empty: in the order in which the terms were built, numbers last, but a positive
-/// term first.
-inline std::vector<term> terms_of(const graph& g, int root) {
-  const auto expand = [&g](int id, const number& weight, const auto& put) {
-    const node& n = g[id];
+inline std::vector<term> term_reader::sum_of(int root) {
+  const auto expand = [this](int id, const number& weight, const auto& put) {
+    const node& n = (*graph_)[id];
     if (n.op != operation::add && n.op != operation::subtract && n.op != operation::negate) return false;
     put(n.a, n.op == operation::negate ? -weight : weight);
     if (is_binary(n.op)) put(n.b, n.op == operation::subtract ? -weight : weight);
     return true;
   };
-  std::vector<term> sum;
-  std::map<std::vector<factor>, std::size_t> places;
+  std::map<std::vector<factor>, number> gathered;
   for (const auto& [id, weight] : gather(root, exactly(1), expand)) {
-    term t = product_of(g, id);
-    t.coefficient = t.coefficient * weight;
-    const auto [place, is_new] = places.try_emplace(t.factors, sum.size());
-    if (is_new)
-      sum.push_back(t);
-    else
-      sum[place->second].coefficient = sum[place->second].coefficient + t.coefficient;
+    const term t = product_of(id);
+    number& coefficient = gathered.try_emplace(t.factors, exactly(0)).first->second;
+    coefficient = coefficient + t.coefficient * weight;
   }
-  std::erase_if(sum, [](const term& t) { return t.coefficient == exactly(0); });
+  std::vector<term> sum;
+  for (const auto& [factors, coefficient] : gathered)
+    if (coefficient != exactly(0)) sum.push_back({coefficient, factors});
   if (sum.empty()) sum.push_back({exactly(0), {}});
-  const auto plain_number = std::ranges::find_if(sum, [](const term& t) { return t.factors.empty(); });
-  if (plain_number != sum.end()) std::rotate(plain_number, plain_number + 1, sum.end());
+  std::ranges::sort(sum, [this](const term& a, const term& b) { return compare_terms(a, b) < 0; });
   const auto leader = std::ranges::find_if(sum, [](const term& t) { return !t.coefficient.negative(); });
   if (leader != sum.end()) std::rotate(sum.begin(), leader, leader + 1);
   return sum;

@@ -39,9 +39,9 @@ inline std::string decimal(const number& n) {
 template <class Form>
 class writer {
 public:
-  explicit writer(const graph& g) : graph_(&g) {}
+  explicit writer(const graph& g) : graph_(&g), reader_(g) {}
 
-  std::string write(int id) const { return sum(terms_of(*graph_, id)); }
+  std::string write(int id) const { return sum(reader_.terms_of(id)); }
 
   std::string sum(const std::vector<term>& terms) const {
     sum_text text;
@@ -57,7 +57,7 @@ public:
 
   /// A factor of something larger, with the sign that it takes out of a sum of negative terms.
   std::pair<bool, std::string> signed_factor(int id) const {
-    std::vector<term> terms = terms_of(*graph_, id);
+    std::vector<term> terms = reader_.terms_of(id);
     const bool negative = terms.front().coefficient.negative();
     if (terms.size() == 1) return {negative, unsigned_text(terms.front())};
     if (negative)
@@ -96,6 +96,7 @@ private:
   const Form& form() const { return static_cast<const Form&>(*this); }
 
   const graph* graph_;
+  mutable term_reader reader_; // remembers
 };
 
 } // namespace kanexpr::symbolic::printing

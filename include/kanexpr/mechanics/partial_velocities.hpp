@@ -5,20 +5,15 @@
 
 namespace kanexpr::mechanics {
 
-/// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or a
-/// partial angular velocity.
-struct direction {
-  int speed = none;
-  components value;
-};
+namespace detail {
 
 /// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
-constexpr sequence<direction> directions(const skeleton& s, const vector& v, int f) {
+constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v, int f) {
   const mechanism& m = *s.model;
   sequence<direction> out;
   if (v.is_zero()) return out;
   for (int i = 0; i < m.speeds.size(); ++i) {
-    symbolic::derivation by_speed(*m.g);
+    by_speed.restart();
     by_speed.set_rate(m.speeds[i], m.one());
     vector partial;
     for (const vector::part& p : v.parts)
@@ -26,6 +21,19 @@ constexpr sequence<direction> directions(const skeleton& s, const vector& v, int
     if (!partial.is_zero()) out.push({i, express(m, partial, s.working_axes[f])});
   }
   return out;
+}
+
+} // namespace detail
+
+/// How each speed enters at each frame and node. Kane & Levinson (1985), section 2.14.
+constexpr void form_partial_velocities(skeleton& s) {
+  symbolic::derivation by_speed(*s.model->g);
+  for (int f = 0; f < s.turning.size(); ++f) {
+    sequence<direction> partials;
+    if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.turning[f], f);
+    s.partial_turning.push(partials);
+  }
+  for (const node& n : s.nodes) s.partial_slide.push(detail::partials_of(s, by_speed, n.slide, n.axes));
 }
 
 } // namespace kanexpr::mechanics

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/lower/state.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+
+#include <type_traits>
+
+/// Mistakes that a person can make when calling a compiled function.
+namespace kanexpr::lower {
+
+/// What stands for arguments that are not given.
+struct not_given {};
+
+template <auto wanted>
+constexpr std::string_view result_name() {
+  using mechanics::quantity;
+  if constexpr (std::is_same_v<std::remove_const_t<decltype(wanted)>, quantity>) {
+    switch (wanted) {
+    case quantity::mass_matrix:
+      return "mass_matrix";
+    case quantity::forcing:
+      return "forcing";
+    case quantity::mass_matrix_full:
+      return "mass_matrix_full";
+    case quantity::forcing_full:
+      return "forcing_full";
+    case quantity::qdot:
+      return "qdot";
+    case quantity::udot:
+      return "udot";
+    case quantity::rhs:
+      return "rhs";
+    case quantity::active_forces:
+      return "active_forces";
+    case quantity::inertia_forces:
+      return "inertia_forces";
+    case quantity::kinetic_energy:
+      return "kinetic_energy";
+    case quantity::potential_energy:
+      return "potential_energy";
+    case quantity::linear_momentum:
+      return "linear_momentum";
+    case quantity::angular_momentum:
+      return "angular_momentum";
+    case quantity::center_of_mass:
+      return "center_of_mass";
+    }
+  }
+  return "the expression";
+}
+
+/// How many entries an argument has, if its type says so.
+template <class Argument>
+constexpr int entries_of() {
+  if constexpr (std::is_same_v<Argument, not_given>)
+    return Eigen::Dynamic;
+  else
+    return Argument::SizeAtCompileTime;
+}
+
+constexpr mechanics::problem check_size(std::string_view what, std::string_view system, int given,
+                                        int wanted) {
+  if (given == Eigen::Dynamic || given == wanted) return {};
+  symbolic::name w, g;
+  w.append(wanted), g.append(given);
+  return mechanics::sentence({"the ", what, " vector of ", system, " has ", w.view(),
+                              wanted == 1 ? " entry, not " : " entries, not ", g.view()});
+}
+
+/// What the code loads from an argument that is not given.
+template <class System, class Code>
+constexpr mechanics::problem lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
+                                   std::string_view way) {
+  constexpr const derivation::survey& s = survey_of<System>;
+  const bool rate = kind == symbolic::symbol_kind::speed_rate;
+  for (int i = 0; i < Code::tape.sizes.loads; ++i) {
+    if (Code::tape.loads[i].from != kind) continue;
+    const int place = s.first_of(rate ? symbolic::symbol_kind::speed : kind) + Code::tape.loads[i].position;
+    return mechanics::sentence(
+        {result, " needs the ", what, s.names[place].view(), ": call it as ", result, way});
+  }
+  return {};
+}
+
+/// One way of calling a function, by the types of its arguments.
+template <class System, class Code, class X, class P, class R, class A, auto first, auto... more>
+struct call {
+  /// The model itself holds no mistake.
+  static constexpr bool sound =
+      !static_cast<bool>(survey_of<System>.mistake) && !static_cast<bool>(Code::mistake);
+
+  static constexpr mechanics::problem mistake = [] {
+    using symbolic::symbol_kind;
+    constexpr std::string_view system = type_name<System>(), result = result_name<first>();
+    constexpr const derivation::survey& s = survey_of<System>;
+    mechanics::problem found;
+    if (!sound) return found;
+    const auto keep = [&](const mechanics::problem& p) {
+      if (!found) found = p;
+    };
+    keep(check_size("state", system, entries_of<X>(), s.coordinates + s.speeds));
+    keep(check_size("parameter", system, entries_of<P>(), s.parameters));
+    keep(check_size("input", system, entries_of<R>(), s.inputs));
+    keep(check_size("acceleration", system, entries_of<A>(), s.speeds));
+    if (std::is_same_v<P, not_given>)
+      keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ", "(x, p)"));
+    if (std::is_same_v<R, not_given>)
+      keep(lacks<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
+    if (std::is_same_v<A, not_given>)
+      keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(t, x, p, r, a)"));
+    return found;
+  }();
+  static_assert(derivation::tell<call>());
+
+  static constexpr bool possible = sound && !static_cast<bool>(mistake);
+};
+
+/// What a call gives that cannot be made: it fits wherever a result is used, so that its mistake stays the
+/// only error.
+template <class T>
+struct no_result : Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> {
+  operator T() const { return T(0); }
+};
+
+} // namespace kanexpr::lower

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/mechanics/inertia.hpp>
+#include <kanexpr/mechanics/mechanism.hpp>
+
+/// The ways of saying what has mass and what acts on it.
+namespace kanexpr::mechanics {
+
+/// The dyadic of six inertia scalars in the axes of one frame; products with the sign of I = Σ m (r·r E − r r).
+constexpr dyadic dyadic_of(int axes, const symmetric& scalars) {
+  matrix3 value;
+  for (int i = 0; i < 3; ++i) value.row[i] = {scalars(i, 0), scalars(i, 1), scalars(i, 2)};
+  dyadic d;
+  d.add(axes, axes, value);
+  return d;
+}
+
+constexpr int add_particle(mechanism& m, const name& called, int at, expression mass) {
+  body b;
+  b.called = called;
+  b.center = at;
+  b.mass = mass;
+  return m.bodies.push(b);
+}
+
+/// `about`: the point that the inertia is about; none: the mass centre.
+constexpr int add_rigid_body(mechanism& m, const name& called, int center, int frame, expression mass,
+                             const dyadic& inertia, int about = none) {
+  body b;
+  b.called = called;
+  b.center = center;
+  b.frame = frame;
+  b.mass = mass;
+  b.inertia = inertia;
+  b.about = about;
+  return m.bodies.push(b);
+}
+
+constexpr void add_force(mechanism& m, int point, const vector& value) { m.forces.push({point, value}); }
+constexpr void add_torque(mechanism& m, int frame, const vector& value) { m.torques.push({frame, value}); }
+
+/// The acceleration of free fall of every body.
+constexpr void set_gravity(mechanism& m, const vector& acceleration) {
+  m.has_gravity = true;
+  m.gravity = acceleration;
+}
+
+} // namespace kanexpr::mechanics

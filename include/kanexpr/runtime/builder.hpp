@@ -1,0 +1,224 @@
+#pragma once
+
+#include <kanexpr/mechanics/bodies.hpp>
+#include <kanexpr/mechanics/check.hpp>
+#include <kanexpr/mechanics/frames.hpp>
+#include <kanexpr/mechanics/orientation.hpp>
+#include <kanexpr/mechanics/points.hpp>
+#include <kanexpr/runtime/inspector.hpp>
+
+namespace kanexpr::runtime {
+
+/// Builds a mechanism from values while the program runs. It owns the expressions and stays where it was
+/// made.
+///
+/// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
+/// Ask `check()` before deriving anything: `mechanics::equations derived(b.mechanism());`
+class builder {
+public:
+  explicit builder(std::string_view inertial_frame) : m_(graph_), inspect_(m_) {
+    inspect_.fresh("frames", inertial_frame, m_.frames);
+    mechanics::add_inertial_frame(m_, inertial_frame);
+  }
+  builder(const builder&) = delete;
+  builder& operator=(const builder&) = delete;
+
+  /// The first mistake made while building, or else the first that the mechanism holds; empty: none.
+  problem check() const { return mistake() ? mistake() : mechanics::check(m_); }
+  const problem& mistake() const { return inspect_.mistake(); }
+
+  const mechanics::mechanism& mechanism() const { return m_; }
+  symbolic::graph& graph() { return graph_; }
+
+  // ---- scalars
+
+  expression coordinate(std::string_view q) { return inspect_.fresh_symbol(q), m_.coordinate(q); }
+  expression speed(std::string_view u) { return inspect_.fresh_symbol(u), m_.speed(u); }
+  expression parameter(std::string_view p) { return inspect_.fresh_symbol(p), m_.parameter(p); }
+  expression input(std::string_view r) { return inspect_.fresh_symbol(r), m_.input(r); }
+  expression time() const { return m_.time; }
+  expression number(double value) const { return m_.number(value); }
+
+  /// The rate of a coordinate.
+  expression dot(expression q) {
+    for (int i = 0; i < m_.coordinates.size(); ++i)
+      if (q.lives_in(graph_) && m_.coordinates[i] == q) return m_.coordinate_rates[i];
+    inspect_.fail({"the rate of something that is not a coordinate is asked for"});
+    return m_.zero();
+  }
+
+  /// An expression that vanishes, linear in the rates of the coordinates: `dot(q) - u`.
+  void kinematic_equation(expression vanishes) {
+    if (inspect_.own(vanishes, "a kinematic differential equation")) m_.kinematics.push(vanishes);
+  }
+
+  // ---- vectors and dyadics
+
+  vector along(frame_id axes, expression x, expression y, expression z) {
+    vector v;
+    const mechanics::components value{x, y, z};
+    if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
+    return v;
+  }
+  vector along(frame_id axes, double x, double y, double z) {
+    return along(axes, number(x), number(y), number(z));
+  }
+
+  /// Inertia scalars in the axes of a frame; products with the sign of Σ m (r·r E − r r).
+  dyadic inertia(frame_id axes, expression xx, expression yy, expression zz, expression xy, expression yz,
+                 expression zx) {
+    mechanics::symmetric scalars;
+    scalars.xx = xx, scalars.yy = yy, scalars.zz = zz;
+    scalars.xy = xy, scalars.yz = yz, scalars.zx = zx;
+    const dyadic d = mechanics::dyadic_of(place(axes), scalars);
+    return inspect_.own(d, "an inertia") ? d : dyadic{};
+  }
+  dyadic inertia(frame_id axes, expression xx, expression yy, expression zz) {
+    return inertia(axes, xx, yy, zz, m_.zero(), m_.zero(), m_.zero());
+  }
+
+  // ---- frames
+
+  static constexpr frame_id inertial_frame() { return frame_id{mechanics::mechanism::inertial}; }
+
+  /// Turned by `angle` about an axis that is fixed in the parent.
+  frame_id rotated(std::string_view called, frame_id parent, expression angle, const vector& axis) {
+    if (!new_frame(called, parent) || !inspect_.own(angle, called) || !inspect_.own(axis, called)) return {};
+    const mechanics::components a = mechanics::express(m_, axis, place(parent));
+    if (a.is_zero())
+      inspect_.fail({"frame ", called, " is turned about an axis of no length"});
+    else if (!mechanics::is_fixed(a))
+      inspect_.fail({"frame ", called, " is turned about an axis that is not fixed in ", name_of(parent)});
+    else
+      return frame_id{mechanics::add_rotated_frame(m_, called, place(parent), angle, a)};
+    return {};
+  }
+  frame_id body_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
+                      expression second, expression third) {
+    return by_sequence(called, parent, letters, {first, second, third}, false);
+  }
+  frame_id space_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
+                       expression second, expression third) {
+    return by_sequence(called, parent, letters, {first, second, third}, true);
+  }
+  /// Turned by the unit quaternion e0 + e1 i + e2 j + e3 k.
+  frame_id quaternion(std::string_view called, frame_id parent, expression e0, expression e1, expression e2,
+                      expression e3) {
+    if (!new_frame(called, parent) || !inspect_.own({e0, e1, e2, e3}, called)) return {};
+    return frame_id{mechanics::add_frame_by_quaternion(m_, called, place(parent), e0, e1, e2, e3)};
+  }
+  /// v in the parent's axes = to_parent · v in the frame's axes.
+  frame_id direction_cosines(std::string_view called, frame_id parent, const mechanics::matrix3& to_parent) {
+    if (!new_frame(called, parent) || !inspect_.own(to_parent, called)) return {};
+    return frame_id{mechanics::add_frame_by_matrix(m_, called, place(parent), to_parent)};
+  }
+  /// The angular velocity of a frame in another one, used in place of the derived one.
+  void angular_velocity(frame_id frame, frame_id reference, const vector& value) {
+    constexpr std::string_view whose = "a declared angular velocity";
+    if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
+    if (frame == inertial_frame())
+      inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
+    else if (m_.frames[place(frame)].turns_by_declaration())
+      inspect_.fail({"frame ", name_of(frame), " is given two angular velocities"});
+    else if (inspect_.own(value, name_of(frame)))
+      mechanics::declare_angular_velocity(m_, place(frame), place(reference), value);
+  }
+
+  // ---- points
+
+  /// A point that is fixed in the inertial frame.
+  point_id origin(std::string_view called) {
+    if (!inspect_.fresh("points", called, m_.points)) return {};
+    return point_id{mechanics::add_origin(m_, called)};
+  }
+  point_id offset(std::string_view called, point_id parent, const vector& from_parent) {
+    if (!inspect_.fresh("points", called, m_.points) || !inspect_.present(parent, called) ||
+        !inspect_.own(from_parent, called))
+      return {};
+    return point_id{mechanics::add_point(m_, called, place(parent), from_parent)};
+  }
+  /// The two-point theorem: the point and its parent are both fixed in `frame`.
+  void fixed_in(point_id point, frame_id frame) {
+    if (inspect_.present(frame, "a fixed point") && unsaid_motion(point))
+      mechanics::fix_point(m_, place(point), place(frame));
+  }
+  /// The velocity of a point in `reference`, used in place of the derived one.
+  void velocity(point_id point, frame_id reference, const vector& value) {
+    if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
+        inspect_.own(value, name_of(point)))
+      mechanics::declare_velocity(m_, place(point), place(reference), value);
+  }
+
+  // ---- bodies and loads
+
+  void particle(std::string_view called, point_id at, expression mass) {
+    if (inspect_.fresh("bodies", called, m_.bodies) && inspect_.present(at, called) &&
+        inspect_.own(mass, called))
+      mechanics::add_particle(m_, called, place(at), mass);
+  }
+  void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
+                  const dyadic& inertia) {
+    rigid_body(called, center, frame, mass, inertia, center);
+  }
+  /// With the inertia about any other point of the body.
+  void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
+                  const dyadic& inertia, point_id about) {
+    if (inspect_.fresh("bodies", called, m_.bodies) && inspect_.present(center, called) &&
+        inspect_.present(frame, called) && inspect_.own(mass, called) && inspect_.own(inertia, called) &&
+        inspect_.present(about, called))
+      mechanics::add_rigid_body(m_, called, place(center), place(frame), mass, inertia, place(about));
+  }
+  void force(point_id at, const vector& value) {
+    if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
+      mechanics::add_force(m_, place(at), value);
+  }
+  void torque(frame_id on, const vector& value) {
+    if (inspect_.present(on, "a torque") && inspect_.own(value, "a torque"))
+      mechanics::add_torque(m_, place(on), value);
+  }
+  /// The acceleration of free fall of every body.
+  void gravity(const vector& acceleration) {
+    if (m_.has_gravity)
+      inspect_.fail({"gravity is given twice"});
+    else if (inspect_.own(acceleration, "gravity"))
+      mechanics::set_gravity(m_, acceleration);
+  }
+
+private:
+  std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }
+  std::string_view name_of(point_id p) const { return m_.points[place(p)].called.view(); }
+
+  bool new_frame(std::string_view called, frame_id parent) {
+    return inspect_.fresh("frames", called, m_.frames) && inspect_.present(parent, called);
+  }
+
+  /// How a point moves is said once.
+  bool unsaid_motion(point_id p) {
+    if (!inspect_.present(p, "a declared motion")) return false;
+    const mechanics::point& at = m_.points[place(p)];
+    if (at.parent == mechanics::none)
+      return inspect_.fail(
+          {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is said to move"});
+    if (at.fixed_in != mechanics::none || at.moves_by_declaration())
+      return inspect_.fail({"how point ", name_of(p), " moves is said twice"});
+    return true;
+  }
+
+  frame_id by_sequence(std::string_view called, frame_id parent, std::string_view letters,
+                       const symbolic::sequence<expression>& angles, bool space_fixed) {
+    if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
+    if (!mechanics::is_sequence(letters)) {
+      inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
+                     ", which is none: three axes, no two neighbours alike"});
+      return {};
+    }
+    return frame_id{
+        mechanics::add_frame_by_sequence(m_, called, place(parent), letters, angles, space_fixed)};
+  }
+
+  symbolic::graph graph_;
+  mechanics::mechanism m_;
+  inspector inspect_;
+};
+
+} // namespace kanexpr::runtime

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <kanexpr/mechanics/mechanism.hpp>
+#include <kanexpr/mechanics/problem.hpp>
+
+#include <initializer_list>
+#include <string_view>
+
+namespace kanexpr::runtime {
+
+using mechanics::dyadic;
+using mechanics::problem;
+using mechanics::vector;
+using symbolic::expression;
+
+/// The numbers of frames and points, as types of their own so that none is taken for the other.
+enum class frame_id : int {};
+enum class point_id : int {};
+
+constexpr int place(frame_id f) { return static_cast<int>(f); }
+constexpr int place(point_id p) { return static_cast<int>(p); }
+
+/// Looks at what a builder is given and keeps the first mistake.
+class inspector {
+public:
+  explicit inspector(const mechanics::mechanism& m) : m_(m) {}
+
+  const problem& mistake() const { return mistake_; }
+
+  bool fail(std::initializer_list<std::string_view> pieces) {
+    if (!mistake_) mistake_ = mechanics::sentence(pieces);
+    return false;
+  }
+
+  bool present(frame_id f, std::string_view whom) {
+    return exists(place(f), m_.frames.size(), "frame", whom);
+  }
+  bool present(point_id p, std::string_view whom) {
+    return exists(place(p), m_.points.size(), "point", whom);
+  }
+
+  /// Whether everything in there belongs to this mechanism.
+  bool own(expression e, std::string_view whose) {
+    return e.lives_in(*m_.g) ||
+           fail({whose, " has an expression that belongs to another mechanism or to none"});
+  }
+  bool own(const mechanics::components& v, std::string_view whose) {
+    return own(v.x, whose) && own(v.y, whose) && own(v.z, whose);
+  }
+  bool own(const mechanics::matrix3& m, std::string_view whose) {
+    return own(m.row[0], whose) && own(m.row[1], whose) && own(m.row[2], whose);
+  }
+  bool own(const vector& v, std::string_view whose) {
+    for (const vector::part& p : v.parts)
+      if (!present(frame_id{p.frame}, whose) || !own(p.value, whose)) return false;
+    return true;
+  }
+  bool own(const dyadic& d, std::string_view whose) {
+    for (const dyadic::part& p : d.parts)
+      if (!present(frame_id{p.left}, whose) || !present(frame_id{p.right}, whose) || !own(p.value, whose))
+        return false;
+    return true;
+  }
+  bool own(const symbolic::sequence<expression>& scalars, std::string_view whose) {
+    for (const expression& e : scalars)
+      if (!own(e, whose)) return false;
+    return true;
+  }
+
+  /// A name that nothing else of its kind has.
+  template <class Entity>
+  bool fresh(std::string_view kinds, std::string_view called, const symbolic::sequence<Entity>& others) {
+    if (!tellable(kinds, called)) return false;
+    for (const Entity& other : others)
+      if (other.called.view() == called) return fail({"two ", kinds, " are called ", called});
+    return true;
+  }
+  bool fresh_symbol(std::string_view called) {
+    if (!tellable("symbols", called)) return false;
+    for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs})
+      for (const expression& e : *list)
+        if (m_.g->symbol_at(e.node()).called.view() == called)
+          return fail({"the name ", called, " is used twice"});
+    return true;
+  }
+
+private:
+  bool exists(int number, int count, std::string_view what, std::string_view whom) {
+    if (number >= 0 && number < count) return true;
+    mechanics::name told;
+    told.append(number);
+    return fail({whom, " speaks of ", what, " number ", told.view(), ", which does not exist"});
+  }
+  bool tellable(std::string_view kinds, std::string_view called) {
+    if (called.empty()) return fail({"one of the ", kinds, " has no name"});
+    if (called.size() > mechanics::name::capacity)
+      return fail({"the name ", called, " is longer than a name can be, 63 letters"});
+    return true;
+  }
+
+  const mechanics::mechanism& m_;
+  problem mistake_;
+};
+
+} // namespace kanexpr::runtime

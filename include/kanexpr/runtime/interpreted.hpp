@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/symbolic/solve.hpp>
+
+#include <Eigen/Core>
+
+#include <limits>
+
+namespace kanexpr::runtime {
+
+/// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
+/// f(t, x, p, r, a). It keeps the matrix that it returns, and takes no memory when it is called.
+template <class Scalar = double>
+class interpreted {
+public:
+  using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  interpreted(const symbolic::graph& g, const symbolic::matrix& wanted, int coordinates)
+      : code_(lower::tape_of(g, nodes(wanted))), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
+
+  /// Operations of one call.
+  symbolic::cost cost() const { return lower::cost_of(code_.code()); }
+
+  template <class X>
+  const matrix& operator()(const X& x) {
+    return (*this)(Scalar(0), x, nothing{}, nothing{}, nothing{});
+  }
+  template <class X, class P>
+  const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p) {
+    return (*this)(Scalar(0), x.derived(), p, nothing{}, nothing{});
+  }
+  template <class X, class P, class R>
+  const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p, const R& r) {
+    return (*this)(Scalar(0), x.derived(), p, r, nothing{});
+  }
+  template <class X, class P, class R>
+  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r) {
+    return (*this)(t, x, p, r, nothing{});
+  }
+  template <class X, class P, class R, class A>
+  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
+    using symbolic::symbol_kind;
+    code_.evaluate(
+        [&](const lower::load& l) -> Scalar {
+          switch (l.from) {
+          case symbol_kind::coordinate: return Scalar(x[l.position]);
+          case symbol_kind::speed: return Scalar(x[coordinates_ + l.position]);
+          case symbol_kind::parameter: return Scalar(p[l.position]);
+          case symbol_kind::input: return Scalar(r[l.position]);
+          case symbol_kind::speed_rate: return Scalar(a[l.position]);
+          default: return t;
+          }
+        },
+        result_.data());
+    return result_;
+  }
+
+private:
+  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
+  struct nothing {
+    Scalar operator[](Eigen::Index) const { return std::numeric_limits<Scalar>::quiet_NaN(); }
+  };
+
+  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted) {
+    symbolic::sequence<int> ids;
+    for (const symbolic::expression& e : wanted.entries) ids.push(e.node());
+    return ids;
+  }
+
+  interpreter<Scalar> code_;
+  int coordinates_;
+  matrix result_;
+};
+
+} // namespace kanexpr::runtime

@@ -1,0 +1,196 @@
+// The dynamics of a recipe by Newton's and Euler's equations, with numbers alone and nothing of the library: positions
+// and rotation matrices along a motion as Taylor series, partial velocities by giving each speed the value one.
+#pragma once
+
+#include "jet.hpp"
+#include "recipe.hpp"
+
+#include <Eigen/Dense>
+
+namespace newton_euler {
+
+using taylor::jet;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using jet3 = Eigen::Matrix<jet, 3, 1>;
+using jet3x3 = Eigen::Matrix<jet, 3, 3>;
+using jets = recipe::values<jet>;
+
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+inline int letter(char c) { return c - 'x'; }
+
+// Axes and angles, from Rodrigues' formula as Eigen has it.
+inline jet3x3 rotation(const Vector3d& axis, const jet& angle) {
+  return Eigen::AngleAxis<jet>(angle, axis.normalized().cast<jet>()).toRotationMatrix();
+}
+inline jet3x3 rotation(int axis, const jet& angle) { return rotation(Vector3d(Vector3d::Unit(axis)), angle); }
+
+inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
+  using recipe::turn;
+  const auto about = [&](int i) { return rotation(letter(f.letters[at(i)]), now(f.angle[at(i)])); };
+  switch (f.how) {
+  case turn::ground: break;
+  case turn::about_basis: return rotation(Vector3d((f.backwards ? -1 : 1) * Vector3d::Unit(f.axis)), now(f.angle[0]));
+  case turn::about_axis: {
+    Vector3d axis;
+    for (int i = 0; i < 3; ++i) axis(i) = f.direction[at(i)].value;
+    return rotation(axis, now(f.angle[0]));
+  }
+  case turn::body_fixed:
+  case turn::cosines: return about(0) * about(1) * about(2);
+  case turn::space_fixed: return about(2) * about(1) * about(0);
+  case turn::quaternion: {
+    const std::size_t k = at(f.quaternion);
+    return Eigen::Quaternion<jet>(now.q[k], now.q[k + 1], now.q[k + 2], now.q[k + 3]).toRotationMatrix();
+  }
+  }
+  return jet3x3::Identity();
+}
+
+// Where everything is, in the ground's axes.
+struct placement {
+  std::vector<jet3x3> frames;
+  std::vector<jet3> points;
+
+  jet3 in_ground(const recipe::sum& v, const jets& now) const {
+    jet3 total = jet3::Zero();
+    for (const recipe::part& p : v) {
+      const jet3 value(now(p.value[0]), now(p.value[1]), now(p.value[2]));
+      total += frames[at(p.frame)] * value;
+    }
+    return total;
+  }
+};
+
+inline placement place(const recipe::mechanism& m, const jets& now) {
+  placement here;
+  for (const recipe::frame& f : m.frames) {
+    const jet3x3 own = rotation(f, now);
+    here.frames.push_back(f.parent < 0 ? own : jet3x3(here.frames[at(f.parent)] * own));
+  }
+  for (const recipe::point& p : m.points) {
+    const jet3 offset = here.in_ground(p.offset, now);
+    here.points.push_back(p.parent < 0 ? offset : jet3(here.points[at(p.parent)] + offset));
+  }
+  return here;
+}
+
+// Gaussian elimination; the recipes' matrices need no pivots.
+inline std::vector<jet> solve(std::vector<std::vector<jet>> a, std::vector<jet> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k) continue;
+      const jet factor = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
+      b[i] -= factor * b[k];
+    }
+  for (std::size_t k = 0; k < n; ++k) b[k] = b[k] / a[k][k];
+  return b;
+}
+
+// q̇ from q, u and t.
+inline std::vector<jet> coordinate_rates(const recipe::mechanism& m, const jets& now) {
+  using recipe::law;
+  std::vector<jet> qdot(now.q.size());
+  const placement here = place(m, now);
+  for (const recipe::rates& k : m.kinematics) {
+    std::vector<jet> u, found;
+    for (int i : k.speeds) u.push_back(now.u[at(i)]);
+    const std::size_t n = u.size();
+    const jet3x3 own = rotation(m.frames[at(k.frame)], now);
+    switch (k.how) {
+    case law::linear: {
+      std::vector<std::vector<jet>> a(n, std::vector<jet>(n));
+      for (std::size_t i = 0; i < n; ++i) {
+        u[i] -= now(k.offset[i]);
+        for (std::size_t j = 0; j < n; ++j) a[i][j] = now(k.matrix[i * n + j]);
+      }
+      found = solve(a, u);
+      break;
+    }
+    case law::body_rates: { // Σ axis_i q̇_i = ω, axis_i: that of turn i, in the frame's parent's axes
+      const recipe::frame& f = m.frames[at(k.frame)];
+      jet3x3 axes, done = jet3x3::Identity();
+      for (int i = 0; i < 3; ++i) {
+        axes.col(i) = done.col(letter(f.letters[at(i)]));
+        done = jet3x3(done * rotation(letter(f.letters[at(i)]), now.q[at(k.coordinates[at(i)])]));
+      }
+      const jet3 omega = own * jet3(u[0], u[1], u[2]);
+      const jet below = axes.col(0).dot(axes.col(1).cross(axes.col(2)));
+      for (int i = 0; i < 3; ++i)
+        found.push_back(omega.dot(axes.col((i + 1) % 3).cross(axes.col((i + 2) % 3))) / below);
+      break;
+    }
+    case law::quaternion:
+    case law::implicit_quaternion: {
+      const std::size_t e = at(k.coordinates[0]);
+      const Eigen::Quaternion<jet> attitude(now.q[e], now.q[e + 1], now.q[e + 2], now.q[e + 3]);
+      const Eigen::Quaternion<jet> rate = attitude * Eigen::Quaternion<jet>(jet(0), u[0], u[1], u[2]);
+      const jet half = 0.5;
+      found = {half * rate.w(), half * rate.x(), half * rate.y(), half * rate.z()};
+      break;
+    }
+    case law::base_velocity: {
+      const jet3 v = here.frames[at(k.frame)] * jet3(u[0], u[1], u[2]);
+      found = {v(0), v(1), v(2)};
+      break;
+    }
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) qdot[at(k.coordinates[i])] = found[i];
+  }
+  return qdot;
+}
+
+// Positions, velocities and, with u̇ = 0, accelerations of all points and frames in the ground's axes.
+struct motion {
+  VectorXd qdot;
+  std::vector<Matrix3d> axes;
+  std::vector<Vector3d> x, v, a, omega, alpha;
+  placement here;
+  jets now;
+};
+
+inline Vector3d unskewed(const Matrix3d& s) {
+  return Vector3d(s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)) / 2;
+}
+
+inline motion move(const recipe::mechanism& m, const std::vector<double>& u) {
+  motion k;
+  jets& now = k.now;
+  now.number = [](double c) { return jet(c); };
+  for (double v : m.parameters) now.parameters.emplace_back(v);
+  for (double v : m.q) now.q.emplace_back(v);
+  for (double v : u) now.u.emplace_back(v);
+  for (double v : m.r) now.r.emplace_back(v);
+  now.t = {m.t, 1, 0};
+  for (int order = 1; order <= 2; ++order) { // each pass of q̇(q, u, t) gives one more coefficient of q
+    now.qdot = coordinate_rates(m, now);
+    for (std::size_t i = 0; i < now.q.size(); ++i)
+      now.q[i] = {now.q[i].c0, now.qdot[i].c0, order == 1 ? 0 : now.qdot[i].c1 / 2};
+  }
+  now.qdot = coordinate_rates(m, now);
+  k.qdot.resize(static_cast<Eigen::Index>(now.q.size()));
+  for (std::size_t i = 0; i < now.q.size(); ++i) k.qdot(static_cast<Eigen::Index>(i)) = now.qdot[i].c0;
+
+  k.here = place(m, now);
+  const auto value = [](const jet& j) { return j.c0; };
+  const auto rate = [](const jet& j) { return j.c1; };
+  const auto acceleration = [](const jet& j) { return 2 * j.c2; };
+  for (const jet3& p : k.here.points) {
+    k.x.emplace_back(p.unaryExpr(value));
+    k.v.emplace_back(p.unaryExpr(rate));
+    k.a.emplace_back(p.unaryExpr(acceleration));
+  }
+  for (const jet3x3& r : k.here.frames) {
+    const Matrix3d at_rest = r.unaryExpr(value), first = r.unaryExpr(rate), second = r.unaryExpr(acceleration);
+    k.axes.push_back(at_rest);
+    k.omega.push_back(unskewed(first * at_rest.transpose()));
+    k.alpha.push_back(unskewed(second * at_rest.transpose())); // Ṙ Ṙᵀ is symmetric
+  }
+  return k;
+}
+
+} // namespace newton_euler

@@ -1,0 +1,100 @@
+// Kane's equations of a recipe, projected from Newton's and Euler's.
+#pragma once
+
+#include "newton_euler.hpp"
+
+namespace newton_euler {
+
+struct dynamics {
+  VectorXd qdot, forcing, udot, active_forces, inertia_bias;
+  MatrixXd mass_matrix;
+  double kinetic_energy = 0, potential_energy = 0;
+  Vector3d linear_momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero(), center_of_mass = Vector3d::Zero();
+  double force_scale = 0; // of the terms that the forcing is the sum of
+};
+
+// Inertia about the mass centre, in the ground's axes.
+inline Matrix3d central_inertia(const recipe::mechanism& m, const recipe::body& b, const motion& k) {
+  Matrix3d total = Matrix3d::Zero();
+  for (const recipe::inertia& part : b.dyadic) {
+    double s[6];
+    for (std::size_t i = 0; i < 6; ++i) s[i] = part.scalars[i].value;
+    Matrix3d own;
+    own << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    const Matrix3d& axes = k.axes[at(part.axes)];
+    total += axes * own * axes.transpose();
+  }
+  static_cast<void>(m);
+  if (b.about >= 0) {
+    const Vector3d r = k.x[at(b.center)] - k.x[at(b.about)];
+    total -= b.mass.value * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+  }
+  return total;
+}
+
+inline dynamics evaluate(const recipe::mechanism& m) {
+  const motion k = move(m, m.u);
+  const std::size_t p = m.u.size();
+  const auto size = static_cast<Eigen::Index>(p);
+  std::vector<double> u(p, 0);
+  const motion still = move(m, u);
+  std::vector<motion> one; // velocities are affine in the speeds
+  for (std::size_t r = 0; r < p; ++r) {
+    u[r] = 1;
+    one.push_back(move(m, u));
+    u[r] = 0;
+  }
+  const auto partial = [&](const std::vector<Vector3d> motion::*of, int i) {
+    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, size);
+    for (std::size_t r = 0; r < p; ++r)
+      j.col(static_cast<Eigen::Index>(r)) = (one[r].*of)[at(i)] - (still.*of)[at(i)];
+    return j;
+  };
+
+  dynamics d;
+  d.qdot = k.qdot;
+  d.mass_matrix = MatrixXd::Zero(size, size);
+  d.active_forces = d.inertia_bias = VectorXd::Zero(size);
+  const auto act = [&](VectorXd& on, const auto& j, const Vector3d& load) {
+    const VectorXd share = j.transpose() * load;
+    on += share;
+    d.force_scale += share.cwiseAbs().sum();
+  };
+  const auto value = [](const jet& j) { return j.c0; };
+  const auto in_ground = [&](const recipe::sum& v) { return Vector3d(k.here.in_ground(v, k.now).unaryExpr(value)); };
+
+  Vector3d gravity = Vector3d::Zero();
+  for (int i = 0; i < 3 && m.has_gravity; ++i) gravity(i) = m.gravity[at(i)].value;
+  double total_mass = 0;
+  for (const recipe::body& b : m.bodies) {
+    const double mass = b.mass.value;
+    const Vector3d &x = k.x[at(b.center)], &v = k.v[at(b.center)];
+    const auto j = partial(&motion::v, b.center);
+    d.mass_matrix += mass * (j.transpose() * j);
+    act(d.inertia_bias, j, -mass * k.a[at(b.center)]);
+    act(d.active_forces, j, mass * gravity);
+    d.kinetic_energy += mass * v.squaredNorm() / 2;
+    d.potential_energy -= mass * gravity.dot(x);
+    d.linear_momentum += mass * v;
+    d.angular_momentum += mass * x.cross(v);
+    d.center_of_mass += mass * x;
+    total_mass += mass;
+    if (b.frame < 0) continue;
+    const Matrix3d inertia = central_inertia(m, b, k);
+    const Vector3d &omega = k.omega[at(b.frame)], &alpha = k.alpha[at(b.frame)];
+    const auto turning = partial(&motion::omega, b.frame);
+    d.mass_matrix += turning.transpose() * inertia * turning;
+    act(d.inertia_bias, turning, -inertia * alpha);
+    act(d.inertia_bias, turning, -omega.cross(inertia * omega));
+    d.kinetic_energy += omega.dot(inertia * omega) / 2;
+    d.angular_momentum += inertia * omega;
+  }
+  d.center_of_mass /= total_mass;
+  for (const recipe::load& f : m.forces) act(d.active_forces, partial(&motion::v, f.on), in_ground(f.value));
+  for (const recipe::load& t : m.torques) act(d.active_forces, partial(&motion::omega, t.on), in_ground(t.value));
+  d.forcing = d.active_forces + d.inertia_bias;
+  d.udot = d.mass_matrix.ldlt().solve(d.forcing);
+  return d;
+}
+
+} // namespace newton_euler

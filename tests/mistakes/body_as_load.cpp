@@ -1,0 +1,8 @@
+// expect: loads<...> lists Bob, which is not a load
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>, loads<Bob>> {
+};
+
+int main() { use<System>(); }

@@ -1,0 +1,8 @@
+// expect: body Ball has no mass
+#include "pendulum.hpp"
+
+struct Ball : particle<Ball, P, 0> {};
+
+struct System : pendulum_with<Ball> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,8 @@
+// expect: there must be as many kinematic differential equations as coordinates, and there are 1 for 2
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q, s>, speeds<u>, kinematics<dot(q) + dot(s) == u>, bodies<Bob>> {
+};
+
+int main() { use<System>(); }

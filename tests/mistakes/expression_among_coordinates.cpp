@@ -1,0 +1,7 @@
+// expect: the list of coordinates holds something that is not a symbol, with s
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q, 2 * s>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
+
+int main() { use<System>(); }

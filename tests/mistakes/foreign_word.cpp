@@ -1,0 +1,9 @@
+// expect: Wind is no word of a system, and System holds it
+#include "pendulum.hpp"
+
+struct Wind {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>, Wind> {};
+
+int main() { use<System>(); }

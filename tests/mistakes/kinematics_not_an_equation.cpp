@@ -1,0 +1,6 @@
+// expect: kinematics<...> holds something that is not an equation, with q; write dot(q) == u
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) - u>, bodies<Bob>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: a kinematic differential equation holds the input T, whose rate is not known
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u + T>, bodies<Bob>> {};
+
+int main() { use<System>(); }

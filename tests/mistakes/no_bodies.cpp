@@ -1,0 +1,6 @@
+// expect: the system System is told no bodies<...>
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>> {};
+
+int main() { use<System>(); }

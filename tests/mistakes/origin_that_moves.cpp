@@ -1,0 +1,9 @@
+// expect: origin Q does not stand in the inertial frame; a point that moves needs an offset
+#include "pendulum.hpp"
+
+struct Q : origin<Q, A> {};
+struct Ball : particle<Ball, Q, m> {};
+
+struct System : pendulum_with<Ball> {};
+
+int main() { use<System>(); }

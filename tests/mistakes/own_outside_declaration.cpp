@@ -1,0 +1,9 @@
+// expect: the offset of point Q holds own::x, which stands for a frame while its angular velocity is declared
+#include "pendulum.hpp"
+
+struct Q : offset<Q, O, l * own::x> {};
+struct Ball : particle<Ball, Q, m> {};
+
+struct System : pendulum_with<Ball> {};
+
+int main() { use<System>(); }

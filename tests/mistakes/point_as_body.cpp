@@ -1,0 +1,6 @@
+// expect: bodies<...> lists P, which is not a body
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<P>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: parameter m has a value and stands in the list of parameters too
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            parameters<m, l>, values<m == 2>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: parameter m is given two values
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            values<m == 2, m == 3>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: the system System is told loads<...> twice; write one list
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<weight>, loads<torque<A, T * N::z>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,13 @@
+// builds: sanitize no-exceptions
+#include "systems/check_robot_against_oracle.hpp"
+
+#include <models/iiwa.hpp>
+
+namespace {
+
+using system = iiwa::System;
+
+TEST(iiwa, agrees_with_the_oracle) { check::robot_against_oracle<system>("arm_iiwa"); }
+TEST(iiwa, motors_bring_the_energy) { check::motors_bring_the_energy<system>("arm_iiwa"); }
+
+} // namespace

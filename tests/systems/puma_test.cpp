@@ -1,0 +1,13 @@
+// builds: sanitize no-exceptions
+#include "systems/check_robot_against_oracle.hpp"
+
+#include <models/puma.hpp>
+
+namespace {
+
+using system = puma::System;
+
+TEST(puma, agrees_with_the_oracle) { check::robot_against_oracle<system>("arm_puma_full"); }
+TEST(puma, motors_bring_the_energy) { check::motors_bring_the_energy<system>("arm_puma_full"); }
+
+} // namespace

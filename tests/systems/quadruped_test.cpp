@@ -1,0 +1,12 @@
+// builds: sanitize no-exceptions
+#include "systems/floating_base.hpp"
+
+#include <models/quadruped.hpp>
+
+namespace {
+
+TEST(quadruped, agrees_with_the_oracle) {
+  check::robot_against_oracle<quadruped::System, check::floating>("quadruped_anymal");
+}
+
+} // namespace
