@@ -14,6 +14,8 @@ struct jet {
   constexpr jet(double value) : c0(value) {}
   constexpr jet(double value, double first, double second) : c0(value), c1(first), c2(second) {}
 
+  jet rate() const { return {c1, 2 * c2, 0}; }
+
   jet& operator+=(const jet& o) { return *this = *this + o; }
   jet& operator-=(const jet& o) { return *this = *this - o; }
   jet& operator*=(const jet& o) { return *this = *this * o; }

@@ -52,7 +52,7 @@ inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
 // Where everything is, in the ground's axes.
 struct placement {
   std::vector<jet3x3> frames;
-  std::vector<jet3> points;
+  std::vector<jet3> points, velocities;
 
   jet3 in_ground(const recipe::sum& v, const jets& now) const {
     jet3 total = jet3::Zero();
@@ -72,7 +72,11 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
   }
   for (const recipe::point& p : m.points) {
     const jet3 offset = here.in_ground(p.offset, now);
+    const jet3 rate = p.reference == 0 ? here.in_ground(p.velocity, now) // need not be that of any position
+                                       : jet3(offset.unaryExpr([](const jet& j) { return j.rate(); }));
+    const bool moves_on = p.parent >= 0 && p.reference != 0;
     here.points.push_back(p.parent < 0 ? offset : jet3(here.points[at(p.parent)] + offset));
+    here.velocities.push_back(moves_on ? jet3(here.velocities[at(p.parent)] + rate) : rate);
   }
   return here;
 }
@@ -179,10 +183,10 @@ inline motion move(const recipe::mechanism& m, const std::vector<double>& u) {
   const auto value = [](const jet& j) { return j.c0; };
   const auto rate = [](const jet& j) { return j.c1; };
   const auto acceleration = [](const jet& j) { return 2 * j.c2; };
-  for (const jet3& p : k.here.points) {
-    k.x.emplace_back(p.unaryExpr(value));
-    k.v.emplace_back(p.unaryExpr(rate));
-    k.a.emplace_back(p.unaryExpr(acceleration));
+  for (const jet3& p : k.here.points) k.x.emplace_back(p.unaryExpr(value));
+  for (const jet3& v : k.here.velocities) {
+    k.v.emplace_back(v.unaryExpr(value));
+    k.a.emplace_back(v.unaryExpr(rate));
   }
   for (const jet3x3& r : k.here.frames) {
     const Matrix3d at_rest = r.unaryExpr(value), first = r.unaryExpr(rate), second = r.unaryExpr(acceleration);

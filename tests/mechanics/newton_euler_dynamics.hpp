@@ -6,15 +6,42 @@
 namespace newton_euler {
 
 struct dynamics {
-  VectorXd qdot, forcing, udot, active_forces, inertia_bias;
+  VectorXd qdot, forcing, active_forces, inertia_bias;
   MatrixXd mass_matrix;
   double kinetic_energy = 0, potential_energy = 0;
   Vector3d linear_momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero(), center_of_mass = Vector3d::Zero();
   double force_scale = 0; // of the terms that the forcing is the sum of
 };
 
+// Partial velocities of points and frames: velocities are affine in the speeds.
+class partial_motions {
+public:
+  using columns = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+  explicit partial_motions(const recipe::mechanism& m) : still_(move(m, std::vector<double>(m.u.size(), 0))) {
+    for (std::size_t r = 0; r < m.u.size(); ++r) {
+      std::vector<double> u(m.u.size(), 0);
+      u[r] = 1;
+      one_.push_back(move(m, u));
+    }
+  }
+  columns velocity(std::size_t point) const { return difference(&motion::v, point); }
+  columns angular(std::size_t frame) const { return difference(&motion::omega, frame); }
+
+private:
+  columns difference(const std::vector<Vector3d> motion::*of, std::size_t which) const {
+    columns j(3, static_cast<Eigen::Index>(one_.size()));
+    for (std::size_t r = 0; r < one_.size(); ++r)
+      j.col(static_cast<Eigen::Index>(r)) = (one_[r].*of)[which] - (still_.*of)[which];
+    return j;
+  }
+
+  motion still_;
+  std::vector<motion> one_;
+};
+
 // Inertia about the mass centre, in the ground's axes.
-inline Matrix3d central_inertia(const recipe::mechanism& m, const recipe::body& b, const motion& k) {
+inline Matrix3d central_inertia(const recipe::body& b, const motion& k) {
   Matrix3d total = Matrix3d::Zero();
   for (const recipe::inertia& part : b.dyadic) {
     double s[6];
@@ -24,7 +51,6 @@ inline Matrix3d central_inertia(const recipe::mechanism& m, const recipe::body& 
     const Matrix3d& axes = k.axes[at(part.axes)];
     total += axes * own * axes.transpose();
   }
-  static_cast<void>(m);
   if (b.about >= 0) {
     const Vector3d r = k.x[at(b.center)] - k.x[at(b.about)];
     total -= b.mass.value * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
@@ -34,28 +60,14 @@ inline Matrix3d central_inertia(const recipe::mechanism& m, const recipe::body& 
 
 inline dynamics evaluate(const recipe::mechanism& m) {
   const motion k = move(m, m.u);
-  const std::size_t p = m.u.size();
-  const auto size = static_cast<Eigen::Index>(p);
-  std::vector<double> u(p, 0);
-  const motion still = move(m, u);
-  std::vector<motion> one; // velocities are affine in the speeds
-  for (std::size_t r = 0; r < p; ++r) {
-    u[r] = 1;
-    one.push_back(move(m, u));
-    u[r] = 0;
-  }
-  const auto partial = [&](const std::vector<Vector3d> motion::*of, int i) {
-    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, size);
-    for (std::size_t r = 0; r < p; ++r)
-      j.col(static_cast<Eigen::Index>(r)) = (one[r].*of)[at(i)] - (still.*of)[at(i)];
-    return j;
-  };
+  const partial_motions partial(m);
+  const auto size = static_cast<Eigen::Index>(m.u.size());
 
   dynamics d;
   d.qdot = k.qdot;
   d.mass_matrix = MatrixXd::Zero(size, size);
   d.active_forces = d.inertia_bias = VectorXd::Zero(size);
-  const auto act = [&](VectorXd& on, const auto& j, const Vector3d& load) {
+  const auto act = [&](VectorXd& on, const partial_motions::columns& j, const Vector3d& load) {
     const VectorXd share = j.transpose() * load;
     on += share;
     d.force_scale += share.cwiseAbs().sum();
@@ -69,7 +81,7 @@ inline dynamics evaluate(const recipe::mechanism& m) {
   for (const recipe::body& b : m.bodies) {
     const double mass = b.mass.value;
     const Vector3d &x = k.x[at(b.center)], &v = k.v[at(b.center)];
-    const auto j = partial(&motion::v, b.center);
+    const partial_motions::columns j = partial.velocity(at(b.center));
     d.mass_matrix += mass * (j.transpose() * j);
     act(d.inertia_bias, j, -mass * k.a[at(b.center)]);
     act(d.active_forces, j, mass * gravity);
@@ -80,9 +92,9 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     d.center_of_mass += mass * x;
     total_mass += mass;
     if (b.frame < 0) continue;
-    const Matrix3d inertia = central_inertia(m, b, k);
+    const Matrix3d inertia = central_inertia(b, k);
     const Vector3d &omega = k.omega[at(b.frame)], &alpha = k.alpha[at(b.frame)];
-    const auto turning = partial(&motion::omega, b.frame);
+    const partial_motions::columns turning = partial.angular(at(b.frame));
     d.mass_matrix += turning.transpose() * inertia * turning;
     act(d.inertia_bias, turning, -inertia * alpha);
     act(d.inertia_bias, turning, -omega.cross(inertia * omega));
@@ -90,10 +102,9 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     d.angular_momentum += inertia * omega;
   }
   d.center_of_mass /= total_mass;
-  for (const recipe::load& f : m.forces) act(d.active_forces, partial(&motion::v, f.on), in_ground(f.value));
-  for (const recipe::load& t : m.torques) act(d.active_forces, partial(&motion::omega, t.on), in_ground(t.value));
+  for (const recipe::load& f : m.forces) act(d.active_forces, partial.velocity(at(f.on)), in_ground(f.value));
+  for (const recipe::load& t : m.torques) act(d.active_forces, partial.angular(at(t.on)), in_ground(t.value));
   d.forcing = d.active_forces + d.inertia_bias;
-  d.udot = d.mass_matrix.ldlt().solve(d.forcing);
   return d;
 }
 

@@ -125,11 +125,22 @@ private:
 
   int fixed_point(int from, int in) {
     point p{from, {{in, constant_vector()}}, -1, -1, {}};
-    if (d_.chance(0.2)) p.fixed_in = in;
+    if (d_.chance(0.03)) {
+      p.reference = 0; // a velocity that no position has
+      p.velocity = {{any_frame(), {rolling(), rolling(), rolling()}}, {any_frame(), {rolling(), rolling(), rolling()}}};
+    } else if (d_.chance(0.2)) p.fixed_in = in;
     else if (turns(in) && d_.chance(0.1)) p.reference = in;
     if (p.reference == in && d_.chance(0.5)) p.velocity = {{in, {}}};
     if (style_ == style::scattered && d_.chance(0.3)) p = {from, {{in, constant_vector()}, {any_frame(), constant_vector()}}, -1, -1, {}};
     return push(p);
+  }
+
+  formula rolling() {
+    formula v;
+    if (d_.chance(0.2)) v.base = some();
+    if (!m_.q.empty() && d_.chance(0.6)) v.terms.push_back({some(), kind::rate, any_coordinate()});
+    if (speeds_ > 0 && d_.chance(0.6)) v.terms.push_back({some(), kind::speed, any_speed()});
+    return v;
   }
 
   int sliding_point(int from, int in) {
@@ -164,7 +175,7 @@ private:
     if (d_.chance(0.3)) f.direction[at(d_.whole(0, 2))] = {};
     const int q = coordinate(-3, 3);
     f.angle[0] = motion_of(q);
-    if (d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::coordinate, any_coordinate()}); // a gear
+    if (q > 0 && d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::coordinate, d_.whole(0, q - 1)}); // a gear
     if (d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::time, 0});
     if (d_.chance(0.1)) f.angle[0].terms.push_back({number(0.3), kind::sine, q});
     const int own = push(f);
@@ -180,7 +191,7 @@ private:
     for (constant& c : f.direction) c = number(d_.between(0.3, 1));
     f.letters = "zxy";
     for (formula& a : f.angle) a = plain(number(d_.pick({0.0, d_.between(-3, 3)})));
-    if (d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::time, 0}); // driven
+    if (d_.chance(0.1)) f.angle[0].terms.push_back({number(0.7), kind::time, 0}); // driven
     return push(f);
   }
 
@@ -340,9 +351,9 @@ private:
     if (d_.chance(0.2)) f.terms.push_back({some(), kind::time, 0});
     if (!m_.q.empty() && d_.chance(0.4)) {
       const kind what = d_.pick({kind::coordinate, kind::sine, kind::rate, kind::cosine_times_rate});
-      f.terms.push_back({some(), what, d_.whole(0, static_cast<int>(m_.q.size()) - 1)});
+      f.terms.push_back({some(), what, any_coordinate()});
     }
-    if (speeds_ > 0 && d_.chance(0.3)) f.terms.push_back({some(), kind::speed, d_.whole(0, static_cast<int>(speeds_) - 1)});
+    if (speeds_ > 0 && d_.chance(0.3)) f.terms.push_back({some(), kind::speed, any_speed()});
     return f;
   }
   sum any_vector() {
@@ -393,6 +404,7 @@ private:
       m_.kinematics.push_back(k);
     }
   }
+  int any_speed() { return d_.whole(0, static_cast<int>(speeds_) - 1); }
   int any_coordinate() { return d_.whole(0, static_cast<int>(m_.q.size()) - 1); }
   void free_moving_particle(int q) {
     triple offset;

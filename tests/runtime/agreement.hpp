@@ -30,7 +30,23 @@ void expect_same_bits(const Compiled& compiled, const Interpreted& interpreted) 
           << "entry " << i << ", " << j << ": " << compiled(i, j) << " and " << interpreted(i, j);
 }
 
-/// Mass matrix, forcing and the right side ẋ of one system; one compiled function gives all three.
+/// The right side ẋ of one system, which rests on everything else.
+template <class System>
+void check_rhs() {
+  using eom = kanexpr::equations_of_motion<System>;
+  auto derived = kanexpr::derive<System>();
+  ASSERT_EQ(derived.mistake(), "");
+  auto rhs = derived.function(derived.rhs());
+  std::mt19937_64 source(19);
+  for (int round = 0; round < 50; ++round) {
+    const auto x = random<typename eom::state>(source, -3, 3);
+    const auto p = random<typename eom::parameters>(source, 0.5, 2);
+    const auto r = random<typename eom::inputs>(source, -5, 5);
+    expect_same_bits(eom::rhs(x, p, r), rhs(x, p, r));
+  }
+}
+
+/// Mass matrix, forcing and ẋ of one system; one compiled function gives all three.
 template <class System>
 void check() {
   using eom = kanexpr::equations_of_motion<System>;

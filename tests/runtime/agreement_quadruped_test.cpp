@@ -1,4 +1,4 @@
 #include "models/quadruped.hpp"
 #include "runtime/agreement.hpp"
 
-TEST(agreement, quadruped) { agreement::check<quadruped::System>(); }
+TEST(agreement, quadruped) { agreement::check_rhs<quadruped::System>(); }

@@ -23,10 +23,20 @@ struct on_the_ground {
 
 // One function for all that is asked of a robot: what compiles long is compiled once.
 template <class System>
-auto robot_equations(const kanexpr::state<System>& x, const kanexpr::input_values<System>& motors) {
+constexpr auto robot_function() {
   using eom = kanexpr::equations_of_motion<System>;
-  return without_heap(eom::together(eom::mass_matrix, eom::forcing, eom::rhs), x,
-                      kanexpr::parameter_values<System>(), motors);
+  return eom::together(eom::mass_matrix, eom::forcing, eom::rhs);
+}
+
+template <class System>
+auto robot_equations(const kanexpr::state<System>& x, const kanexpr::input_values<System>& motors) {
+  return without_heap(robot_function<System>(), x, kanexpr::parameter_values<System>(), motors);
+}
+
+// Multiplications and additions of one call.
+template <class System>
+constexpr int robot_cost() {
+  return robot_function<System>().cost().multiplications + robot_function<System>().cost().additions;
 }
 
 template <class System, class Base = on_the_ground>

@@ -22,18 +22,6 @@ auto without_heap(Function function, const Arguments&... arguments) {
   return function(arguments...);
 }
 
-// Results of systems with one degree of freedom are plain numbers.
-inline MatrixXd as_matrix(double value) { return MatrixXd::Constant(1, 1, value); }
-template <class Derived>
-MatrixXd as_matrix(const Eigen::MatrixBase<Derived>& value) {
-  return value;
-}
-
-template <class Value>
-VectorXd as_vector(const Value& value) {
-  return as_matrix(value).col(0);
-}
-
 template <class System>
 std::vector<std::string> names(kanexpr::symbolic::symbol_kind kind) {
   const auto& survey = kanexpr::lower::survey_of<System>;

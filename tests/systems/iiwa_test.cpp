@@ -7,6 +7,8 @@ namespace {
 
 using system = iiwa::System;
 
+static_assert(check::robot_cost<system>() <= 727);
+
 TEST(iiwa, agrees_with_the_oracle) { check::robot_against_oracle<system>("arm_iiwa"); }
 TEST(iiwa, motors_bring_the_energy) { check::motors_bring_the_energy<system>("arm_iiwa"); }
 

@@ -5,6 +5,8 @@
 
 namespace {
 
+static_assert(check::robot_cost<quadruped::System>() <= 3040); // q̇ of the base included
+
 TEST(quadruped, agrees_with_the_oracle) {
   check::robot_against_oracle<quadruped::System, check::floating>("quadruped_anymal");
 }

@@ -99,6 +99,7 @@ constexpr outcome derived() {
   reader r(System::record, m);
   r.read();
   (request<wanted>::visit(r), ...);
+  if (r.mistake()) return {r.mistake(), lower::roomy_tape{}};
   mechanics::equations e(m);
   r.know(e);
   sequence<int> outputs;

@@ -52,6 +52,7 @@ constexpr auto piece_of() {
   constexpr int end = next == Told::mistake.length ? next : next - 1;
   text<static_cast<std::size_t>(end - begin + 1)> t;
   for (int i = begin; i < end; ++i) t.letters[i - begin] = Told::mistake.letters[i];
+  t.letters[end - begin] = '\0'; // clang prints letters, not numbers, where the end is written too
   return t;
 }
 

@@ -39,13 +39,25 @@ struct arguments {
   [[gnu::always_inline]] T operator()() const noexcept {
     using symbolic::symbol_kind;
     if constexpr (from == symbol_kind::time) return t;
-    else if constexpr (from == symbol_kind::coordinate) return T(x[position]);
-    else if constexpr (from == symbol_kind::speed) return T(x[survey_of<System>.coordinates + position]);
-    else if constexpr (from == symbol_kind::parameter) return T(p[position]);
-    else if constexpr (from == symbol_kind::speed_rate) return T(a[position]);
-    else return T(r[position]);
+    else if constexpr (from == symbol_kind::coordinate) return scalar_math<T>::from(x[position]);
+    else if constexpr (from == symbol_kind::speed) return scalar_math<T>::from(x[survey_of<System>.coordinates + position]);
+    else if constexpr (from == symbol_kind::parameter) return scalar_math<T>::from(p[position]);
+    else if constexpr (from == symbol_kind::speed_rate) return scalar_math<T>::from(a[position]);
+    else return scalar_math<T>::from(r[position]);
   }
 };
+
+/// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
+template <class T, auto wanted>
+auto no_result_of() {
+  constexpr derivation::extent size = derivation::request<wanted>::of(derivation::survey{});
+  if constexpr (size.rows == 1 && size.columns == 1)
+    return T(0);
+  else if constexpr (size.rows > 0 && size.columns > 0)
+    return Eigen::Matrix<T, size.rows, size.columns>();
+  else
+    return no_result<T>();
+}
 
 template <auto wanted, class System>
 inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(survey_of<System>);
@@ -68,26 +80,26 @@ struct function {
 
   template <class X>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), none, none, none);
+    return evaluate(number<X>(0), x.derived(), none, none, none);
   }
   template <class X, class P>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), none, none);
+    return evaluate(number<X>(0), x.derived(), p.derived(), none, none);
   }
   template <class X, class P, class R>
   [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(typename X::Scalar(0), x.derived(), p.derived(), r.derived(), none);
+    return evaluate(number<X>(0), x.derived(), p.derived(), r.derived(), none);
   }
   template <class Time, class X, class P, class R>
   [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(typename X::Scalar(t), x.derived(), p.derived(), r.derived(), none);
+    return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), none);
   }
   template <class Time, class X, class P, class R, class A>
   [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r, const Eigen::MatrixBase<A>& a) const noexcept {
-    return evaluate(typename X::Scalar(t), x.derived(), p.derived(), r.derived(), a.derived());
+    return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), a.derived());
   }
 
   /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
@@ -115,6 +127,12 @@ struct function {
 private:
   static constexpr lower::not_given none{};
 
+  /// A number in the scalar type of a vector.
+  template <class X, class Value>
+  [[gnu::always_inline]] static typename X::Scalar number(const Value& value) noexcept {
+    return lower::scalar_math<typename X::Scalar>::from(value);
+  }
+
   template <class T, class X, class P, class R, class A>
   [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r, const A& a) noexcept {
     if constexpr (!lower::call<System, code, X, P, R, A, wanted...>::possible) {
@@ -127,9 +145,9 @@ private:
   template <class T>
   static auto no_results() {
     if constexpr (sizeof...(wanted) == 1)
-      return lower::no_result<T>{};
+      return (lower::no_result_of<T, wanted>(), ...);
     else
-      return std::tuple((static_cast<void>(wanted), lower::no_result<T>{})...);
+      return std::tuple(lower::no_result_of<T, wanted>()...);
   }
 
   template <class T>

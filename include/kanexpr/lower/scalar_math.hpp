@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/number.hpp>
 #include <kanexpr/symbolic/operation.hpp>
 
 #include <cmath>
@@ -10,9 +11,14 @@
 namespace kanexpr::lower {
 
 /// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
-/// Specialise it to replace one, such as sine and cosine together by a vector routine.
 template <class T>
-struct scalar_math {
+struct default_scalar_math {
+  /// A constant, or an argument that is given in another type.
+  template <class Value>
+  static T from(const Value& value) {
+    return T(value);
+  }
+
   static void sincos(const T& angle, T& sine, T& cosine) {
 #if defined(__GLIBC__)
     if constexpr (std::is_same_v<T, double>) return ::sincos(angle, &sine, &cosine);
@@ -75,6 +81,11 @@ struct scalar_math {
   }
 };
 
+/// Specialise it to replace one function, such as sine and cosine together by a vector routine:
+/// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
+template <class T>
+struct scalar_math : default_scalar_math<T> {};
+
 /// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled and for
 /// interpreted evaluation alike.
 template <symbolic::operation op, class T>
@@ -93,9 +104,10 @@ template <symbolic::operation op, class T>
 /// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its digits.
 template <class T>
 [[gnu::always_inline]] inline T number_as(const symbolic::number& n) {
-  if (n.denominator == 0) return T(n.real);
-  if (n.denominator == 1) return T(static_cast<double>(n.numerator));
-  return T(T(static_cast<double>(n.numerator)) / T(static_cast<double>(n.denominator)));
+  if (n.denominator == 0) return scalar_math<T>::from(n.real);
+  const T numerator = scalar_math<T>::from(static_cast<double>(n.numerator));
+  if (n.denominator == 1) return numerator;
+  return T(numerator / scalar_math<T>::from(static_cast<double>(n.denominator)));
 }
 
 } // namespace kanexpr::lower

@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/derive/survey.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
 #include <Eigen/Core>
 
@@ -69,7 +70,7 @@ public:
   using base::operator=;
   using base::operator[];
 
-  state() : base(base::Zero()) {}
+  state() { this->setConstant(lower::scalar_math<Scalar>::from(0)); }
 
   template <text called, int index>
   Scalar& operator[](const coordinate<called, index>&) {
@@ -108,7 +109,7 @@ public:
   using base::operator=;
   using base::operator[];
 
-  parameter_values() : base(base::Zero()) {}
+  parameter_values() { this->setConstant(lower::scalar_math<Scalar>::from(0)); }
 
   template <text called, int index>
   Scalar& operator[](const parameter<called, index>&) {
@@ -133,7 +134,7 @@ public:
   using base::operator=;
   using base::operator[];
 
-  input_values() : base(base::Zero()) {}
+  input_values() { this->setConstant(lower::scalar_math<Scalar>::from(0)); }
 
   template <text called, int index>
   Scalar& operator[](const input<called, index>&) {

@@ -11,7 +11,7 @@ namespace kanexpr::runtime {
 template <class T = double>
 class interpreter {
 public:
-  explicit interpreter(const lower::tape& code) : code_(code), slots_(code.slots(), T(0)) {
+  explicit interpreter(const lower::tape& code) : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 

@@ -1,0 +1,85 @@
+// builds: sanitize no-exceptions
+#include "no_heap.hpp"
+
+#include <models/double_pendulum.hpp>
+#include <models/pendulum6.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace double_pendulum;
+using eom = kanexpr::equations_of_motion<System>;
+
+static_assert(eom::coordinates == 2 && eom::speeds == 2);
+static_assert(eom::state::SizeAtCompileTime == 4);
+static_assert(eom::parameters::SizeAtCompileTime == 10);
+static_assert(eom::inputs::SizeAtCompileTime == 2);
+static_assert(sizeof(eom::state) == 4 * sizeof(double));
+static_assert(kanexpr::equations_of_motion<pendulum6::System>::parameters::SizeAtCompileTime == 0);
+static_assert(std::is_same_v<kanexpr::state<System, float>::Scalar, float>);
+
+eom::state some_state() {
+  eom::state x;
+  x[q1] = 0.1;
+  x[q2] = 0.2;
+  x[u1] = 0.3;
+  x[u2] = 0.4;
+  return x;
+}
+
+eom::parameters some_parameters() {
+  eom::parameters p;
+  p << 1.1, 0.6, 0.4, 0.35, 0.9, 0.07, 0.02, 9.81, 0.03, 0.02;
+  return p;
+}
+
+TEST(state, starts_as_zero) {
+  EXPECT_EQ(eom::state(), Eigen::Vector4d::Zero());
+  EXPECT_EQ(eom::parameters(), eom::parameters::Zero());
+  EXPECT_EQ(eom::inputs(), Eigen::Vector2d::Zero());
+}
+
+TEST(state, holds_coordinates_and_then_speeds_by_name) {
+  const eom::state x = some_state();
+  EXPECT_EQ(x, Eigen::Vector4d(0.1, 0.2, 0.3, 0.4));
+  EXPECT_EQ(x[u1], 0.3);
+  EXPECT_EQ(x.q(), Eigen::Vector2d(0.1, 0.2));
+  EXPECT_EQ(x.u(), Eigen::Vector2d(0.3, 0.4));
+}
+
+TEST(state, is_an_eigen_vector) {
+  eom::state x = some_state();
+  x += 2 * some_state();
+  x.u() *= 10;
+  EXPECT_DOUBLE_EQ(x[u2], 12);
+  x = Eigen::Vector4d(1, 2, 3, 4);
+  EXPECT_EQ(x[q2], 2);
+  EXPECT_EQ(eom::state(Eigen::Vector4d(1, 2, 3, 4)), x);
+}
+
+TEST(parameters_and_inputs, are_reached_by_name) {
+  const eom::parameters p = some_parameters();
+  EXPECT_EQ(p[m1], 1.1);
+  EXPECT_EQ(p[c2], 0.02);
+  eom::inputs r;
+  r[T2] = 3;
+  EXPECT_EQ(r, Eigen::Vector2d(0, 3));
+}
+
+TEST(arguments, may_be_any_eigen_vectors) {
+  const eom::state x = some_state();
+  const eom::parameters p = some_parameters();
+  const eom::inputs r(Eigen::Vector2d(1, 2));
+  const auto expected = eom::udot(x, p, r);
+  const double memory[]{9, 0.1, 0.2, 0.3, 0.4, 9};
+  Eigen::Matrix<double, 10, 3> table;
+  table.col(1) = p;
+  no_heap::guard guard;
+  EXPECT_EQ(eom::udot(Eigen::Map<const Eigen::Vector4d>(memory + 1), p, r), expected);
+  EXPECT_EQ(eom::udot(Eigen::Vector4d(0.1, 0.2, 0.3, 0.4), table.col(1), r), expected);
+  EXPECT_EQ(eom::udot(0.5 * (x + x), p, Eigen::Vector2d(0.5, 1) * 2), expected);
+  EXPECT_EQ(eom::udot(0.0, x, p, r), expected);
+}
+
+} // namespace
