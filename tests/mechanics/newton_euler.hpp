@@ -5,7 +5,8 @@
 #include "jet.hpp"
 #include "recipe.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace newton_euler {
 
@@ -14,39 +15,38 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using jet3 = Eigen::Matrix<jet, 3, 1>;
-using jet3x3 = Eigen::Matrix<jet, 3, 3>;
+using taylor::jet3;
+using taylor::jet3x3;
 using jets = recipe::values<jet>;
 
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 inline int letter(char c) { return c - 'x'; }
 
-// Axes and angles, from Rodrigues' formula as Eigen has it.
-inline jet3x3 rotation(const Vector3d& axis, const jet& angle) {
-  return Eigen::AngleAxis<jet>(angle, axis.normalized().cast<jet>()).toRotationMatrix();
-}
-inline jet3x3 rotation(int axis, const jet& angle) { return rotation(Vector3d(Vector3d::Unit(axis)), angle); }
+inline jet3x3 rotation(int axis, const jet& angle) { return taylor::rotation(jet3(Vector3d::Unit(axis)), angle); }
 
 inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
   using recipe::turn;
   const auto about = [&](int i) { return rotation(letter(f.letters[at(i)]), now(f.angle[at(i)])); };
   switch (f.how) {
   case turn::ground: break;
-  case turn::about_basis: return rotation(Vector3d((f.backwards ? -1 : 1) * Vector3d::Unit(f.axis)), now(f.angle[0]));
+  case turn::about_basis: {
+    const double way = f.backwards ? -1 : 1;
+    return taylor::rotation(jet3(way * Vector3d::Unit(f.axis)), now(f.angle[0]));
+  }
   case turn::about_axis: {
     Vector3d axis;
     for (int i = 0; i < 3; ++i) axis(i) = f.direction[at(i)].value;
-    return rotation(axis, now(f.angle[0]));
+    return taylor::rotation(jet3(axis.normalized()), now(f.angle[0]));
   }
   case turn::body_fixed:
   case turn::cosines: return about(0) * about(1) * about(2);
   case turn::space_fixed: return about(2) * about(1) * about(0);
   case turn::quaternion: {
     const std::size_t k = at(f.quaternion);
-    return Eigen::Quaternion<jet>(now.q[k], now.q[k + 1], now.q[k + 2], now.q[k + 3]).toRotationMatrix();
+    return taylor::rotation_by_quaternion(now.q[k], {now.q[k + 1], now.q[k + 2], now.q[k + 3]});
   }
   }
-  return jet3x3::Identity();
+  return {};
 }
 
 // Where everything is, in the ground's axes.
@@ -55,10 +55,10 @@ struct placement {
   std::vector<jet3> points, velocities;
 
   jet3 in_ground(const recipe::sum& v, const jets& now) const {
-    jet3 total = jet3::Zero();
+    jet3 total;
     for (const recipe::part& p : v) {
       const jet3 value(now(p.value[0]), now(p.value[1]), now(p.value[2]));
-      total += frames[at(p.frame)] * value;
+      total = total + frames[at(p.frame)] * value;
     }
     return total;
   }
@@ -68,15 +68,15 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
   placement here;
   for (const recipe::frame& f : m.frames) {
     const jet3x3 own = rotation(f, now);
-    here.frames.push_back(f.parent < 0 ? own : jet3x3(here.frames[at(f.parent)] * own));
+    here.frames.push_back(f.parent < 0 ? own : here.frames[at(f.parent)] * own);
   }
   for (const recipe::point& p : m.points) {
     const jet3 offset = here.in_ground(p.offset, now);
     const jet3 rate = p.reference == 0 ? here.in_ground(p.velocity, now) // need not be that of any position
-                                       : jet3(offset.unaryExpr([](const jet& j) { return j.rate(); }));
+                                       : offset.rate();
     const bool moves_on = p.parent >= 0 && p.reference != 0;
-    here.points.push_back(p.parent < 0 ? offset : jet3(here.points[at(p.parent)] + offset));
-    here.velocities.push_back(moves_on ? jet3(here.velocities[at(p.parent)] + rate) : rate);
+    here.points.push_back(p.parent < 0 ? offset : here.points[at(p.parent)] + offset);
+    here.velocities.push_back(moves_on ? here.velocities[at(p.parent)] + rate : rate);
   }
   return here;
 }
@@ -117,29 +117,31 @@ inline std::vector<jet> coordinate_rates(const recipe::mechanism& m, const jets&
     }
     case law::body_rates: { // Σ axis_i q̇_i = ω, axis_i: that of turn i, in the frame's parent's axes
       const recipe::frame& f = m.frames[at(k.frame)];
-      jet3x3 axes, done = jet3x3::Identity();
+      jet3x3 axes, done;
       for (int i = 0; i < 3; ++i) {
-        axes.col(i) = done.col(letter(f.letters[at(i)]));
-        done = jet3x3(done * rotation(letter(f.letters[at(i)]), now.q[at(k.coordinates[at(i)])]));
+        const int axis = letter(f.letters[at(i)]);
+        axes.column[at(i)] = done.column[at(axis)];
+        done = done * rotation(axis, now.q[at(k.coordinates[at(i)])]);
       }
       const jet3 omega = own * jet3(u[0], u[1], u[2]);
-      const jet below = axes.col(0).dot(axes.col(1).cross(axes.col(2)));
-      for (int i = 0; i < 3; ++i)
-        found.push_back(omega.dot(axes.col((i + 1) % 3).cross(axes.col((i + 2) % 3))) / below);
+      const auto& [first, second, third] = axes.column;
+      const jet below = dot(first, cross(second, third));
+      found = {dot(omega, cross(second, third)) / below, dot(omega, cross(third, first)) / below,
+               dot(omega, cross(first, second)) / below};
       break;
     }
     case law::quaternion:
-    case law::implicit_quaternion: {
+    case law::implicit_quaternion: { // ė = ½ e ω, a product of quaternions
       const std::size_t e = at(k.coordinates[0]);
-      const Eigen::Quaternion<jet> attitude(now.q[e], now.q[e + 1], now.q[e + 2], now.q[e + 3]);
-      const Eigen::Quaternion<jet> rate = attitude * Eigen::Quaternion<jet>(jet(0), u[0], u[1], u[2]);
+      const jet3 v(now.q[e + 1], now.q[e + 2], now.q[e + 3]), omega(u[0], u[1], u[2]);
+      const jet3 rate = now.q[e] * omega + cross(v, omega);
       const jet half = 0.5;
-      found = {half * rate.w(), half * rate.x(), half * rate.y(), half * rate.z()};
+      found = {-half * dot(v, omega), half * rate[0], half * rate[1], half * rate[2]};
       break;
     }
     case law::base_velocity: {
       const jet3 v = here.frames[at(k.frame)] * jet3(u[0], u[1], u[2]);
-      found = {v(0), v(1), v(2)};
+      found = {v[0], v[1], v[2]};
       break;
     }
     }
@@ -170,6 +172,7 @@ inline motion move(const recipe::mechanism& m, const std::vector<double>& u) {
   for (double v : u) now.u.emplace_back(v);
   for (double v : m.r) now.r.emplace_back(v);
   now.t = {m.t, 1, 0};
+  now.qdot.resize(now.q.size());
   for (int order = 1; order <= 2; ++order) { // each pass of q̇(q, u, t) gives one more coefficient of q
     now.qdot = coordinate_rates(m, now);
     for (std::size_t i = 0; i < now.q.size(); ++i)
@@ -180,19 +183,16 @@ inline motion move(const recipe::mechanism& m, const std::vector<double>& u) {
   for (std::size_t i = 0; i < now.q.size(); ++i) k.qdot(static_cast<Eigen::Index>(i)) = now.qdot[i].c0;
 
   k.here = place(m, now);
-  const auto value = [](const jet& j) { return j.c0; };
-  const auto rate = [](const jet& j) { return j.c1; };
-  const auto acceleration = [](const jet& j) { return 2 * j.c2; };
-  for (const jet3& p : k.here.points) k.x.emplace_back(p.unaryExpr(value));
+  for (const jet3& p : k.here.points) k.x.push_back(p.value());
   for (const jet3& v : k.here.velocities) {
-    k.v.emplace_back(v.unaryExpr(value));
-    k.a.emplace_back(v.unaryExpr(rate));
+    k.v.push_back(v.value());
+    k.a.push_back(v.rate().value());
   }
   for (const jet3x3& r : k.here.frames) {
-    const Matrix3d at_rest = r.unaryExpr(value), first = r.unaryExpr(rate), second = r.unaryExpr(acceleration);
-    k.axes.push_back(at_rest);
-    k.omega.push_back(unskewed(first * at_rest.transpose()));
-    k.alpha.push_back(unskewed(second * at_rest.transpose())); // Ṙ Ṙᵀ is symmetric
+    const Matrix3d back = r.value().transpose();
+    k.axes.push_back(r.value());
+    k.omega.push_back(unskewed(r.rate().value() * back));
+    k.alpha.push_back(unskewed(r.rate().rate().value() * back)); // Ṙ Ṙᵀ is symmetric
   }
   return k;
 }

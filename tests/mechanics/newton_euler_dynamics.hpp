@@ -72,8 +72,7 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     on += share;
     d.force_scale += share.cwiseAbs().sum();
   };
-  const auto value = [](const jet& j) { return j.c0; };
-  const auto in_ground = [&](const recipe::sum& v) { return Vector3d(k.here.in_ground(v, k.now).unaryExpr(value)); };
+  const auto in_ground = [&](const recipe::sum& v) { return k.here.in_ground(v, k.now).value(); };
 
   Vector3d gravity = Vector3d::Zero();
   for (int i = 0; i < 3 && m.has_gravity; ++i) gravity(i) = m.gravity[at(i)].value;

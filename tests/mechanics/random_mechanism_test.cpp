@@ -2,6 +2,7 @@
 #include "newton_euler_dynamics.hpp"
 #include "random_mechanism.hpp"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/observe.hpp>
 
@@ -67,7 +68,8 @@ struct comparison {
     expect_equal(found(quantity::forcing), expected.forcing, force, "forcing");
     expect_equal(found(quantity::active_forces), expected.active_forces, force, "active forces");
     expect_equal(found(quantity::kinetic_energy), scalar(expected.kinetic_energy), 1, "kinetic energy");
-    expect_equal(found(quantity::potential_energy), scalar(expected.potential_energy), 10, "potential energy");
+    if (m.has_gravity)
+      expect_equal(found(quantity::potential_energy), scalar(expected.potential_energy), 10, "potential energy");
     expect_equal(found(quantity::linear_momentum), expected.linear_momentum, 1, "linear momentum");
     expect_equal(found(quantity::angular_momentum), expected.angular_momentum, 1, "angular momentum");
     expect_equal(found(quantity::center_of_mass), expected.center_of_mass, 1, "center of mass");
@@ -122,6 +124,6 @@ void compare(unsigned first, unsigned last) {
   EXPECT_LT(singular, (last - first) / 10);
 }
 
-TEST(random_mechanism, obeys_newton_and_euler) { compare(0, 500); }
+TEST(random_mechanism, obeys_newton_and_euler) { compare(0, 800); }
 
 } // namespace

@@ -2,24 +2,9 @@
 #pragma once
 
 #include "systems/checked_system.hpp"
-
-#include <Eigen/Cholesky>
+#include "systems/robot_results.hpp"
 
 namespace check {
-
-// How the reference sees the accelerations of a model: a_reference = turn · (a + extra).
-struct convention {
-  MatrixXd turn;
-  VectorXd extra;
-};
-
-// A robot that stands on the ground: joint rates, which are the same to everyone.
-struct on_the_ground {
-  template <class State>
-  static convention at(const State& x) {
-    return {MatrixXd::Identity(x.u().size(), x.u().size()), VectorXd::Zero(x.u().size())};
-  }
-};
 
 // One function for all that is asked of a robot: what compiles long is compiled once.
 template <class System>
@@ -39,31 +24,19 @@ constexpr int robot_cost() {
   return robot_function<System>().cost().multiplications + robot_function<System>().cost().additions;
 }
 
-template <class System, class Base = on_the_ground>
-void robot_against_oracle(const std::string& name) {
+template <class System>
+void robot_against_oracle(const std::string& name, seen_by_reference seen_by = on_the_ground) {
   using inputs = kanexpr::input_values<System>;
-  using speeds = Eigen::Matrix<double, kanexpr::state<System>::speeds, 1>;
-  constexpr int joints = inputs::RowsAtCompileTime;
-
   const oracle::robot reference = oracle::load_robot(name);
   EXPECT_EQ(reference.states.size(), 20u);
   for (const oracle::robot_state& s : reference.states) {
-    auto x = stacked<System>(s.q, s.u);
-    const auto [turn, extra] = Base::at(x);
-    x.u() = turn.transpose() * s.u;
-    const speeds a = turn.transpose() * s.a - extra;
-    speeds on_base = turn.transpose() * s.torque;
-    on_base.template tail<joints>().setZero();
-
-    const auto [m, free, falling] = robot_equations<System>(x, inputs());
-    EXPECT_TRUE(oracle::close(turn * m * turn.transpose(), s.mass_matrix, 1e-11));
-    EXPECT_TRUE(oracle::close(turn * (-free - m * extra), s.bias, 1e-11));
-    EXPECT_TRUE(oracle::close(turn * (m * a - free), s.inverse_dynamics, 1e-11));
-
-    const auto [same, forcing, rhs] = robot_equations<System>(x, inputs(s.torque.tail<joints>()));
-    const speeds udot = rhs.template tail<speeds::RowsAtCompileTime>();
-    EXPECT_TRUE(oracle::close(m * udot, forcing, 1e-11));
-    EXPECT_TRUE(oracle::close(turn * (udot + m.ldlt().solve(on_base) + extra), s.udot, 1e-11));
+    const convention seen = seen_by(s.q, s.u);
+    const auto x = stacked<System>(s.q, seen.turn.transpose() * s.u);
+    const inputs motors(s.torque.tail(inputs::RowsAtCompileTime));
+    const auto at_rest = robot_equations<System>(x, inputs());
+    const auto [mass_matrix, forcing, rhs] = robot_equations<System>(x, motors);
+    const robot_results model{mass_matrix, std::get<1>(at_rest), forcing, rhs.tail(s.u.size())};
+    expect_reference(model, s, seen, motors.size());
   }
 }
 

@@ -1,5 +1,6 @@
 // builds: sanitize no-exceptions
-#include "systems/floating_base.hpp"
+#include "systems/checked_system.hpp"
+#include "systems/robot_results.hpp"
 
 #include <models/quadruped.hpp>
 
@@ -11,11 +12,10 @@ using eom = kanexpr::equations_of_motion<system>;
 // With the reference's accelerations: the compiled ones would double the time this file compiles.
 TEST(quadruped, torques_bring_the_energy) {
   for (const oracle::robot_state& s : oracle::load_robot("quadruped_anymal").states) {
-    eom::state x = check::stacked<system>(s.q, s.u);
-    const auto [turn, extra] = check::floating::at(x);
-    x.u() = turn.transpose() * s.u;
+    const check::convention seen = check::floating_base(s.q, s.u);
+    const auto x = check::stacked<system>(s.q, seen.turn.transpose() * s.u);
     eom::state rates;
-    rates << check::without_heap(eom::qdot, x), turn.transpose() * s.udot - extra;
+    rates << check::without_heap(eom::qdot, x), seen.turn.transpose() * s.udot - seen.extra;
     const check::energy_rates energy = check::energy_rates_along<system>(x, rates);
     EXPECT_NEAR(energy.kinetic + energy.potential, s.torque.dot(s.u), 1e-10 * std::abs(energy.kinetic));
   }

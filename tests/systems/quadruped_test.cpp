@@ -1,5 +1,5 @@
 // builds: sanitize no-exceptions
-#include "systems/floating_base.hpp"
+#include "systems/check_robot_against_oracle.hpp"
 
 #include <models/quadruped.hpp>
 
@@ -8,7 +8,7 @@ namespace {
 static_assert(check::robot_cost<quadruped::System>() <= 3040); // q̇ of the base included
 
 TEST(quadruped, agrees_with_the_oracle) {
-  check::robot_against_oracle<quadruped::System, check::floating>("quadruped_anymal");
+  check::robot_against_oracle<quadruped::System>("quadruped_anymal", check::floating_base);
 }
 
 } // namespace

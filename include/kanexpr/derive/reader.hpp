@@ -24,8 +24,8 @@ using mechanics::none;
 using mechanics::problem;
 using mechanics::sentence;
 
-/// Reads the records of a model into a mechanism: once, by following them from bodies and loads to all that they use.
-/// The first mistake stops the reading and is kept as a sentence.
+/// Reads the records of a model into a mechanism: once, by following them from bodies and loads to all that
+/// they use. The first mistake stops the reading and is kept as a sentence.
 class reader {
 public:
   constexpr reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
@@ -64,22 +64,24 @@ public:
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)
       if (frames_[i] == r) return places_of_frames_[i];
-    if (derived_ != nullptr) fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
+    if (derived_ != nullptr)
+      fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_frame(*r, whom);
     if (mistake_) return mechanism::inertial;
     const int describing_before = describing_;
     describing_ = none;
     open_frames_.push(r);
     const int parent = r->parent != nullptr ? frame(r->parent, r->called) : none;
-    open_frames_.pop();
     if (mistake_) return mechanism::inertial;
     const int place = add_frame(*r, parent);
+    open_frames_.pop();
     frames_.push(r);
     places_of_frames_.push(place);
     if (r->reference != nullptr && !mistake_) {
       describing_ = place;
       const int reference = frame(r->reference, r->called);
-      const mechanics::vector w = vector_of(r->angular_velocity, {"the angular velocity of frame ", r->called}, r->called);
+      const mechanics::vector w =
+          vector_of(r->angular_velocity, {"the angular velocity of frame ", r->called}, r->called);
       if (!mistake_) mechanics::declare_angular_velocity(m_, place, reference, w);
     }
     describing_ = describing_before;
@@ -89,7 +91,8 @@ public:
   constexpr int point(const point_record* r, std::string_view whom) {
     const int present = points_.find(r);
     if (present >= 0) return present;
-    if (derived_ != nullptr) fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
+    if (derived_ != nullptr)
+      fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_point(*r, whom);
     if (mistake_) return 0;
     mechanics::point p;
@@ -100,7 +103,8 @@ public:
       open_points_.pop();
       p.offset = vector_of(r->offset, {"the offset of point ", r->called}, r->called);
     } else if (frame(r->origin_of, r->called) != mechanism::inertial) {
-      fail({"origin ", r->called, " does not stand in the inertial frame; a point that moves needs an offset"});
+      fail({"origin ", r->called,
+            " does not stand in the inertial frame; a point that moves needs an offset"});
     }
     if (r->fixed_in != nullptr) p.fixed_in = frame(r->fixed_in, r->called);
     if (r->reference != nullptr) {
@@ -117,7 +121,8 @@ public:
     switch (r.kind) {
     case symbol_kind::time: return m_.time;
     case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
-    case symbol_kind::coordinate_rate: return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
+    case symbol_kind::coordinate_rate:
+      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
     case symbol_kind::speed: return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate: return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::parameter:
@@ -139,28 +144,33 @@ private:
 
   /// `struct B : rotated<A, ...>` would be a second A.
   constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
-    fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ", called});
+    fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ",
+          called});
   }
 
   constexpr void read_lists() {
     for (int i = 0; i < from_.coordinates.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, "coordinates"))
+      if (const symbol_record* s =
+              listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, "coordinates"))
         m_.coordinate(s->called);
     for (int i = 0; i < from_.speeds.size; ++i)
       if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, "speeds"))
         m_.speed(s->called);
     for (int i = 0; i < from_.values.size; ++i) read_value(from_.values[i]);
     for (int i = 0; i < from_.parameters.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.parameters[i], symbolic::symbol_kind::parameter, "parameters"))
+      if (const symbol_record* s =
+              listed_symbol(from_.parameters[i], symbolic::symbol_kind::parameter, "parameters"))
         m_.parameter(s->called);
     for (int i = 0; i < from_.inputs.size; ++i)
       if (const symbol_record* s = listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, "inputs"))
         m_.input(s->called);
   }
 
-  constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind, std::string_view list) {
+  constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
+                                               std::string_view list) {
     if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", list, " holds something that is not a symbol", p.size > 1 ? ", with " : "", name_in(p)});
+      fail({"the list of ", list, " holds something that is not a symbol", p.size > 1 ? ", with " : "",
+            name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
@@ -181,7 +191,8 @@ private:
         else if (lists_[i] == "values")
           fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
         else
-          fail({"the name ", called.view(), " is used twice: among the ", lists_[i], " and among the ", list});
+          fail(
+              {"the name ", called.view(), " is used twice: among the ", lists_[i], " and among the ", list});
       }
     names_.push(called);
     lists_.push(list);
@@ -191,8 +202,9 @@ private:
     const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
     const phrase right{shape::scalar, p.tokens + 1, p.size - 2};
     if (s == nullptr || !is_whole(right))
-      return fail({"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
-                   p.size > 0 ? " with " : "", name_in(p)});
+      return fail(
+          {"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
+           p.size > 0 ? " with " : "", name_in(p)});
     if (s->kind != symbolic::symbol_kind::parameter)
       return fail({kind_of(*s), s->called.view(), " is given a value; only parameters have one"});
     for (const symbolic::name& present : bound_)
@@ -212,8 +224,8 @@ private:
   constexpr void read_kinematics(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
     if (p.kind != shape::equation)
-      return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "", name_in(p),
-                   "; write dot(q) == u"});
+      return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
+                   name_in(p), "; write dot(q) == u"});
     const value left_minus_right = evaluate(p, whom);
     if (!mistake_ && left_minus_right.kind != shape::scalar)
       fail({whom, " with ", name_in(p), " equates vectors; equate their dot products with basis vectors"});
@@ -233,7 +245,8 @@ private:
     for (const expression& e : known)
       if (m_.g->symbol_at(e.node()).called == r.called) return e;
     if (complete) {
-      fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+      fail(
+          {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
       return m_.zero();
     }
     claim_name(r.called, kind == "input" ? "inputs" : "parameters");
@@ -243,7 +256,9 @@ private:
   // ---- frames and points
 
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
-    if (r.calls_itself.empty()) return fail({r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
+    if (r.calls_itself.empty())
+      return fail(
+          {r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
       fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
@@ -257,14 +272,17 @@ private:
   }
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
-    if (r.calls_itself.empty()) return fail({r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
+    if (r.calls_itself.empty())
+      return fail(
+          {r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
     if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)
         if (p->called == r.called) fail({"two points are called ", r.called});
     if (r.fixed_in != nullptr && r.reference != nullptr)
-      fail({"point ", r.called, " is said to be fixed in ", r.fixed_in->called, " and to have a velocity of its own"});
+      fail({"point ", r.called, " is said to be fixed in ", r.fixed_in->called,
+            " and to have a velocity of its own"});
   }
 
   constexpr int add_frame(const frame_record& r, int parent) {
@@ -288,7 +306,8 @@ private:
     case orientation_word::body_fixed:
     case orientation_word::space_fixed:
       if (!mechanics::is_sequence({r.sequence, 3})) {
-        fail({"frame ", r.called, " is turned by a sequence that is none; take three axes, no two neighbours alike: zxz"});
+        fail({"frame ", r.called,
+              " is turned by a sequence that is none; take three axes, no two neighbours alike: zxz"});
         return mechanism::inertial;
       }
       return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,
@@ -339,7 +358,8 @@ private:
     if (r.inertia_axes == nullptr) {
       const value v = evaluate_part("the inertia of ", r.inertia_dyadic, r.called);
       if (v.kind != shape::dyadic)
-        fail({"the inertia of ", r.called, is_a(r.inertia_dyadic.kind), "it must be a dyadic: I*outer(A::x, A::x)"});
+        fail({"the inertia of ", r.called, is_a(r.inertia_dyadic.kind),
+              "it must be a dyadic: I*outer(A::x, A::x)"});
       return v.dyadic;
     }
     expression i[6];
@@ -411,7 +431,8 @@ private:
       return v.kind == shape::scalar ? "a scalar" : v.kind == shape::vector ? "a vector" : "a dyadic";
     };
     if ((t.what == word::add || t.what == word::subtract) && a.kind != b.kind)
-      fail({part_, whom, t.what == word::add ? " adds " : " subtracts or equates ", kind(a), " and ", kind(b)});
+      fail({part_, whom, t.what == word::add ? " adds " : " subtracts or equates ", kind(a), " and ",
+            kind(b)});
     if (t.what == word::multiply && a.kind != shape::scalar)
       fail({part_, whom, " multiplies ", kind(a), " by ", kind(b), "; write dot, cross or outer"});
     if (t.what == word::divide && b.kind != shape::scalar)
@@ -515,12 +536,18 @@ private:
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::word;
     if (derived_ == nullptr)
-      return fail({part_, whom, " holds a position, velocity or derivative, which is not known yet while a model is read"});
+      return fail(
+          {part_, whom,
+           " holds a position, velocity or derivative, which is not known yet while a model is read"});
     mechanics::motion& k = derived_->moving();
     switch (t.what) {
-    case word::position: stack.push(value::of(mechanics::position_from_origin(m_, point(t.point, whom)))); break;
+    case word::position:
+      stack.push(value::of(mechanics::position_from_origin(m_, point(t.point, whom))));
+      break;
     case word::velocity: stack.push(value::of(mechanics::velocity_of_point(k, point(t.point, whom)))); break;
-    case word::acceleration: stack.push(value::of(mechanics::acceleration_of_point(k, point(t.point, whom)))); break;
+    case word::acceleration:
+      stack.push(value::of(mechanics::acceleration_of_point(k, point(t.point, whom))));
+      break;
     case word::angular_velocity:
       stack.push(value::of(mechanics::angular_velocity_of_frame(k, frame(t.frame, whom))));
       break;
@@ -563,10 +590,10 @@ private:
   sequence<expression> bound_values_;
   sequence<symbolic::name> names_;
   sequence<std::string_view> lists_;
-  sequence<const frame_record*> open_frames_; ///< whose parents are being read
+  sequence<const frame_record*> open_frames_; ///< that are being read
   sequence<const point_record*> open_points_;
-  int describing_ = none;  ///< the frame whose own axes `own` means
-  std::string_view part_;  ///< of an entity, that is being read: "the offset of point "
+  int describing_ = none; ///< the frame whose own axes `own` means
+  std::string_view part_; ///< of an entity, that is being read: "the offset of point "
 };
 
 } // namespace kanexpr::derivation

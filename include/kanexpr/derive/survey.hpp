@@ -18,28 +18,19 @@ struct survey {
 
   constexpr int first_of(symbolic::symbol_kind kind) const {
     switch (kind) {
-    case symbolic::symbol_kind::speed:
-      return coordinates;
-    case symbolic::symbol_kind::parameter:
-      return coordinates + speeds;
-    case symbolic::symbol_kind::input:
-      return coordinates + speeds + parameters;
-    default:
-      return 0;
+    case symbolic::symbol_kind::speed: return coordinates;
+    case symbolic::symbol_kind::parameter: return coordinates + speeds;
+    case symbolic::symbol_kind::input: return coordinates + speeds + parameters;
+    default: return 0;
     }
   }
   constexpr int count_of(symbolic::symbol_kind kind) const {
     switch (kind) {
-    case symbolic::symbol_kind::coordinate:
-      return coordinates;
-    case symbolic::symbol_kind::speed:
-      return speeds;
-    case symbolic::symbol_kind::parameter:
-      return parameters;
-    case symbolic::symbol_kind::input:
-      return inputs;
-    default:
-      return 0;
+    case symbolic::symbol_kind::coordinate: return coordinates;
+    case symbolic::symbol_kind::speed: return speeds;
+    case symbolic::symbol_kind::parameter: return parameters;
+    case symbolic::symbol_kind::input: return inputs;
+    default: return 0;
     }
   }
   /// Place of a symbol among those of its kind, or -1.

@@ -13,20 +13,13 @@ using describe::symbol_record;
 constexpr std::string_view kind_of(const symbol_record& s) {
   using symbolic::symbol_kind;
   switch (s.kind) {
-  case symbol_kind::time:
-    return "time ";
-  case symbol_kind::coordinate:
-    return "coordinate ";
-  case symbol_kind::speed:
-    return "speed ";
-  case symbol_kind::parameter:
-    return "parameter ";
-  case symbol_kind::input:
-    return "input ";
-  case symbol_kind::coordinate_rate:
-    return "the rate of coordinate ";
-  case symbol_kind::speed_rate:
-    return "the rate of speed ";
+  case symbol_kind::time: return "time ";
+  case symbol_kind::coordinate: return "coordinate ";
+  case symbol_kind::speed: return "speed ";
+  case symbol_kind::parameter: return "parameter ";
+  case symbol_kind::input: return "input ";
+  case symbol_kind::coordinate_rate: return "the rate of coordinate ";
+  case symbol_kind::speed_rate: return "the rate of speed ";
   }
   return "";
 }
@@ -53,22 +46,15 @@ constexpr bool is_whole(const phrase& p) {
     case word::divide:
     case word::dot:
     case word::cross:
-    case word::outer:
-      operands = 2;
-      break;
-    case word::scalar_function:
-      operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1;
-      break;
+    case word::outer: operands = 2; break;
+    case word::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
     case word::negate:
     case word::magnitude:
     case word::normalized:
     case word::derivative:
     case word::partial:
-    case word::in_axes:
-      operands = 1;
-      break;
-    default:
-      break;
+    case word::in_axes: operands = 1; break;
+    default: break;
     }
     if (depth < operands) return false;
     depth += 1 - operands;
@@ -79,29 +65,20 @@ constexpr bool is_whole(const phrase& p) {
 constexpr std::string_view what_is_given(const frame_record& r) {
   using describe::orientation_word;
   switch (r.orientation) {
-  case orientation_word::rotated:
-    return "the angle of frame ";
-  case orientation_word::quaternion:
-    return "the quaternion of frame ";
-  case orientation_word::direction_cosines:
-    return "a direction cosine of frame ";
-  default:
-    return "an angle of frame ";
+  case orientation_word::rotated: return "the angle of frame ";
+  case orientation_word::quaternion: return "the quaternion of frame ";
+  case orientation_word::direction_cosines: return "a direction cosine of frame ";
+  default: return "an angle of frame ";
   }
 }
 
 constexpr std::string_view is_a(shape kind) {
   switch (kind) {
-  case shape::scalar:
-    return " is a scalar; ";
-  case shape::vector:
-    return " is a vector; ";
-  case shape::dyadic:
-    return " is a dyadic; ";
-  case shape::equation:
-    return " is an equation; ";
-  default:
-    return " is no expression; ";
+  case shape::scalar: return " is a scalar; ";
+  case shape::vector: return " is a vector; ";
+  case shape::dyadic: return " is a dyadic; ";
+  case shape::equation: return " is an equation; ";
+  default: return " is no expression; ";
   }
 }
 

@@ -17,34 +17,20 @@ constexpr std::string_view result_name() {
   using mechanics::quantity;
   if constexpr (std::is_same_v<std::remove_const_t<decltype(wanted)>, quantity>) {
     switch (wanted) {
-    case quantity::mass_matrix:
-      return "mass_matrix";
-    case quantity::forcing:
-      return "forcing";
-    case quantity::mass_matrix_full:
-      return "mass_matrix_full";
-    case quantity::forcing_full:
-      return "forcing_full";
-    case quantity::qdot:
-      return "qdot";
-    case quantity::udot:
-      return "udot";
-    case quantity::rhs:
-      return "rhs";
-    case quantity::active_forces:
-      return "active_forces";
-    case quantity::inertia_forces:
-      return "inertia_forces";
-    case quantity::kinetic_energy:
-      return "kinetic_energy";
-    case quantity::potential_energy:
-      return "potential_energy";
-    case quantity::linear_momentum:
-      return "linear_momentum";
-    case quantity::angular_momentum:
-      return "angular_momentum";
-    case quantity::center_of_mass:
-      return "center_of_mass";
+    case quantity::mass_matrix: return "mass_matrix";
+    case quantity::forcing: return "forcing";
+    case quantity::mass_matrix_full: return "mass_matrix_full";
+    case quantity::forcing_full: return "forcing_full";
+    case quantity::qdot: return "qdot";
+    case quantity::udot: return "udot";
+    case quantity::rhs: return "rhs";
+    case quantity::active_forces: return "active_forces";
+    case quantity::inertia_forces: return "inertia_forces";
+    case quantity::kinetic_energy: return "kinetic_energy";
+    case quantity::potential_energy: return "potential_energy";
+    case quantity::linear_momentum: return "linear_momentum";
+    case quantity::angular_momentum: return "angular_momentum";
+    case quantity::center_of_mass: return "center_of_mass";
     }
   }
   return "the expression";
@@ -93,16 +79,16 @@ struct call {
   static constexpr mechanics::problem mistake = [] {
     using symbolic::symbol_kind;
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
-    constexpr const derivation::survey& s = survey_of<System>;
+    constexpr const derivation::survey& known = survey_of<System>;
     mechanics::problem found;
     if (!sound) return found;
     const auto keep = [&](const mechanics::problem& p) {
       if (!found) found = p;
     };
-    keep(check_size("state", system, entries_of<X>(), s.coordinates + s.speeds));
-    keep(check_size("parameter", system, entries_of<P>(), s.parameters));
-    keep(check_size("input", system, entries_of<R>(), s.inputs));
-    keep(check_size("acceleration", system, entries_of<A>(), s.speeds));
+    keep(check_size("state", system, entries_of<X>(), known.coordinates + known.speeds));
+    keep(check_size("parameter", system, entries_of<P>(), known.parameters));
+    keep(check_size("input", system, entries_of<R>(), known.inputs));
+    keep(check_size("acceleration", system, entries_of<A>(), known.speeds));
     if (std::is_same_v<P, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ", "(x, p)"));
     if (std::is_same_v<R, not_given>)
@@ -120,7 +106,7 @@ struct call {
 /// only error.
 template <class T>
 struct no_result : Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> {
-  operator T() const { return T(0); }
+  operator T() const { return scalar_math<T>::from(0); }
 };
 
 } // namespace kanexpr::lower

@@ -52,7 +52,7 @@ template <class T, auto wanted>
 auto no_result_of() {
   constexpr derivation::extent size = derivation::request<wanted>::of(derivation::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
-    return T(0);
+    return scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
     return Eigen::Matrix<T, size.rows, size.columns>();
   else

@@ -73,4 +73,10 @@ struct NumTraits<T> : GenericNumTraits<T> {
   enum { RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
 };
 
+/// A pack asks for its own alignment, which may be more than Eigen would.
+template <kanexpr::lower::vector_extension T, int size>
+struct internal::compute_default_alignment<T, size> {
+  enum { value = 0 };
+};
+
 } // namespace Eigen

@@ -50,8 +50,8 @@ struct misplaced {
   static constexpr mechanics::problem mistake = [] {
     if (survey_of<System>.mistake) return mechanics::problem{};
     const describe::symbol_record* s = asked.tokens[0].symbol;
-    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ", vector.view(),
-                                " of ", type_name<System>()});
+    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ",
+                                vector.view(), " of ", type_name<System>()});
   }();
   static_assert(derivation::tell<misplaced>());
   static constexpr int place = 0;
@@ -61,7 +61,9 @@ struct misplaced {
 
 /// The state [q; u] of a system: a fixed-size Eigen vector with access by name, `x[q1]`.
 template <class System, class Scalar = double>
-class state : public Eigen::Matrix<Scalar, lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds, 1> {
+class state
+    : public Eigen::Matrix<Scalar, lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds,
+                           1> {
 public:
   static constexpr int coordinates = lower::survey_of<System>.coordinates;
   static constexpr int speeds = lower::survey_of<System>.speeds;

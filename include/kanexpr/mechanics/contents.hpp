@@ -54,17 +54,10 @@ private:
     switch (n.op) {
     case operation::negate:
     case operation::add:
-    case operation::subtract:
-      break;
-    case operation::multiply:
-      linear = (a & moving) == 0 || (b & moving) == 0;
-      break;
-    case operation::divide:
-      linear = (b & moving) == 0;
-      break;
-    default:
-      linear = ((a | b) & moving) == 0;
-      break;
+    case operation::subtract: break;
+    case operation::multiply: linear = (a & moving) == 0 || (b & moving) == 0; break;
+    case operation::divide: linear = (b & moving) == 0; break;
+    default: linear = ((a | b) & moving) == 0; break;
     }
     return a | b | (linear ? 0 : nonlinear);
   }

@@ -1,0 +1,51 @@
+// builds: sanitize
+// What a system derived at run time shows to a person.
+#include "models/rolling_disc.hpp"
+
+#include <kanexpr/symbolic.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace rolling_disc;
+
+struct elsewhere : origin<elsewhere, N> {};
+
+TEST(model, prints_results) {
+  auto derived = derive<System>();
+  EXPECT_EQ(derived.mistake(), "");
+  const auto mass = derived.mass_matrix();
+  EXPECT_EQ(symbolic::print(mass(0, 0)), "5*m*r^2/4");
+  EXPECT_EQ(symbolic::print(mass(1, 1)), "3*m*r^2/2");
+  EXPECT_EQ(symbolic::print(mass(2, 2)), "m*r^2/4");
+  EXPECT_EQ(symbolic::print(mass(0, 1)), "0");
+  EXPECT_EQ(symbolic::latex(mass(1, 1)), R"(\frac{3 m r^{2}}{2})");
+  EXPECT_EQ(symbolic::print(derived.qdot()(0, 0)), "u3/cos(q2)");
+}
+
+TEST(model, prints_vectors_with_the_names_of_frames) {
+  auto derived = derive<System>();
+  EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>()), "r*u2*L.x - r*u1*L.y");
+  EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>(), mechanics::basis_style::one_two_three),
+            "r*u2*L.1 - r*u1*L.2");
+  EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>(), mechanics::basis_style::ijk), "r*u2*L.i - r*u1*L.j");
+  EXPECT_EQ(derived.print(derived.vector<partial(velocity_of<Dmc>, u1)>()), "-r*L.y");
+  EXPECT_EQ(derived.print(derived.vector<angular_velocity_of<R>>()), "u1*L.x + u2*L.y + u3*L.z");
+  EXPECT_EQ(derived.print(derived.vector<position_of<Dmc, C>>()), "r*L.z");
+}
+
+TEST(model, generalized_forces_add_up_to_the_equations) {
+  auto derived = derive<System>();
+  const state<System> x = state<System>::Constant(0.4);
+  const parameter_values<System> p(2, 0.5, 9.81);
+  const Eigen::Vector3d a = derived.function(derived.udot())(x, p);
+  auto active = derived.function(derived.get(mechanics::quantity::active_forces));
+  auto inertia = derived.function(derived.get(mechanics::quantity::inertia_forces));
+  const Eigen::Vector3d sum = active(x, p) + inertia(0.0, x, p, p, a);
+  EXPECT_LT(sum.norm(), 1e-13 * active(x, p).norm());
+}
+
+TEST(model, refuses_what_it_does_not_know) {
+  auto derived = derive<System>();
+  derived.vector<velocity_of<elsewhere>>();
+  EXPECT_EQ(derived.mistake(), "point elsewhere of an expression is not part of the system that was derived");
+}
