@@ -5,4 +5,4 @@
 
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
-#include <kanexpr/lower/equations_of_motion.hpp>
+#include <kanexpr/compiled/equations_of_motion.hpp>

@@ -30,13 +30,15 @@ public:
     for (const load& f : from.forces) b_.force(points[at(f.on)], vector(f.value));
     for (const load& t : from.torques) b_.torque(frames[at(t.on)], vector(t.value));
     if (from.has_gravity)
-      b_.gravity(b_.along(b_.inertial_frame(), now_(from.gravity[0]), now_(from.gravity[1]), now_(from.gravity[2])));
+      b_.gravity(
+          b_.along(b_.inertial_frame(), now_(from.gravity[0]), now_(from.gravity[1]), now_(from.gravity[2])));
     for (const rates& k : from.kinematics) add(k);
   }
 
   kanexpr::runtime::vector vector(const sum& v) {
     kanexpr::runtime::vector total;
-    for (const part& p : v) total.add(b_.along(frames[at(p.frame)], now_(p.value[0]), now_(p.value[1]), now_(p.value[2])));
+    for (const part& p : v)
+      total.add(b_.along(frames[at(p.frame)], now_(p.value[0]), now_(p.value[1]), now_(p.value[2])));
     return total;
   }
 
@@ -77,21 +79,24 @@ private:
       frames.push_back(b_.rotated(called, parent, a, b_.along(parent, basis[0], basis[1], basis[2])));
       break;
     case turn::about_axis:
-      frames.push_back(b_.rotated(
-          called, parent, a, b_.along(parent, now_(f.direction[0]), now_(f.direction[1]), now_(f.direction[2]))));
+      frames.push_back(
+          b_.rotated(called, parent, a,
+                     b_.along(parent, now_(f.direction[0]), now_(f.direction[1]), now_(f.direction[2]))));
       break;
     case turn::body_fixed: frames.push_back(b_.body_fixed(called, parent, f.letters, a, b, c)); break;
     case turn::space_fixed: frames.push_back(b_.space_fixed(called, parent, f.letters, a, b, c)); break;
     case turn::cosines:
-      frames.push_back(b_.direction_cosines(
-          called, parent,
-          basis_rotation(f.letters[0], a) * (basis_rotation(f.letters[1], b) * basis_rotation(f.letters[2], c))));
+      frames.push_back(
+          b_.direction_cosines(called, parent,
+                               basis_rotation(f.letters[0], a) *
+                                   (basis_rotation(f.letters[1], b) * basis_rotation(f.letters[2], c))));
       break;
     case turn::quaternion:
       frames.push_back(b_.quaternion(called, parent, now_.q[e], now_.q[e + 1], now_.q[e + 2], now_.q[e + 3]));
       break;
     }
-    if (f.reference >= 0) b_.angular_velocity(frames.back(), frames[at(f.reference)], vector(f.angular_velocity));
+    if (f.reference >= 0)
+      b_.angular_velocity(frames.back(), frames[at(f.reference)], vector(f.angular_velocity));
   }
 
   void add(const point& p, const std::string& called) {

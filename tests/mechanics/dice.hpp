@@ -10,7 +10,9 @@ class dice {
 public:
   explicit dice(unsigned seed) : engine_(seed) {}
 
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
   bool chance(double probability) { return between(0, 1) < probability; }
   int whole(int low, int high) { return low + static_cast<int>(between(0, high - low + 1)); }
   template <class T>

@@ -1,4 +1,5 @@
-// Taylor coefficients up to the second order: value, rate and half the acceleration of a quantity along a motion.
+// Taylor coefficients up to the second order: value, rate and half the acceleration of a quantity along a
+// motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +39,6 @@ inline jet chain(const jet& x, double f, double slope, double curvature) {
 }
 inline jet sin(const jet& x) { return chain(x, std::sin(x.c0), std::cos(x.c0), -std::sin(x.c0)); }
 inline jet cos(const jet& x) { return chain(x, std::cos(x.c0), -std::sin(x.c0), -std::cos(x.c0)); }
-
 
 // Vectors and matrices of jets: few enough operations to write them down.
 struct jet3 {

@@ -1,5 +1,6 @@
-// The dynamics of a recipe by Newton's and Euler's equations, with numbers alone and nothing of the library: positions
-// and rotation matrices along a motion as Taylor series, partial velocities by giving each speed the value one.
+// The dynamics of a recipe by Newton's and Euler's equations, with numbers alone and nothing of the library:
+// positions and rotation matrices along a motion as Taylor series, partial velocities by giving each speed
+// the value one.
 #pragma once
 
 #include "jet.hpp"
@@ -10,11 +11,11 @@
 
 namespace newton_euler {
 
-using taylor::jet;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using taylor::jet;
 using taylor::jet3;
 using taylor::jet3x3;
 using jets = recipe::values<jet>;
@@ -22,7 +23,9 @@ using jets = recipe::values<jet>;
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 inline int letter(char c) { return c - 'x'; }
 
-inline jet3x3 rotation(int axis, const jet& angle) { return taylor::rotation(jet3(Vector3d::Unit(axis)), angle); }
+inline jet3x3 rotation(int axis, const jet& angle) {
+  return taylor::rotation(jet3(Vector3d::Unit(axis)), angle);
+}
 
 inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
   using recipe::turn;

@@ -9,7 +9,8 @@ struct dynamics {
   VectorXd qdot, forcing, active_forces, inertia_bias;
   MatrixXd mass_matrix;
   double kinetic_energy = 0, potential_energy = 0;
-  Vector3d linear_momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero(), center_of_mass = Vector3d::Zero();
+  Vector3d linear_momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero(),
+           center_of_mass = Vector3d::Zero();
   double force_scale = 0; // of the terms that the forcing is the sum of
 };
 
@@ -29,7 +30,7 @@ public:
   columns angular(std::size_t frame) const { return difference(&motion::omega, frame); }
 
 private:
-  columns difference(const std::vector<Vector3d> motion::*of, std::size_t which) const {
+  columns difference(const std::vector<Vector3d> motion::* of, std::size_t which) const {
     columns j(3, static_cast<Eigen::Index>(one_.size()));
     for (std::size_t r = 0; r < one_.size(); ++r)
       j.col(static_cast<Eigen::Index>(r)) = (one_[r].*of)[which] - (still_.*of)[which];

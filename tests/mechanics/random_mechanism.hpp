@@ -1,4 +1,5 @@
-// Mechanisms by dice: trees of bodies on all kinds of joints, and points chained through frames of other trees.
+// Mechanisms by dice: trees of bodies on all kinds of joints, and points chained through frames of other
+// trees.
 #pragma once
 
 #include "dice.hpp"
@@ -12,7 +13,8 @@ class generator {
 public:
   // Links without mass may leave the mass matrix singular, where axes coincide.
   generator(unsigned seed, bool massless_links)
-      : d_(seed), symbolic_(d_.pick({0.0, 0.3, 1.0})), parallel_(d_.chance(0.15)), massless_links_(massless_links) {}
+      : d_(seed), symbolic_(d_.pick({0.0, 0.3, 1.0})), parallel_(d_.chance(0.15)),
+        massless_links_(massless_links) {}
 
   mechanism run() {
     m_.t = d_.between(0, 1);
@@ -44,9 +46,13 @@ private:
     m_.parameters.push_back(value);
     return {value, static_cast<int>(m_.parameters.size()) - 1};
   }
-  constant some() { return number(d_.chance(0.4) ? d_.pick({0.0, 0.0, 1.0, -1.0, 0.5, 2.0}) : d_.between(-1, 1)); }
+  constant some() {
+    return number(d_.chance(0.4) ? d_.pick({0.0, 0.0, 1.0, -1.0, 0.5, 2.0}) : d_.between(-1, 1));
+  }
   static formula plain(constant c) { return {c, {}}; }
-  formula motion_of(int q) { return {d_.chance(0.2) ? some() : constant{}, {{number(1), kind::coordinate, q}}}; }
+  formula motion_of(int q) {
+    return {d_.chance(0.2) ? some() : constant{}, {{number(1), kind::coordinate, q}}};
+  }
   triple constant_vector() {
     triple v;
     const int only = d_.chance(0.4) ? d_.whole(0, 2) : -1; // as on a machine, along one axis
@@ -90,7 +96,8 @@ private:
     int joint = below < 0 ? 0 : links_[at(below)].joint;
     if (style_ == style::scattered) frame = any_frame();
     if (style_ == style::star || style_ == style::scattered) joint = any_point();
-    if (below >= 0 && style_ != style::star && style_ != style::scattered) links_[at(below)].loaded = d_.chance(0.8);
+    if (below >= 0 && style_ != style::star && style_ != style::scattered)
+      links_[at(below)].loaded = d_.chance(0.8);
 
     link l;
     l.joint = d_.chance(0.2) ? joint : fixed_point(joint, style_ == style::star ? any_frame() : frame);
@@ -127,11 +134,15 @@ private:
     point p{from, {{in, constant_vector()}}, -1, -1, {}};
     if (d_.chance(0.03)) {
       p.reference = 0; // a velocity that no position has
-      p.velocity = {{any_frame(), {rolling(), rolling(), rolling()}}, {any_frame(), {rolling(), rolling(), rolling()}}};
-    } else if (d_.chance(0.2)) p.fixed_in = in;
-    else if (turns(in) && d_.chance(0.1)) p.reference = in;
+      p.velocity = {{any_frame(), {rolling(), rolling(), rolling()}},
+                    {any_frame(), {rolling(), rolling(), rolling()}}};
+    } else if (d_.chance(0.2))
+      p.fixed_in = in;
+    else if (turns(in) && d_.chance(0.1))
+      p.reference = in;
     if (p.reference == in && d_.chance(0.5)) p.velocity = {{in, {}}};
-    if (style_ == style::scattered && d_.chance(0.3)) p = {from, {{in, constant_vector()}, {any_frame(), constant_vector()}}, -1, -1, {}};
+    if (style_ == style::scattered && d_.chance(0.3))
+      p = {from, {{in, constant_vector()}, {any_frame(), constant_vector()}}, -1, -1, {}};
     return push(p);
   }
 
@@ -175,7 +186,8 @@ private:
     if (d_.chance(0.3)) f.direction[at(d_.whole(0, 2))] = {};
     const int q = coordinate(-3, 3);
     f.angle[0] = motion_of(q);
-    if (q > 0 && d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::coordinate, d_.whole(0, q - 1)}); // a gear
+    if (q > 0 && d_.chance(0.1))
+      f.angle[0].terms.push_back({some(), kind::coordinate, d_.whole(0, q - 1)}); // a gear
     if (d_.chance(0.1)) f.angle[0].terms.push_back({some(), kind::time, 0});
     if (d_.chance(0.1)) f.angle[0].terms.push_back({number(0.3), kind::sine, q});
     const int own = push(f);
@@ -199,13 +211,16 @@ private:
     frame f;
     f.parent = parent;
     f.how = d_.pick({turn::body_fixed, turn::body_fixed, turn::space_fixed, turn::cosines});
-    f.letters = d_.pick({std::string("xyz"), std::string("zxz"), std::string("zyx"), std::string("yxz"), std::string("xyx")});
+    f.letters = d_.pick(
+        {std::string("xyz"), std::string("zxz"), std::string("zyx"), std::string("yxz"), std::string("xyx")});
     const bool proper = f.letters[0] == f.letters[2];
     std::vector<int> used;
     const bool two = d_.chance(0.3); // a universal joint
     for (int i = 0; i < 3; ++i) {
-      if (two && i == 0) f.angle[0] = plain(some());
-      else used.push_back(i == 1 ? coordinate(proper ? 0.6 : -0.9, proper ? 2.4 : 0.9) : coordinate(-3, 3));
+      if (two && i == 0)
+        f.angle[0] = plain(some());
+      else
+        used.push_back(i == 1 ? coordinate(proper ? 0.6 : -0.9, proper ? 2.4 : 0.9) : coordinate(-3, 3));
       if (!two || i > 0) f.angle[at(i)] = {{}, {{{1, -1}, kind::coordinate, used.back()}}};
     }
     const int own = push(f);
@@ -327,7 +342,8 @@ private:
     b.about = push(point{b.center, {{b.frame, r}}, -1, -1, {}});
     inertia shift{b.frame, {}};
     for (int i = 0; i < 3; ++i) {
-      const double x = r[at(i)].base.value, y = r[at((i + 1) % 3)].base.value, z = r[at((i + 2) % 3)].base.value;
+      const double x = r[at(i)].base.value, y = r[at((i + 1) % 3)].base.value,
+                   z = r[at((i + 2) % 3)].base.value;
       shift.scalars[at(i)] = number(b.mass.value * (y * y + z * z));
       shift.scalars[at(3 + i)] = number(-b.mass.value * x * y);
     }
@@ -366,8 +382,10 @@ private:
     for (int i = d_.whole(0, 3); i > 0; --i) m_.forces.push_back({any_point(), any_vector()});
     for (int i = d_.whole(0, 3); i > 0; --i) m_.torques.push_back({any_frame(), any_vector()});
     m_.has_gravity = d_.chance(0.6);
-    if (d_.chance(0.6)) m_.gravity[at(d_.whole(0, 2))] = number(-9.81);
-    else m_.gravity = {some(), number(-9.81), some()};
+    if (d_.chance(0.6))
+      m_.gravity[at(d_.whole(0, 2))] = number(-9.81);
+    else
+      m_.gravity = {some(), number(-9.81), some()};
   }
 
   // ---- speeds
@@ -388,10 +406,14 @@ private:
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < size; ++j) {
           formula a;
-          if (absolute) a.base.value = j <= i ? 1 : 0;
-          else if (plain_rates || size == 1) a.base.value = i == j ? 1 : 0;
-          else a.base = number(i == j ? d_.between(1, 2) : d_.pick({0.0, d_.between(-0.2, 0.2)}));
-          if (!absolute && !plain_rates && d_.chance(0.3)) a.terms.push_back({number(0.2), kind::sine, any_coordinate()});
+          if (absolute)
+            a.base.value = j <= i ? 1 : 0;
+          else if (plain_rates || size == 1)
+            a.base.value = i == j ? 1 : 0;
+          else
+            a.base = number(i == j ? d_.between(1, 2) : d_.pick({0.0, d_.between(-0.2, 0.2)}));
+          if (!absolute && !plain_rates && d_.chance(0.3))
+            a.terms.push_back({number(0.2), kind::sine, any_coordinate()});
           k.matrix.push_back(a);
         }
       for (std::size_t i = 0; i < size; ++i) {
@@ -416,7 +438,7 @@ private:
 
   dice d_;
   double symbolic_; // the share of numbers that are symbolic parameters
-  bool parallel_; // all axes
+  bool parallel_;   // all axes
   bool massless_links_;
   style style_ = style::tree;
   mechanism m_;

@@ -44,7 +44,8 @@ struct comparison {
   builder b{"N"};
   bool regular = true;
 
-  explicit comparison(unsigned seed) : m(recipe::generator(seed, true).run()), expected(newton_euler::evaluate(m)) {
+  explicit comparison(unsigned seed)
+      : m(recipe::generator(seed, true).run()), expected(newton_euler::evaluate(m)) {
     if (solvable(expected.mass_matrix)) return;
     m = recipe::generator(seed, false).run();
     expected = newton_euler::evaluate(m);
@@ -69,7 +70,8 @@ struct comparison {
     expect_equal(found(quantity::active_forces), expected.active_forces, force, "active forces");
     expect_equal(found(quantity::kinetic_energy), scalar(expected.kinetic_energy), 1, "kinetic energy");
     if (m.has_gravity)
-      expect_equal(found(quantity::potential_energy), scalar(expected.potential_energy), 10, "potential energy");
+      expect_equal(found(quantity::potential_energy), scalar(expected.potential_energy), 10,
+                   "potential energy");
     expect_equal(found(quantity::linear_momentum), expected.linear_momentum, 1, "linear momentum");
     expect_equal(found(quantity::angular_momentum), expected.angular_momentum, 1, "angular momentum");
     expect_equal(found(quantity::center_of_mass), expected.center_of_mass, 1, "center of mass");
@@ -88,12 +90,14 @@ struct comparison {
     const VectorXd rates = VectorXd::Map(udot.data(), static_cast<Eigen::Index>(udot.size()));
     const VectorXd inertia = expected.inertia_bias - expected.mass_matrix * rates;
     const double size = 1 + expected.force_scale + expected.mass_matrix.diagonal().sum();
-    expect_equal(recipe::number(b, m, derived.get(quantity::inertia_forces), udot), inertia, size, "inertia forces");
+    expect_equal(recipe::number(b, m, derived.get(quantity::inertia_forces), udot), inertia, size,
+                 "inertia forces");
 
     kanexpr::symbolic::matrix all(b.graph(), 0, 3);
     MatrixXd numbers(2 * (m.points.size() + m.frames.size()), 3);
     const auto add = [&](const mechanics::vector& found, const Eigen::Vector3d& wanted) {
-      const mechanics::components c = mechanics::express(b.mechanism(), found, mechanics::mechanism::inertial);
+      const mechanics::components c =
+          mechanics::express(b.mechanism(), found, mechanics::mechanism::inertial);
       for (int i = 0; i < 3; ++i) all.entries.push(c[i]);
       numbers.row(all.rows++) = wanted;
     };
@@ -107,7 +111,8 @@ struct comparison {
     for (std::size_t i = 0; i < m.frames.size(); ++i) {
       const int f = place(built.frames[i]);
       add(mechanics::angular_velocity_of_frame(derived.moving(), f), k.omega[i]);
-      add(mechanics::angular_acceleration_of_frame(derived.moving(), f), k.alpha[i] + partial.angular(i) * rates);
+      add(mechanics::angular_acceleration_of_frame(derived.moving(), f),
+          k.alpha[i] + partial.angular(i) * rates);
     }
     expect_equal(recipe::number(b, m, all, udot), numbers, 1, "motion");
   }

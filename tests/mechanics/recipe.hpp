@@ -45,7 +45,7 @@ struct frame {
   turn how = turn::ground;
   int parent = -1;
   int axis = 0;
-  bool backwards = false;           // about the negative basis vector
+  bool backwards = false;            // about the negative basis vector
   std::array<constant, 3> direction; // of any length
   std::string letters;
   std::array<formula, 3> angle; // the cosines are those of a body-fixed sequence

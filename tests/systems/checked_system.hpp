@@ -24,7 +24,7 @@ auto without_heap(Function function, const Arguments&... arguments) {
 
 template <class System>
 std::vector<std::string> names(kanexpr::symbolic::symbol_kind kind) {
-  const auto& survey = kanexpr::lower::survey_of<System>;
+  const auto& survey = kanexpr::compiled::survey_of<System>;
   std::vector<std::string> all;
   for (int i = 0; i < survey.count_of(kind); ++i)
     all.emplace_back(survey.names[survey.first_of(kind) + i].view());

@@ -6,7 +6,8 @@
 /// The ways of saying what has mass and what acts on it.
 namespace kanexpr::mechanics {
 
-/// The dyadic of six inertia scalars in the axes of one frame; products with the sign of I = Σ m (r·r E − r r).
+/// The dyadic of six inertia scalars in the axes of one frame; products with the sign of I = Σ m (r·r E − r
+/// r).
 constexpr dyadic dyadic_of(int axes, const symmetric& scalars) {
   matrix3 value;
   for (int i = 0; i < 3; ++i) value.row[i] = {scalars(i, 0), scalars(i, 1), scalars(i, 2)};

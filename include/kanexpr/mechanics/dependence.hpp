@@ -9,7 +9,9 @@ class dependence {
 public:
   constexpr explicit dependence(expression in) : g_(in.owner()), seen_(in.node() + 1, 0) { mark(in.node()); }
 
-  constexpr bool on(expression symbol) const { return symbol.node() < seen_.size() && seen_[symbol.node()] != 0; }
+  constexpr bool on(expression symbol) const {
+    return symbol.node() < seen_.size() && seen_[symbol.node()] != 0;
+  }
 
   /// The first of some symbols that the expression holds, or none.
   constexpr int first_of(const sequence<expression>& symbols) const {

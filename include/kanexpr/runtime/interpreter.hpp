@@ -11,7 +11,8 @@ namespace kanexpr::runtime {
 template <class T = double>
 class interpreter {
 public:
-  explicit interpreter(const lower::tape& code) : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
+  explicit interpreter(const lower::tape& code)
+      : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 
@@ -40,62 +41,25 @@ private:
     }
     switch (step.op) {
     case operation::constant:
-    case operation::symbol:
-      return;
-    case operation::negate:
-      *out = lower::apply<operation::negate>(a, b);
-      return;
-    case operation::add:
-      *out = lower::apply<operation::add>(a, b);
-      return;
-    case operation::subtract:
-      *out = lower::apply<operation::subtract>(a, b);
-      return;
-    case operation::multiply:
-      *out = lower::apply<operation::multiply>(a, b);
-      return;
-    case operation::divide:
-      *out = lower::apply<operation::divide>(a, b);
-      return;
-    case operation::power:
-      *out = lower::apply<operation::power>(a, b);
-      return;
-    case operation::sqrt:
-      *out = lower::apply<operation::sqrt>(a, b);
-      return;
-    case operation::sin:
-      *out = lower::apply<operation::sin>(a, b);
-      return;
-    case operation::cos:
-      *out = lower::apply<operation::cos>(a, b);
-      return;
-    case operation::tan:
-      *out = lower::apply<operation::tan>(a, b);
-      return;
-    case operation::asin:
-      *out = lower::apply<operation::asin>(a, b);
-      return;
-    case operation::acos:
-      *out = lower::apply<operation::acos>(a, b);
-      return;
-    case operation::atan:
-      *out = lower::apply<operation::atan>(a, b);
-      return;
-    case operation::atan2:
-      *out = lower::apply<operation::atan2>(a, b);
-      return;
-    case operation::exp:
-      *out = lower::apply<operation::exp>(a, b);
-      return;
-    case operation::log:
-      *out = lower::apply<operation::log>(a, b);
-      return;
-    case operation::abs:
-      *out = lower::apply<operation::abs>(a, b);
-      return;
-    case operation::sign:
-      *out = lower::apply<operation::sign>(a, b);
-      return;
+    case operation::symbol: return;
+    case operation::negate: *out = lower::apply<operation::negate>(a, b); return;
+    case operation::add: *out = lower::apply<operation::add>(a, b); return;
+    case operation::subtract: *out = lower::apply<operation::subtract>(a, b); return;
+    case operation::multiply: *out = lower::apply<operation::multiply>(a, b); return;
+    case operation::divide: *out = lower::apply<operation::divide>(a, b); return;
+    case operation::power: *out = lower::apply<operation::power>(a, b); return;
+    case operation::sqrt: *out = lower::apply<operation::sqrt>(a, b); return;
+    case operation::sin: *out = lower::apply<operation::sin>(a, b); return;
+    case operation::cos: *out = lower::apply<operation::cos>(a, b); return;
+    case operation::tan: *out = lower::apply<operation::tan>(a, b); return;
+    case operation::asin: *out = lower::apply<operation::asin>(a, b); return;
+    case operation::acos: *out = lower::apply<operation::acos>(a, b); return;
+    case operation::atan: *out = lower::apply<operation::atan>(a, b); return;
+    case operation::atan2: *out = lower::apply<operation::atan2>(a, b); return;
+    case operation::exp: *out = lower::apply<operation::exp>(a, b); return;
+    case operation::log: *out = lower::apply<operation::log>(a, b); return;
+    case operation::abs: *out = lower::apply<operation::abs>(a, b); return;
+    case operation::sign: *out = lower::apply<operation::sign>(a, b); return;
     }
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/derivation.hpp>
+#include <kanexpr/derivation/derivation.hpp>
 #include <kanexpr/mechanics/print_vector.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/symbolic/latex.hpp>

@@ -92,7 +92,8 @@ constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics
   return t;
 }
 
-constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector& a, const mechanics::vector& b) {
+constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector& a,
+                         const mechanics::vector& b) {
   const together t = in_common_axes(m, a, b);
   return mechanics::dot(t.a, t.b);
 }

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <kanexpr/derive/derivation.hpp>
-#include <kanexpr/lower/call.hpp>
+#include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derivation/derivation.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
-#include <kanexpr/lower/state.hpp>
 
 #include <tuple>
 
 namespace kanexpr {
 
-namespace lower {
+namespace compiled {
 
 /// The tape for some results of a system, derived once for each set of them.
 template <class System, auto... wanted>
@@ -38,12 +38,18 @@ struct arguments {
   template <symbolic::symbol_kind from, int position>
   [[gnu::always_inline]] T operator()() const noexcept {
     using symbolic::symbol_kind;
-    if constexpr (from == symbol_kind::time) return t;
-    else if constexpr (from == symbol_kind::coordinate) return scalar_math<T>::from(x[position]);
-    else if constexpr (from == symbol_kind::speed) return scalar_math<T>::from(x[survey_of<System>.coordinates + position]);
-    else if constexpr (from == symbol_kind::parameter) return scalar_math<T>::from(p[position]);
-    else if constexpr (from == symbol_kind::speed_rate) return scalar_math<T>::from(a[position]);
-    else return scalar_math<T>::from(r[position]);
+    if constexpr (from == symbol_kind::time)
+      return t;
+    else if constexpr (from == symbol_kind::coordinate)
+      return lower::scalar_math<T>::from(x[position]);
+    else if constexpr (from == symbol_kind::speed)
+      return lower::scalar_math<T>::from(x[survey_of<System>.coordinates + position]);
+    else if constexpr (from == symbol_kind::parameter)
+      return lower::scalar_math<T>::from(p[position]);
+    else if constexpr (from == symbol_kind::speed_rate)
+      return lower::scalar_math<T>::from(a[position]);
+    else
+      return lower::scalar_math<T>::from(r[position]);
   }
 };
 
@@ -52,7 +58,7 @@ template <class T, auto wanted>
 auto no_result_of() {
   constexpr derivation::extent size = derivation::request<wanted>::of(derivation::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
-    return scalar_math<T>::from(0);
+    return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
     return Eigen::Matrix<T, size.rows, size.columns>();
   else
@@ -62,18 +68,20 @@ auto no_result_of() {
 template <auto wanted, class System>
 inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(survey_of<System>);
 
-} // namespace lower
+} // namespace compiled
 
-/// Compiled evaluation of one or several results of a system: a function object without state, which allocates nothing
-/// and throws nothing. Called as f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x, p, r, a); t is the time, x the state
-/// [q; u], p the parameters, r the inputs, a the rates of the speeds, any Eigen vectors of their sizes.
+/// Compiled evaluation of one or several results of a system: a function object without state, which
+/// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x, p, r,
+/// a); t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the speeds, any
+/// Eigen vectors of their sizes.
 template <class System, auto... wanted>
 struct function {
-  using code = lower::code<System, wanted...>;
+  using code = compiled::code<System, wanted...>;
   static constexpr std::size_t state_size =
-      static_cast<std::size_t>(lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds);
-  static constexpr std::size_t parameter_count = static_cast<std::size_t>(lower::survey_of<System>.parameters);
-  static constexpr std::size_t input_count = static_cast<std::size_t>(lower::survey_of<System>.inputs);
+      static_cast<std::size_t>(compiled::survey_of<System>.coordinates + compiled::survey_of<System>.speeds);
+  static constexpr std::size_t parameter_count =
+      static_cast<std::size_t>(compiled::survey_of<System>.parameters);
+  static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
 
   /// Operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
@@ -83,7 +91,8 @@ struct function {
     return evaluate(number<X>(0), x.derived(), none, none, none);
   }
   template <class X, class P>
-  [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p) const noexcept {
+  [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x,
+                                         const Eigen::MatrixBase<P>& p) const noexcept {
     return evaluate(number<X>(0), x.derived(), p.derived(), none, none);
   }
   template <class X, class P, class R>
@@ -92,17 +101,20 @@ struct function {
     return evaluate(number<X>(0), x.derived(), p.derived(), r.derived(), none);
   }
   template <class Time, class X, class P, class R>
-  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
+  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x,
+                                         const Eigen::MatrixBase<P>& p,
                                          const Eigen::MatrixBase<R>& r) const noexcept {
     return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), none);
   }
   template <class Time, class X, class P, class R, class A>
-  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
-                                         const Eigen::MatrixBase<R>& r, const Eigen::MatrixBase<A>& a) const noexcept {
+  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x,
+                                         const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<R>& r,
+                                         const Eigen::MatrixBase<A>& a) const noexcept {
     return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), a.derived());
   }
 
-  /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
+  /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
+  /// {2.0})(0, 0) == 2)`.
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p = {},
                                  const std::array<double, input_count>& r = {}, double t = 0) {
@@ -111,13 +123,14 @@ struct function {
       const auto i = static_cast<std::size_t>(l.position);
       switch (l.from) {
       case symbol_kind::coordinate: return x[i];
-      case symbol_kind::speed: return x[static_cast<std::size_t>(lower::survey_of<System>.coordinates) + i];
+      case symbol_kind::speed:
+        return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
       case symbol_kind::parameter: return p[i];
       case symbol_kind::input: return r[i];
       default: return t;
       }
     });
-    constexpr derivation::extent size = std::get<0>(std::tuple(lower::extent_of<wanted, System>...));
+    constexpr derivation::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
     lower::constant_matrix<size.rows, size.columns> result;
     for (int i = 0; i < size.rows * size.columns; ++i)
       result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
@@ -125,7 +138,7 @@ struct function {
   }
 
 private:
-  static constexpr lower::not_given none{};
+  static constexpr compiled::not_given none{};
 
   /// A number in the scalar type of a vector.
   template <class X, class Value>
@@ -134,20 +147,22 @@ private:
   }
 
   template <class T, class X, class P, class R, class A>
-  [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r, const A& a) noexcept {
-    if constexpr (!lower::call<System, code, X, P, R, A, wanted...>::possible) {
+  [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r,
+                                              const A& a) noexcept {
+    if constexpr (!compiled::call<System, code, X, P, R, A, wanted...>::possible) {
       return no_results<T>();
     } else {
-      return collect_from<T>(lower::evaluation<code, T>(lower::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+      return collect_from<T>(
+          lower::evaluation<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
 
   template <class T>
   static auto no_results() {
     if constexpr (sizeof...(wanted) == 1)
-      return (lower::no_result_of<T, wanted>(), ...);
+      return (compiled::no_result_of<T, wanted>(), ...);
     else
-      return std::tuple(lower::no_result_of<T, wanted>()...);
+      return std::tuple(compiled::no_result_of<T, wanted>()...);
   }
 
   template <class T>
@@ -161,13 +176,14 @@ private:
 
   template <class T, int first, auto one>
   [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
-    constexpr derivation::extent size = lower::extent_of<one, System>;
+    constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
       Eigen::Matrix<T, size.rows, size.columns> m;
       [&]<int... i>(std::integer_sequence<int, i...>) {
-        const int order[]{0, (m(i / size.columns, i % size.columns) = done.template result<first + i>(), 0)...};
+        const int order[]{0,
+                          (m(i / size.columns, i % size.columns) = done.template result<first + i>(), 0)...};
         static_cast<void>(order);
       }(std::make_integer_sequence<int, size.rows * size.columns>{});
       return m;
@@ -175,7 +191,7 @@ private:
   }
 
   static constexpr int first_of(std::size_t which) {
-    const derivation::extent sizes[]{lower::extent_of<wanted, System>...};
+    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
     int first = 0;
     for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
     return first;

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <kanexpr/lower/function.hpp>
+#include <kanexpr/compiled/function.hpp>
 
 namespace kanexpr {
 
-/// The equations of motion of a system as compiled functions: `equations_of_motion<System>::mass_matrix(x, p)`.
+/// The equations of motion of a system as compiled functions: `equations_of_motion<System>::mass_matrix(x,
+/// p)`.
 template <class System>
 struct equations_of_motion {
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;
 
-  static constexpr int coordinates = lower::survey_of<System>.coordinates;
-  static constexpr int speeds = lower::survey_of<System>.speeds;
+  static constexpr int coordinates = compiled::survey_of<System>.coordinates;
+  static constexpr int speeds = compiled::survey_of<System>.speeds;
 
   /// M in M u̇ = f.
   static constexpr function<System, mechanics::quantity::mass_matrix> mass_matrix{};
@@ -36,7 +37,8 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::angular_momentum> angular_momentum{};
   static constexpr function<System, mechanics::quantity::center_of_mass> center_of_mass{};
 
-  /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x, p);`
+  /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
+  /// p);`
   template <auto... first, auto... second, class... More>
   static constexpr auto together(function<System, first...>, function<System, second...>, More... more) {
     if constexpr (sizeof...(More) == 0)
@@ -45,7 +47,8 @@ struct equations_of_motion {
       return together(function<System, first..., second...>{}, more...);
   }
 
-  /// Operations of one call of a function: `static_assert(eom::cost(eom::mass_matrix).multiplications <= 10);`
+  /// Operations of one call of a function: `static_assert(eom::cost(eom::mass_matrix).multiplications <=
+  /// 10);`
   template <auto... wanted>
   static constexpr symbolic::cost cost(function<System, wanted...> f) {
     return f.cost();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
@@ -43,7 +43,8 @@ struct request<wanted> {
   static constexpr symbolic::matrix form(reader&, mechanics::equations& e) { return e.get(wanted); }
 };
 
-/// An expression of the model: a scalar, or a vector by its components in inertial axes or those it was put in.
+/// An expression of the model: a scalar, or a vector by its components in inertial axes or those it was put
+/// in.
 template <auto wanted>
   requires requires { describe::shape_of(wanted); }
 struct request<wanted> {
@@ -55,7 +56,8 @@ struct request<wanted> {
   static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
     const mechanism& m = *e.skeleton_used().model;
     const value v = r.evaluate(words, "an expression");
-    const bool own_axes = words.tokens[words.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
+    const bool own_axes =
+        words.tokens[words.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
     symbolic::matrix result(*m.g, of({}).rows, 1);
     if (v.kind != shape::vector) {
       result.entries[0] = e.in_motion(v.scalar);
@@ -73,14 +75,16 @@ struct request<wanted> {
   static constexpr void visit(reader& r) { r.visit(wanted.tokens, size); }
   static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
     const mechanism& m = *e.skeleton_used().model;
-    const value v = r.evaluate({wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}, "a jacobian");
+    const value v =
+        r.evaluate({wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}, "a jacobian");
     symbolic::matrix result(*m.g, wanted.of_vector ? 3 : 1, columns);
     components c(*m.g);
     if (wanted.of_vector) c = mechanics::express(m, v.vector, mechanism::inertial);
     for (int j = 0; j < columns; ++j) {
       const expression by = r.symbol(*wanted.by[j].symbol, "a jacobian");
       if (!wanted.of_vector) result(0, j) = e.in_motion(symbolic::differentiate(v.scalar, by));
-      for (int i = 0; wanted.of_vector && i < 3; ++i) result(i, j) = e.in_motion(symbolic::differentiate(c[i], by));
+      for (int i = 0; wanted.of_vector && i < 3; ++i)
+        result(i, j) = e.in_motion(symbolic::differentiate(c[i], by));
     }
     return result;
   }

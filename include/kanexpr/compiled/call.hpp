@@ -1,13 +1,13 @@
 #pragma once
 
-#include <kanexpr/derive/model_error.hpp>
-#include <kanexpr/lower/state.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <type_traits>
 
 /// Mistakes that a person can make when calling a compiled function.
-namespace kanexpr::lower {
+namespace kanexpr::compiled {
 
 /// What stands for arguments that are not given.
 struct not_given {};
@@ -106,7 +106,7 @@ struct call {
 /// only error.
 template <class T>
 struct no_result : Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> {
-  operator T() const { return scalar_math<T>::from(0); }
+  operator T() const { return lower::scalar_math<T>::from(0); }
 };
 
-} // namespace kanexpr::lower
+} // namespace kanexpr::compiled

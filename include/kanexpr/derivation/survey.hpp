@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/reader.hpp>
+#include <kanexpr/derivation/reader.hpp>
 #include <kanexpr/mechanics/check.hpp>
 
 namespace kanexpr::derivation {

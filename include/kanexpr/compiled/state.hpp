@@ -1,14 +1,14 @@
 #pragma once
 
-#include <kanexpr/derive/model_error.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
 #include <Eigen/Core>
 
 namespace kanexpr {
 
-namespace lower {
+namespace compiled {
 
 /// A system's survey, formed once, with the end of the compilation if it holds a mistake.
 template <class System>
@@ -57,16 +57,16 @@ struct misplaced {
   static constexpr int place = 0;
 };
 
-} // namespace lower
+} // namespace compiled
 
 /// The state [q; u] of a system: a fixed-size Eigen vector with access by name, `x[q1]`.
 template <class System, class Scalar = double>
 class state
-    : public Eigen::Matrix<Scalar, lower::survey_of<System>.coordinates + lower::survey_of<System>.speeds,
-                           1> {
+    : public Eigen::Matrix<Scalar,
+                           compiled::survey_of<System>.coordinates + compiled::survey_of<System>.speeds, 1> {
 public:
-  static constexpr int coordinates = lower::survey_of<System>.coordinates;
-  static constexpr int speeds = lower::survey_of<System>.speeds;
+  static constexpr int coordinates = compiled::survey_of<System>.coordinates;
+  static constexpr int speeds = compiled::survey_of<System>.speeds;
   using base = Eigen::Matrix<Scalar, coordinates + speeds, 1>;
   using base::base;
   using base::operator=;
@@ -76,24 +76,26 @@ public:
 
   template <text called, int index>
   Scalar& operator[](const coordinate<called, index>&) {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
   }
   template <text called, int index>
   const Scalar& operator[](const coordinate<called, index>&) const {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::coordinate, called, index>::place);
   }
   template <text called, int index>
   Scalar& operator[](const speed<called, index>&) {
-    return (*this)(coordinates + lower::placed<System, symbolic::symbol_kind::speed, called, index>::place);
+    return (*this)(coordinates +
+                   compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place);
   }
   template <text called, int index>
   const Scalar& operator[](const speed<called, index>&) const {
-    return (*this)(coordinates + lower::placed<System, symbolic::symbol_kind::speed, called, index>::place);
+    return (*this)(coordinates +
+                   compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place);
   }
 
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {
-    return (*this)(lower::misplaced<System, Symbol, "state vector">::place);
+    return (*this)(compiled::misplaced<System, Symbol, "state vector">::place);
   }
 
   auto q() { return this->template head<coordinates>(); }
@@ -104,9 +106,9 @@ public:
 
 /// The parameters of a system that are not bound in its type, with access by name, `p[m]`.
 template <class System, class Scalar = double>
-class parameter_values : public Eigen::Matrix<Scalar, lower::survey_of<System>.parameters, 1> {
+class parameter_values : public Eigen::Matrix<Scalar, compiled::survey_of<System>.parameters, 1> {
 public:
-  using base = Eigen::Matrix<Scalar, lower::survey_of<System>.parameters, 1>;
+  using base = Eigen::Matrix<Scalar, compiled::survey_of<System>.parameters, 1>;
   using base::base;
   using base::operator=;
   using base::operator[];
@@ -115,23 +117,23 @@ public:
 
   template <text called, int index>
   Scalar& operator[](const parameter<called, index>&) {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
   }
   template <text called, int index>
   const Scalar& operator[](const parameter<called, index>&) const {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
   }
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {
-    return (*this)(lower::misplaced<System, Symbol, "parameter vector">::place);
+    return (*this)(compiled::misplaced<System, Symbol, "parameter vector">::place);
   }
 };
 
 /// The inputs of a system, with access by name, `r[T1]`.
 template <class System, class Scalar = double>
-class input_values : public Eigen::Matrix<Scalar, lower::survey_of<System>.inputs, 1> {
+class input_values : public Eigen::Matrix<Scalar, compiled::survey_of<System>.inputs, 1> {
 public:
-  using base = Eigen::Matrix<Scalar, lower::survey_of<System>.inputs, 1>;
+  using base = Eigen::Matrix<Scalar, compiled::survey_of<System>.inputs, 1>;
   using base::base;
   using base::operator=;
   using base::operator[];
@@ -140,15 +142,15 @@ public:
 
   template <text called, int index>
   Scalar& operator[](const input<called, index>&) {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::input, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index>::place);
   }
   template <text called, int index>
   const Scalar& operator[](const input<called, index>&) const {
-    return (*this)(lower::placed<System, symbolic::symbol_kind::input, called, index>::place);
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index>::place);
   }
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {
-    return (*this)(lower::misplaced<System, Symbol, "input vector">::place);
+    return (*this)(compiled::misplaced<System, Symbol, "input vector">::place);
   }
 };
 

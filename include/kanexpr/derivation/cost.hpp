@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/reader.hpp>
+#include <kanexpr/derivation/reader.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 

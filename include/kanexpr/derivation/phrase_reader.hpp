@@ -1,0 +1,221 @@
+#pragma once
+
+#include <kanexpr/derivation/symbol_reader.hpp>
+#include <kanexpr/derivation/value.hpp>
+#include <kanexpr/describe/motion.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/observe.hpp>
+
+namespace kanexpr::derivation {
+
+/// Evaluates the postfix phrases of a model. `Entities` is the class derived from this one, which knows the
+/// frames and points that phrases mention.
+template <class Entities>
+class phrase_reader : public symbol_reader {
+public:
+  using symbol_reader::symbol_reader;
+
+  /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
+  constexpr value evaluate(const phrase& p, std::string_view whom) {
+    sequence<value> stack;
+    for (int i = 0; i < p.size && !mistake_; ++i) step(p.tokens[i], stack, whom);
+    if (mistake_ || stack.empty()) return value::of(m_.zero());
+    return stack.back();
+  }
+
+  /// From here on phrases may speak of positions, velocities and derivatives.
+  constexpr void know(mechanics::equations& derived) { derived_ = &derived; }
+
+protected:
+  /// A phrase that is the part `what` of an entity: "the offset of point ".
+  constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
+    const std::string_view before = part_;
+    part_ = what;
+    const value v = evaluate(p, whom);
+    part_ = before;
+    return v;
+  }
+
+  constexpr expression scalar_of(const phrase& p, words what, std::string_view whom) {
+    const value v = evaluate_part(*what.begin(), p, whom);
+    if (mistake_) return m_.zero();
+    if (p.kind == shape::scalar) return v.scalar;
+    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a scalar"});
+    return m_.zero();
+  }
+  constexpr mechanics::vector vector_of(const phrase& p, words what, std::string_view whom) {
+    const value v = evaluate_part(*what.begin(), p, whom);
+    if (mistake_) return {};
+    if (p.kind == shape::vector) return v.vector;
+    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a vector"});
+    return {};
+  }
+
+  /// Words that mean nothing for these kinds of quantities.
+  constexpr bool senseless(const describe::token& t, const value& a, const value& b, std::string_view whom) {
+    using describe::word;
+    const auto kind = [](const value& v) {
+      return v.kind == shape::scalar ? "a scalar" : v.kind == shape::vector ? "a vector" : "a dyadic";
+    };
+    if ((t.what == word::add || t.what == word::subtract) && a.kind != b.kind)
+      fail({part_, whom, t.what == word::add ? " adds " : " subtracts or equates ", kind(a), " and ",
+            kind(b)});
+    if (t.what == word::multiply && a.kind != shape::scalar)
+      fail({part_, whom, " multiplies ", kind(a), " by ", kind(b), "; write dot, cross or outer"});
+    if (t.what == word::divide && b.kind != shape::scalar)
+      fail({part_, whom, " divides ", kind(a), " by ", kind(b)});
+    if (t.what == word::divide && b.kind == shape::scalar && b.scalar.is_zero())
+      fail({part_, whom, " is divided by zero"});
+    return static_cast<bool>(mistake_);
+  }
+
+  constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    using describe::word;
+    const auto pop = [&] {
+      const value v = stack.back();
+      stack.pop();
+      return v;
+    };
+    switch (t.what) {
+    case word::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
+    case word::symbol: stack.push(value::of(symbol(*t.symbol, whom))); break;
+    case word::basis: {
+      mechanics::vector v;
+      const int f = t.frame != nullptr ? entities().frame(t.frame, whom) : describing_;
+      if (f == none)
+        return fail({part_, whom, " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
+                     ", which stands for a frame while its angular velocity is declared"});
+      v.add(f, mechanics::unit(*m_.g, t.index));
+      stack.push(value::of(v));
+      break;
+    }
+    case word::scalar_function: {
+      const value b = pop();
+      if (!symbolic::is_binary(t.operation)) {
+        stack.push(value::of(symbolic::apply(t.operation, b.scalar)));
+        break;
+      }
+      const value a = pop();
+      stack.push(value::of({*m_.g, symbolic::build(*m_.g, t.operation, a.scalar.node(), b.scalar.node())}));
+      break;
+    }
+    case word::negate: stack.push(negative(m_, pop())); break;
+    case word::add: {
+      const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
+      stack.push(sum(a, b));
+      break;
+    }
+    case word::subtract: {
+      const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
+      stack.push(sum(a, negative(m_, b)));
+      break;
+    }
+    case word::multiply: {
+      const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
+      stack.push(scaled(a.scalar, b));
+      break;
+    }
+    case word::divide: {
+      const value b = pop(), a = pop();
+      if (senseless(t, a, b, whom)) return;
+      if (a.kind == shape::scalar)
+        stack.push(value::of(a.scalar / b.scalar));
+      else
+        stack.push(scaled(1 / b.scalar, a));
+      break;
+    }
+    case word::dot: {
+      const value b = pop(), a = pop();
+      if (a.kind == shape::dyadic)
+        stack.push(value::of(dot(m_, a.dyadic, b.vector)));
+      else
+        stack.push(value::of(dot(m_, a.vector, b.vector)));
+      break;
+    }
+    case word::cross: {
+      const value b = pop(), a = pop();
+      stack.push(value::of(cross(m_, a.vector, b.vector)));
+      break;
+    }
+    case word::outer: {
+      const value b = pop(), a = pop();
+      stack.push(value::of(outer(m_, a.vector, b.vector)));
+      break;
+    }
+    case word::magnitude: {
+      const value a = pop();
+      stack.push(value::of(sqrt(dot(m_, a.vector, a.vector))));
+      break;
+    }
+    case word::normalized: {
+      const value a = pop();
+      stack.push(value::of((1 / sqrt(dot(m_, a.vector, a.vector))) * a.vector));
+      break;
+    }
+    default: motion(t, stack, whom); break;
+    }
+  }
+
+  /// What a point or frame does, which only a model that has been read knows.
+  constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    using describe::word;
+    if (derived_ == nullptr)
+      return fail(
+          {part_, whom,
+           " holds a position, velocity or derivative, which is not known yet while a model is read"});
+    mechanics::motion& k = derived_->moving();
+    switch (t.what) {
+    case word::position:
+      stack.push(value::of(mechanics::position_from_origin(m_, entities().point(t.point, whom))));
+      break;
+    case word::velocity:
+      stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
+      break;
+    case word::acceleration:
+      stack.push(value::of(mechanics::acceleration_of_point(k, entities().point(t.point, whom))));
+      break;
+    case word::angular_velocity:
+      stack.push(value::of(mechanics::angular_velocity_of_frame(k, entities().frame(t.frame, whom))));
+      break;
+    case word::angular_acceleration:
+      stack.push(value::of(mechanics::angular_acceleration_of_frame(k, entities().frame(t.frame, whom))));
+      break;
+    case word::derivative:
+      if (t.frame == nullptr)
+        stack.back().scalar = k.rate(k.known(stack.back().scalar));
+      else
+        stack.back().vector =
+            mechanics::derivative_in(k, stack.back().vector, entities().frame(t.frame, whom));
+      break;
+    case word::partial: {
+      const expression by = symbol(*t.symbol, whom);
+      value& of = stack.back();
+      if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
+      for (mechanics::vector::part& p : of.vector.parts)
+        for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
+      break;
+    }
+    case word::in_axes: {
+      const int axes = entities().frame(t.frame, whom);
+      mechanics::vector v;
+      v.add(axes, mechanics::express(m_, stack.back().vector, axes));
+      stack.back().vector = v;
+      break;
+    }
+    default: break;
+    }
+  }
+
+  mechanics::equations* derived_ = nullptr;
+  int describing_ = none; ///< the frame whose own axes `own` means
+
+private:
+  static constexpr std::string_view axis_names = "xyz";
+
+  constexpr Entities& entities() { return static_cast<Entities&>(*this); }
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <kanexpr/derivation/wording.hpp>
+#include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/mechanism.hpp>
+#include <kanexpr/mechanics/problem.hpp>
+
+namespace kanexpr::derivation {
+
+using describe::system_record;
+using mechanics::mechanism;
+using mechanics::none;
+using mechanics::problem;
+using mechanics::sentence;
+using symbolic::expression;
+using symbolic::sequence;
+
+/// The symbols of a model: listed ones in the order of the lists, the others as the model mentions them.
+/// The first mistake of the whole reading is kept here, as a sentence.
+class symbol_reader {
+public:
+  constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
+
+  constexpr const problem& mistake() const { return mistake_; }
+
+  constexpr expression symbol(const symbol_record& r, std::string_view whom) {
+    using symbolic::symbol_kind;
+    switch (r.kind) {
+    case symbol_kind::time: return m_.time;
+    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
+    case symbol_kind::coordinate_rate:
+      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
+    case symbol_kind::speed: return listed(m_.speeds, m_.speeds, r, "speed", whom);
+    case symbol_kind::speed_rate: return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+    case symbol_kind::parameter:
+      for (int i = 0; i < bound_.size(); ++i)
+        if (bound_[i] == r.called) return bound_values_[i];
+      return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
+    case symbol_kind::input: return mentioned(m_.inputs, r, from_.inputs.size != 0, "input", whom);
+    }
+    return m_.zero();
+  }
+
+protected:
+  using words = std::initializer_list<std::string_view>;
+
+  constexpr void fail(words pieces) {
+    if (!mistake_) mistake_ = sentence(pieces);
+  }
+
+  constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
+                                               std::string_view list) {
+    if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
+      fail({"the list of ", list, " holds something that is not a symbol", p.size > 1 ? ", with " : "",
+            name_in(p)});
+      return nullptr;
+    }
+    const symbol_record* s = p.tokens[0].symbol;
+    if (s->kind != kind) {
+      fail({kind_of(*s), s->called.view(), " stands in the list of ", list});
+      return nullptr;
+    }
+    claim_name(s->called, list);
+    return s;
+  }
+
+  /// A name means one thing in a system.
+  constexpr void claim_name(const symbolic::name& called, std::string_view list) {
+    for (int i = 0; i < names_.size(); ++i)
+      if (names_[i] == called) {
+        if (lists_[i] == list)
+          fail({called.view(), " is listed twice among the ", list});
+        else if (lists_[i] == "values")
+          fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
+        else
+          fail(
+              {"the name ", called.view(), " is used twice: among the ", lists_[i], " and among the ", list});
+      }
+    names_.push(called);
+    lists_.push(list);
+  }
+
+  /// Binds a parameter to a number.
+  constexpr void bind(const symbolic::name& called, expression number) {
+    bound_.push(called);
+    bound_values_.push(number);
+    claim_name(called, "values");
+  }
+  constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
+
+  const system_record& from_;
+  mechanism& m_;
+  problem mistake_;
+  std::string_view part_; ///< of an entity, that is being read: "the offset of point "
+
+private:
+  constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
+                              const symbol_record& r, std::string_view kind, std::string_view whom) {
+    for (int i = 0; i < own.size(); ++i)
+      if (m_.g->symbol_at(own[i].node()).called == r.called) return wanted[i];
+    fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+    return m_.zero();
+  }
+
+  constexpr expression mentioned(sequence<expression>& known, const symbol_record& r, bool complete,
+                                 std::string_view kind, std::string_view whom) {
+    for (const expression& e : known)
+      if (m_.g->symbol_at(e.node()).called == r.called) return e;
+    if (complete) {
+      fail(
+          {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+      return m_.zero();
+    }
+    claim_name(r.called, kind == "input" ? "inputs" : "parameters");
+    return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
+  }
+
+  sequence<symbolic::name> bound_;
+  sequence<expression> bound_values_;
+  sequence<symbolic::name> names_;
+  sequence<std::string_view> lists_;
+};
+
+} // namespace kanexpr::derivation
