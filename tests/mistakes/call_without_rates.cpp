@@ -1,4 +1,4 @@
-// expect: inertia_forces needs the rate of speed u: call it as inertia_forces(t, x, p, r, a)
+// expect: inertia_forces needs the rate of speed u: call it as inertia_forces(x, p, r, a)
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -123,7 +123,7 @@ TEST(interpreter, evaluates_in_other_scalar_types) {
   const expression x = b.parameter("x");
   kanexpr::symbolic::sequence<int> output{(sin(x) / 3).node()};
   interpreter<long double> code(kanexpr::lower::tape_of(b.graph(), output));
-  long double found[1];
+  long double found[1]{};
   code.evaluate([](const kanexpr::lower::load&) { return 0.7L; }, found);
   EXPECT_NEAR(static_cast<double>(found[0] - std::sin(0.7L) / 3), 0, 1e-18);
 }

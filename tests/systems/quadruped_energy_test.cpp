@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: no-exceptions
 #include "systems/checked_system.hpp"
 #include "systems/robot_results.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: no-exceptions
 #include "systems/check_robot_against_oracle.hpp"
 
 #include <models/quadruped.hpp>

@@ -69,8 +69,15 @@ constexpr mechanics::problem lacks(std::string_view result, symbolic::symbol_kin
   return {};
 }
 
+template <class Code>
+constexpr bool loads_time() {
+  for (int i = 0; i < Code::tape.sizes.loads; ++i)
+    if (Code::tape.loads[i].from == symbolic::symbol_kind::time) return true;
+  return false;
+}
+
 /// One way of calling a function, by the types of its arguments.
-template <class System, class Code, class X, class P, class R, class A, auto first, auto... more>
+template <class System, class Code, class Time, class X, class P, class R, class A, auto first, auto... more>
 struct call {
   /// The model itself holds no mistake.
   static constexpr bool sound =
@@ -94,7 +101,9 @@ struct call {
     if (std::is_same_v<R, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
     if (std::is_same_v<A, not_given>)
-      keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(t, x, p, r, a)"));
+      keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(x, p, r, a)"));
+    if (std::is_same_v<Time, not_given> && loads_time<Code>())
+      keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
   static_assert(derivation::tell<call>());

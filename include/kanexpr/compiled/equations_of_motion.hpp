@@ -29,7 +29,7 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::rhs> rhs{};
   /// F_r.
   static constexpr function<System, mechanics::quantity::active_forces> active_forces{};
-  /// F_r*, for given rates of the speeds: f(t, x, p, r, a).
+  /// F_r*, for given rates of the speeds: f(x, p, r, a).
   static constexpr function<System, mechanics::quantity::inertia_forces> inertia_forces{};
   static constexpr function<System, mechanics::quantity::kinetic_energy> kinetic_energy{};
   static constexpr function<System, mechanics::quantity::potential_energy> potential_energy{};

@@ -71,8 +71,8 @@ inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(
 } // namespace compiled
 
 /// Compiled evaluation of one or several results of a system: a function object without state, which
-/// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x, p, r,
-/// a); t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the speeds, any
+/// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the
+/// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the speeds, any
 /// Eigen vectors of their sizes.
 template <class System, auto... wanted>
 struct function {
@@ -86,31 +86,12 @@ struct function {
   /// Operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
 
-  template <class X>
-  [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x) const noexcept {
-    return evaluate(number<X>(0), x.derived(), none, none, none);
-  }
-  template <class X, class P>
-  [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x,
-                                         const Eigen::MatrixBase<P>& p) const noexcept {
-    return evaluate(number<X>(0), x.derived(), p.derived(), none, none);
-  }
-  template <class X, class P, class R>
-  [[gnu::always_inline]] auto operator()(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<P>& p,
-                                         const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(number<X>(0), x.derived(), p.derived(), r.derived(), none);
-  }
-  template <class Time, class X, class P, class R>
-  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x,
-                                         const Eigen::MatrixBase<P>& p,
-                                         const Eigen::MatrixBase<R>& r) const noexcept {
-    return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), none);
-  }
-  template <class Time, class X, class P, class R, class A>
-  [[gnu::always_inline]] auto operator()(const Time& t, const Eigen::MatrixBase<X>& x,
-                                         const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<R>& r,
-                                         const Eigen::MatrixBase<A>& a) const noexcept {
-    return evaluate(number<X>(t), x.derived(), p.derived(), r.derived(), a.derived());
+  template <class First, class... More>
+  [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
+    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+      return evaluate(compiled::not_given{}, first, more...);
+    else
+      return evaluate(first, more...);
   }
 
   /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
@@ -138,20 +119,17 @@ struct function {
   }
 
 private:
-  static constexpr compiled::not_given none{};
+  using none = compiled::not_given;
 
-  /// A number in the scalar type of a vector.
-  template <class X, class Value>
-  [[gnu::always_inline]] static typename X::Scalar number(const Value& value) noexcept {
-    return lower::scalar_math<typename X::Scalar>::from(value);
-  }
-
-  template <class T, class X, class P, class R, class A>
-  [[gnu::always_inline]] static auto evaluate(const T& t, const X& x, const P& p, const R& r,
-                                              const A& a) noexcept {
-    if constexpr (!compiled::call<System, code, X, P, R, A, wanted...>::possible) {
+  template <class Time, class X, class P = none, class R = none, class A = none>
+  [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
+                                              const A& a = {}) noexcept {
+    using T = typename X::Scalar;
+    if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
       return no_results<T>();
     } else {
+      T t = lower::scalar_math<T>::from(0);
+      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
       return collect_from<T>(
           lower::evaluation<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }

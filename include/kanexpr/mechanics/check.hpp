@@ -21,6 +21,7 @@ public:
     for (const body& b : m_.bodies) check(b);
     for (const force& f : m_.forces) rates_in(f.value, "the force at ", m_.points[f.point].called);
     for (const torque& t : m_.torques) rates_in(t.value, "the torque on ", m_.frames[t.frame].called);
+    rates_in(m_.gravity, "gravity", {});
     return found_;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/dependence.hpp>
+#include <kanexpr/mechanics/mechanism.hpp>
 
 #include <string_view>
 

@@ -21,8 +21,9 @@ struct remembered {
 /// Whether accelerations hold the symbols u̇ or are taken at u̇ = 0 (the bias of Kane's equations).
 enum class speed_rates { as_symbols, zero };
 
-/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all in the
-/// inertial frame and each in its own working axes. Everything is formed once, outwards from the ground, and kept.
+/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all
+/// in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
+/// ground, and kept.
 class motion {
 public:
   constexpr motion() = default;
@@ -39,12 +40,17 @@ public:
   /// A scalar with the coordinate rates that the kinematic equations give.
   constexpr expression known(expression e) const {
     symbolic::substitution rates(*m_->g);
-    for (int i = 0; i < m_->coordinates.size(); ++i) rates.replace(m_->coordinate_rates[i], s_->coordinate_rates[i]);
+    for (int i = 0; i < m_->coordinates.size(); ++i)
+      rates.replace(m_->coordinate_rates[i], s_->coordinate_rates[i]);
     return rates.in(e);
   }
 
   /// A uniform acceleration given to the ground; −g stands for gravity on every body.
-  constexpr void accelerate_ground(const vector& acceleration) { ground_ = acceleration; }
+  constexpr void accelerate_ground(const vector& acceleration) {
+    ground_ = acceleration;
+    for (vector::part& p : ground_.parts)
+      for (int i = 0; i < 3; ++i) p.value[i] = known(p.value[i]);
+  }
 
   /// Angular velocity of frame `f`, in its working axes.
   constexpr components angular_velocity(int f) {

@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/bodies.hpp>
 #include <kanexpr/mechanics/check.hpp>
+#include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
 #include <kanexpr/mechanics/orientation.hpp>
 #include <kanexpr/mechanics/points.hpp>
