@@ -29,38 +29,22 @@ T constant_value(const symbolic::number& n) {
 template <class T>
 T arithmetic(operation op, const T& a, const T& b) {
   switch (op) {
-  case operation::negate:
-    return -a;
-  case operation::add:
-    return a + b;
-  case operation::subtract:
-    return a - b;
-  case operation::multiply:
-    return a * b;
-  case operation::divide:
-    return a / b;
-  case operation::power:
-    return std::pow(a, b);
-  case operation::sqrt:
-    return std::sqrt(a);
-  case operation::sin:
-    return std::sin(a);
-  case operation::cos:
-    return std::cos(a);
-  case operation::tan:
-    return std::tan(a);
-  case operation::asin:
-    return std::asin(a);
-  case operation::acos:
-    return std::acos(a);
-  case operation::atan:
-    return std::atan(a);
-  case operation::exp:
-    return std::exp(a);
-  case operation::log:
-    return std::log(a);
-  default:
-    break;
+  case operation::negate: return -a;
+  case operation::add: return a + b;
+  case operation::subtract: return a - b;
+  case operation::multiply: return a * b;
+  case operation::divide: return a / b;
+  case operation::power: return std::pow(a, b);
+  case operation::sqrt: return std::sqrt(a);
+  case operation::sin: return std::sin(a);
+  case operation::cos: return std::cos(a);
+  case operation::tan: return std::tan(a);
+  case operation::asin: return std::asin(a);
+  case operation::acos: return std::acos(a);
+  case operation::atan: return std::atan(a);
+  case operation::exp: return std::exp(a);
+  case operation::log: return std::log(a);
+  default: break;
   }
   if constexpr (!is_complex<T>) {
     if (op == operation::atan2) return std::atan2(a, b);

@@ -1,7 +1,7 @@
 #include "models/simple_pendulum.hpp"
 
-/// The right side of the pendulum for a controller without an operating system, in single precision; the arguments
-/// are plain arrays in the order of the model's vectors.
+/// The right side of the pendulum for a controller without an operating system, in single precision; the
+/// arguments are plain arrays in the order of the model's vectors.
 extern "C" void pendulum(const float* x, const float* p, const float* r, float* rate) {
   using eom = kanexpr::equations_of_motion<simple_pendulum::System>;
   Eigen::Map<Eigen::Vector2f>{rate} =

@@ -13,11 +13,12 @@ int main(int argc, char** argv) {
     return rate;
   });
   side_by_side::add_system<double_pendulum::System>("double_pendulum");
-  side_by_side::add("double_pendulum/udot/by_hand", Eigen::Vector4d(0.3, 0.3, 0.3, 0.3), [](const Eigen::Vector4d& x) {
-    const double p[]{1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1}, r[]{0.2, 0.2};
-    Eigen::Vector4d rate;
-    double_pendulum_rhs_by_hand(x.data(), p, r, rate.data());
-    return rate;
-  });
+  side_by_side::add("double_pendulum/udot/by_hand", Eigen::Vector4d(0.3, 0.3, 0.3, 0.3),
+                    [](const Eigen::Vector4d& x) {
+                      const double p[]{1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1, 1.1}, r[]{0.2, 0.2};
+                      Eigen::Vector4d rate;
+                      double_pendulum_rhs_by_hand(x.data(), p, r, rate.data());
+                      return rate;
+                    });
   return side_by_side::run(argc, argv);
 }

@@ -10,8 +10,8 @@
 
 namespace side_by_side {
 
-/// Prints, after the usual table, how many times longer each way takes than the compiled one of the same function.
-/// Names are system/function/way.
+/// Prints, after the usual table, how many times longer each way takes than the compiled one of the same
+/// function. Names are system/function/way.
 class ratios : public benchmark::ConsoleReporter {
 public:
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -34,16 +34,19 @@ private:
   std::map<std::string, std::map<std::string, double>> times_;
 };
 
-/// Registers a call that takes a state, under system/function/way. The state moves a little with each call, and each
-/// result is used, so that no call can be left out.
+/// Registers a call that takes a state, under system/function/way. The state moves a little with each call,
+/// and each result is used, so that no call can be left out.
 template <class State, class Call>
 void add(const std::string& name, State x, Call call) {
-  benchmark::RegisterBenchmark(name.c_str(), [x, call](benchmark::State& state) mutable {
-    for (auto _ : state) {
-      x(0) += 1e-9;
-      benchmark::DoNotOptimize(call(x));
-    }
-  })->Repetitions(7)->ReportAggregatesOnly();
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [x, call](benchmark::State& state) mutable {
+                                 for (auto _ : state) {
+                                   x(0) += 1e-9;
+                                   benchmark::DoNotOptimize(call(x));
+                                 }
+                               })
+      ->Repetitions(7)
+      ->ReportAggregatesOnly();
 }
 
 /// Compiled and interpreted evaluation of u̇ and of mass matrix with forcing, for one system.
@@ -68,7 +71,8 @@ void add_system(const std::string& name) {
     return derived.function(entries);
   }();
   add(name + "/udot/interpreted", x, [](const auto& at) { return udot(at, p, r)(0); });
-  add(name + "/mass_matrix+forcing/interpreted", x, [](const auto& at) { return mass_and_forcing(at, p, r)(0); });
+  add(name + "/mass_matrix+forcing/interpreted", x,
+      [](const auto& at) { return mass_and_forcing(at, p, r)(0); });
 }
 
 inline int run(int argc, char** argv) {

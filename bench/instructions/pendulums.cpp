@@ -2,8 +2,8 @@
 #include "models/simple_pendulum.hpp"
 #include "pendulums_by_hand.hpp"
 
-/// The pendulums derived by kanexpr beside hand-written code, as functions of the same plain arguments; `count` counts
-/// their instructions.
+/// The pendulums derived by kanexpr beside hand-written code, as functions of the same plain arguments;
+/// `count` counts their instructions.
 extern "C" {
 
 void simple_pendulum_derived(const double* x, const double* p, const double* r, double* rate) {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-/// What a careful person writes for two pendulums: the yardstick of the derived code. Arguments are plain arrays in
-/// the order of the models' vectors.
+/// What a careful person writes for two pendulums: the yardstick of the derived code. Arguments are plain
+/// arrays in the order of the models' vectors.
 
 inline void simple_pendulum_rhs_by_hand(const double* x, const double* p, const double* r, double* rate) {
   const double q = x[0], u = x[1], m = p[0], l = p[1], g = p[2], c = p[3], T = r[0];
@@ -13,8 +13,8 @@ inline void simple_pendulum_rhs_by_hand(const double* x, const double* p, const 
 
 inline void double_pendulum_rhs_by_hand(const double* x, const double* p, const double* r, double* rate) {
   const double q1 = x[0], q2 = x[1], u1 = x[2], u2 = x[3];
-  const double m1 = p[0], m2 = p[1], d1 = p[2], d2 = p[3], l1 = p[4], I1 = p[5], I2 = p[6], g = p[7], c1 = p[8],
-               c2 = p[9];
+  const double m1 = p[0], m2 = p[1], d1 = p[2], d2 = p[3], l1 = p[4], I1 = p[5], I2 = p[6], g = p[7],
+               c1 = p[8], c2 = p[9];
   const double T1 = r[0], T2 = r[1];
   const double s1 = std::sin(q1), k1 = std::cos(q1), s12 = std::sin(q1 + q2), k12 = std::cos(q1 + q2);
   const double m2d2 = m2 * d2, m2d2l1 = m2d2 * l1;

@@ -3,6 +3,6 @@
 /// Describe a mechanical system as types and get its equations of motion as compiled functions.
 /// Needs Eigen and Boost.Hana only.
 
+#include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
-#include <kanexpr/compiled/equations_of_motion.hpp>

@@ -1,4 +1,5 @@
-// Expressions of a model as compiled functions, against numerical differentiation of positions along the motion.
+// Expressions of a model as compiled functions, against numerical differentiation of positions along the
+// motion.
 #include "models/arm3.hpp"
 #include "models/rolling_disc.hpp"
 
@@ -75,7 +76,8 @@ TEST(expressions, angular_acceleration_is_the_rate_of_angular_velocity) {
   const auto turning = [](const auto&... a) { return function<arm, angular_velocity_of<arm3::B3>>{}(a...); };
   const Eigen::Vector3d a = function<arm, angular_acceleration_of<arm3::B3>>{}(s.x, s.p, s.r);
   EXPECT_TRUE(a.isApprox(s.along_motion(turning), by_differences)) << a.transpose();
-  const Eigen::Vector3d seen = function<arm, derivative_in<arm3::N>(angular_velocity_of<arm3::B3>)>{}(s.x, s.p, s.r);
+  const Eigen::Vector3d seen =
+      function<arm, derivative_in<arm3::N>(angular_velocity_of<arm3::B3>)>{}(s.x, s.p, s.r);
   EXPECT_TRUE(seen.isApprox(a, 1e-12));
 }
 
@@ -93,9 +95,10 @@ TEST(expressions, partial_velocities_add_up) {
   using rolling_disc::Dmc;
   const sample<disc> s;
   constexpr auto v = velocity_of<Dmc>;
-  const Eigen::Vector3d sum = function<disc, partial(v, rolling_disc::u1)>{}(s.x, s.p) * s.x[rolling_disc::u1] +
-                              function<disc, partial(v, rolling_disc::u2)>{}(s.x, s.p) * s.x[rolling_disc::u2] +
-                              function<disc, partial(v, rolling_disc::u3)>{}(s.x, s.p) * s.x[rolling_disc::u3];
+  const Eigen::Vector3d sum =
+      function<disc, partial(v, rolling_disc::u1)>{}(s.x, s.p) * s.x[rolling_disc::u1] +
+      function<disc, partial(v, rolling_disc::u2)>{}(s.x, s.p) * s.x[rolling_disc::u2] +
+      function<disc, partial(v, rolling_disc::u3)>{}(s.x, s.p) * s.x[rolling_disc::u3];
   EXPECT_TRUE(sum.isApprox(function<disc, v>{}(s.x, s.p), 1e-12));
 }
 

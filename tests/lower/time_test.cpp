@@ -34,6 +34,8 @@ TEST(time, bead_on_a_turning_rod) {
   // m (s̈ − s θ̇²) = F cos θ
   EXPECT_NEAR(eom::udot(t, x, p, r)(0), s * turning * turning + force / m * std::cos(w * t * t), 1e-14);
   EXPECT_NEAR(eom::kinetic_energy(t, x, p, r), m * (v * v + s * s * turning * turning) / 2, 1e-14);
-  const Eigen::Vector3d a = kanexpr::function<bead::System, kanexpr::in_axes_of<bead::Rod>(kanexpr::acceleration_of<bead::P>)>{}(t, x, p, r);
+  const Eigen::Vector3d a =
+      kanexpr::function<bead::System, kanexpr::in_axes_of<bead::Rod>(kanexpr::acceleration_of<bead::P>)>{}(
+          t, x, p, r);
   EXPECT_NEAR(a(1), s * 2 * w + 2 * v * turning, 1e-14); // Euler's and Coriolis's parts
 }

@@ -29,8 +29,8 @@ struct jet {
     return {a.c0 * b.c0, a.c0 * b.c1 + a.c1 * b.c0, a.c0 * b.c2 + a.c1 * b.c1 + a.c2 * b.c0};
   }
   friend jet operator/(const jet& a, const jet& b) {
-    const double c0 = a.c0 / b.c0, c1 = (a.c1 - c0 * b.c1) / b.c0;
-    return {c0, c1, (a.c2 - c0 * b.c2 - c1 * b.c1) / b.c0};
+    const double value = a.c0 / b.c0, first = (a.c1 - value * b.c1) / b.c0;
+    return {value, first, (a.c2 - value * b.c2 - first * b.c1) / b.c0};
   }
 };
 

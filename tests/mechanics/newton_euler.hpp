@@ -67,6 +67,13 @@ struct placement {
   }
 };
 
+// From the frame's basis vectors: ω = ½ Σ e × ė.
+inline jet3 angular_velocity(const jet3x3& frame) {
+  jet3 twice;
+  for (const jet3& e : frame.column) twice = twice + cross(e, e.rate());
+  return jet(0.5) * twice;
+}
+
 inline placement place(const recipe::mechanism& m, const jets& now) {
   placement here;
   for (const recipe::frame& f : m.frames) {
@@ -75,8 +82,9 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
   }
   for (const recipe::point& p : m.points) {
     const jet3 offset = here.in_ground(p.offset, now);
-    const jet3 rate = p.reference == 0 ? here.in_ground(p.velocity, now) // need not be that of any position
-                                       : offset.rate();
+    jet3 rate = offset.rate();
+    if (p.reference == 0) rate = here.in_ground(p.velocity, now); // need not be that of any position
+    if (p.fixed_in >= 0) rate = cross(angular_velocity(here.frames[at(p.fixed_in)]), offset);
     const bool moves_on = p.parent >= 0 && p.reference != 0;
     here.points.push_back(p.parent < 0 ? offset : here.points[at(p.parent)] + offset);
     here.velocities.push_back(moves_on ? here.velocities[at(p.parent)] + rate : rate);

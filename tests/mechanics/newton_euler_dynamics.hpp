@@ -17,7 +17,7 @@ struct dynamics {
 // Partial velocities of points and frames: velocities are affine in the speeds.
 class partial_motions {
 public:
-  using columns = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  using columns = std::vector<Vector3d>;
 
   explicit partial_motions(const recipe::mechanism& m) : still_(move(m, std::vector<double>(m.u.size(), 0))) {
     for (std::size_t r = 0; r < m.u.size(); ++r) {
@@ -31,15 +31,28 @@ public:
 
 private:
   columns difference(const std::vector<Vector3d> motion::* of, std::size_t which) const {
-    columns j(3, static_cast<Eigen::Index>(one_.size()));
-    for (std::size_t r = 0; r < one_.size(); ++r)
-      j.col(static_cast<Eigen::Index>(r)) = (one_[r].*of)[which] - (still_.*of)[which];
+    columns j;
+    for (const motion& k : one_) j.push_back((k.*of)[which] - (still_.*of)[which]);
     return j;
   }
 
   motion still_;
   std::vector<motion> one_;
 };
+
+// What the rates of the speeds add to an acceleration.
+inline Vector3d sum(const partial_motions::columns& j, const std::vector<double>& rates) {
+  Vector3d total = Vector3d::Zero();
+  for (std::size_t r = 0; r < j.size(); ++r) total += rates[r] * j[r];
+  return total;
+}
+
+// M v, by rows.
+inline VectorXd times(const MatrixXd& m, const VectorXd& v) {
+  VectorXd product(m.rows());
+  for (Eigen::Index i = 0; i < m.rows(); ++i) product(i) = m.row(i).transpose().cwiseProduct(v).sum();
+  return product;
+}
 
 // Inertia about the mass centre, in the ground's axes.
 inline Matrix3d central_inertia(const recipe::body& b, const motion& k) {
@@ -69,9 +82,16 @@ inline dynamics evaluate(const recipe::mechanism& m) {
   d.mass_matrix = MatrixXd::Zero(size, size);
   d.active_forces = d.inertia_bias = VectorXd::Zero(size);
   const auto act = [&](VectorXd& on, const partial_motions::columns& j, const Vector3d& load) {
-    const VectorXd share = j.transpose() * load;
-    on += share;
-    d.force_scale += share.cwiseAbs().sum();
+    for (Eigen::Index r = 0; r < size; ++r) {
+      const double share = j[static_cast<std::size_t>(r)].dot(load);
+      on(r) += share;
+      d.force_scale += std::abs(share);
+    }
+  };
+  const auto resist = [&](const partial_motions::columns& j, const Matrix3d& inertia) { // M += Jᵀ I J
+    for (Eigen::Index r = 0; r < size; ++r)
+      for (Eigen::Index s = 0; s < size; ++s)
+        d.mass_matrix(r, s) += j[static_cast<std::size_t>(r)].dot(inertia * j[static_cast<std::size_t>(s)]);
   };
   const auto in_ground = [&](const recipe::sum& v) { return k.here.in_ground(v, k.now).value(); };
 
@@ -82,7 +102,7 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     const double mass = b.mass.value;
     const Vector3d &x = k.x[at(b.center)], &v = k.v[at(b.center)];
     const partial_motions::columns j = partial.velocity(at(b.center));
-    d.mass_matrix += mass * (j.transpose() * j);
+    resist(j, mass * Matrix3d::Identity());
     act(d.inertia_bias, j, -mass * k.a[at(b.center)]);
     act(d.active_forces, j, mass * gravity);
     d.kinetic_energy += mass * v.squaredNorm() / 2;
@@ -95,7 +115,7 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     const Matrix3d inertia = central_inertia(b, k);
     const Vector3d &omega = k.omega[at(b.frame)], &alpha = k.alpha[at(b.frame)];
     const partial_motions::columns turning = partial.angular(at(b.frame));
-    d.mass_matrix += turning.transpose() * inertia * turning;
+    resist(turning, inertia);
     act(d.inertia_bias, turning, -inertia * alpha);
     act(d.inertia_bias, turning, -omega.cross(inertia * omega));
     d.kinetic_energy += omega.dot(inertia * omega) / 2;

@@ -86,6 +86,8 @@ protected:
                     {any_frame(), {rolling(), rolling(), rolling()}}};
     } else if (d_.chance(0.2))
       p.fixed_in = in;
+    else if (d_.chance(0.05)) // rolling: the offset's axes move in the frame, the point does not
+      p = {from, {{any_frame(), constant_vector()}, {any_frame(), constant_vector()}}, any_frame(), -1, {}};
     else if (turns(in) && d_.chance(0.1))
       p.reference = in;
     if (p.reference == in && d_.chance(0.5)) p.velocity = {{in, {}}};

@@ -205,10 +205,11 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
               const frame_id a = b.rotated("A", b.rod, b.x, b.along(b.rod, 1, 0, 0));
               b.angular_velocity(b.rod, a, b.along(b.n, 0, 0, 0));
             }),
-            "the angular velocity of R is in the end measured in itself");
+            "the angular velocity of frame R is given in A, which turns with R");
   EXPECT_EQ(told([](auto& b) { b.coordinate("y"); }),
             "coordinate y has its rate in no kinematic differential equation");
-  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.theta); }), "the mass of A changes in time");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.theta); }),
+            "the mass of A changes with coordinate theta");
 }
 
 TEST(builder_mistakes, tells_the_first_one) {

@@ -27,7 +27,8 @@ TEST(model, prints_vectors_with_the_names_of_frames) {
   EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>()), "r*u2*L.x - r*u1*L.y");
   EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>(), mechanics::basis_style::one_two_three),
             "r*u2*L.1 - r*u1*L.2");
-  EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>(), mechanics::basis_style::ijk), "r*u2*L.i - r*u1*L.j");
+  EXPECT_EQ(derived.print(derived.vector<velocity_of<Dmc>>(), mechanics::basis_style::ijk),
+            "r*u2*L.i - r*u1*L.j");
   EXPECT_EQ(derived.print(derived.vector<partial(velocity_of<Dmc>, u1)>()), "-r*L.y");
   EXPECT_EQ(derived.print(derived.vector<angular_velocity_of<R>>()), "u1*L.x + u2*L.y + u3*L.z");
   EXPECT_EQ(derived.print(derived.vector<position_of<Dmc, C>>()), "r*L.z");

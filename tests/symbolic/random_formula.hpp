@@ -46,21 +46,11 @@ public:
                                      operation::exp,    operation::log,  operation::abs,  operation::sign};
       formula result;
       switch (pick(8)) {
-      case 0:
-        result = combine(unary[pick(12)], left, left);
-        break;
-      case 1:
-        result = combine(operation::power, left, number(pick(9) - 4, 1 + pick(3)));
-        break;
-      case 2:
-        result = combine(operation::power, left, make(depth - 1));
-        break;
-      case 3:
-        result = combine(binary[pick(8)], left, left);
-        break;
-      default:
-        result = combine(binary[pick(8)], left, make(depth - 1));
-        break;
+      case 0: result = combine(unary[pick(12)], left, left); break;
+      case 1: result = combine(operation::power, left, number(pick(9) - 4, 1 + pick(3))); break;
+      case 2: result = combine(operation::power, left, make(depth - 1)); break;
+      case 3: result = combine(binary[pick(8)], left, left); break;
+      default: result = combine(binary[pick(8)], left, make(depth - 1)); break;
       }
       if (result.operations < 0) continue;
       recent_.push_back(result);
@@ -101,40 +91,28 @@ private:
   slope slope_of(operation op, real a, real b, real f, bool is_b_constant) const {
     constexpr real margin = 0.05L;
     switch (op) {
-    case operation::multiply:
-      return {b, a, true};
-    case operation::divide:
-      return {1 / b, f / b, std::abs(b) > margin};
+    case operation::multiply: return {b, a, true};
+    case operation::divide: return {1 / b, f / b, std::abs(b) > margin};
     case operation::power: {
       const bool is_whole = is_b_constant && b == std::round(b) && std::abs(b) <= 4;
       return {b * f / a, is_whole ? 0 : f * std::log(std::abs(a)),
               is_whole ? std::abs(a) > margin : a > margin};
     }
-    case operation::sqrt:
-      return {0.5L / f, 0, a > margin};
-    case operation::sin:
-      return {1, 0, std::abs(a) < 100};
-    case operation::cos:
-      return {1, 0, std::abs(a) < 100};
-    case operation::tan:
-      return {1 + f * f, 0, std::abs(f) < 20 && std::abs(a) < 100};
+    case operation::sqrt: return {0.5L / f, 0, a > margin};
+    case operation::sin: return {1, 0, std::abs(a) < 100};
+    case operation::cos: return {1, 0, std::abs(a) < 100};
+    case operation::tan: return {1 + f * f, 0, std::abs(f) < 20 && std::abs(a) < 100};
     case operation::asin:
-    case operation::acos:
-      return {1 / std::sqrt(1 - a * a), 0, std::abs(a) < 1 - margin};
-    case operation::exp:
-      return {f, 0, a < 4};
-    case operation::log:
-      return {1 / a, 0, a > margin};
-    case operation::abs:
-      return {1, 0, !smooth_ && std::abs(a) > margin};
-    case operation::sign:
-      return {0, 0, !smooth_ && std::abs(a) > margin};
+    case operation::acos: return {1 / std::sqrt(1 - a * a), 0, std::abs(a) < 1 - margin};
+    case operation::exp: return {f, 0, a < 4};
+    case operation::log: return {1 / a, 0, a > margin};
+    case operation::abs: return {1, 0, !smooth_ && std::abs(a) > margin};
+    case operation::sign: return {0, 0, !smooth_ && std::abs(a) > margin};
     case operation::atan2: {
       const real square = a * a + b * b;
       return {b / square, a / square, !smooth_ && (b > margin || std::abs(a) > margin)};
     }
-    default:
-      return {1, 1, true};
+    default: return {1, 1, true};
     }
   }
 

@@ -72,8 +72,8 @@ inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(
 
 /// Compiled evaluation of one or several results of a system: a function object without state, which
 /// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the
-/// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the speeds, any
-/// Eigen vectors of their sizes.
+/// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the
+/// speeds, any Eigen vectors of their sizes.
 template <class System, auto... wanted>
 struct function {
   using code = compiled::code<System, wanted...>;

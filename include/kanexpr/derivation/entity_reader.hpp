@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derivation/phrase_reader.hpp>
+#include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
 
 namespace kanexpr::derivation {
@@ -128,7 +129,7 @@ private:
       if (mistake_) return mechanism::inertial;
       const components a = mechanics::express(m_, axis, parent);
       if (a.is_zero()) fail({"frame ", r.called, " is turned about an axis of no length"});
-      if (!fixed(a.x) || !fixed(a.y) || !fixed(a.z))
+      if (!mechanics::is_fixed(a))
         fail({"frame ", r.called, " is turned about an axis that is not fixed in ", r.parent->called});
       return mistake_ ? mechanism::inertial : mechanics::add_rotated_frame(m_, called, parent, given[0], a);
     }
@@ -150,15 +151,6 @@ private:
     }
     }
     return mechanism::inertial;
-  }
-
-  /// Whether a scalar stays as it is while the system moves.
-  constexpr bool fixed(expression e) const {
-    const symbolic::node& n = (*m_.g)[e.node()];
-    if (n.op == symbolic::operation::constant) return true;
-    if (n.op == symbolic::operation::symbol)
-      return m_.g->symbol_at(e.node()).kind == symbolic::symbol_kind::parameter;
-    return fixed({*m_.g, n.a}) && (!symbolic::is_binary(n.op) || fixed({*m_.g, n.b}));
   }
 
   sequence<const frame_record*> frames_;

@@ -72,7 +72,7 @@ protected:
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::word;
     const auto pop = [&] {
-      const value v = stack.back();
+      value v = stack.back();
       stack.pop();
       return v;
     };

@@ -16,7 +16,8 @@ struct inertia {
   }
 };
 
-/// Inertia about the mass centre as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) + …>`.
+/// Inertia about the mass centre as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) +
+/// …>`.
 template <auto value>
 struct inertia_dyadic {
   static constexpr void give_to(describe::body_record& r) { r.inertia_dyadic = describe::phrase_of<value>; }

@@ -9,7 +9,8 @@ namespace describe {
 template <class Frame>
 constexpr frame_record record_frame() {
   frame_record r;
-  if constexpr (requires { Frame::orientation(); }) r = Frame::orientation(); // else no frame: it has no name for itself
+  if constexpr (requires { Frame::orientation(); })
+    r = Frame::orientation(); // else no frame: it has no name for itself
   r.called = type_name<Frame>();
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
@@ -57,7 +58,8 @@ struct inertial_frame : describe::axes<Self> {
   }
 };
 
-/// A frame turned by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1, N::z>`.
+/// A frame turned by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
+/// N::z>`.
 template <class Self, class Parent, auto angle, auto axis>
 struct rotated : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
@@ -91,16 +93,16 @@ struct sequence_of_turns : axes<Self> {
 
 } // namespace describe
 
-/// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2, q3>`.
-/// All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
+/// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2,
+/// q3>`. All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
 template <class Self, class Parent, text sequence, auto first, auto second, auto third>
-struct body_fixed
-    : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed, sequence, first, second, third> {};
+struct body_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed,
+                                                sequence, first, second, third> {};
 
 /// Three turns about the parent's axes, one after the other.
 template <class Self, class Parent, text sequence, auto first, auto second, auto third>
-struct space_fixed
-    : describe::sequence_of_turns<Self, Parent, describe::orientation_word::space_fixed, sequence, first, second, third> {};
+struct space_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::space_fixed,
+                                                 sequence, first, second, third> {};
 
 /// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k of its rotation from the parent.
 template <class Self, class Parent, auto e0, auto e1, auto e2, auto e3>
@@ -118,9 +120,10 @@ struct quaternion : describe::axes<Self> {
   }
 };
 
-/// A frame given by its direction cosine matrix, by rows: v in the parent's axes = matrix · v in the frame's axes.
-/// The columns are the frame's basis vectors in the parent's axes.
-template <class Self, class Parent, auto xx, auto xy, auto xz, auto yx, auto yy, auto yz, auto zx, auto zy, auto zz>
+/// A frame given by its direction cosine matrix, by rows: v in the parent's axes = matrix · v in the frame's
+/// axes. The columns are the frame's basis vectors in the parent's axes.
+template <class Self, class Parent, auto xx, auto xy, auto xz, auto yx, auto yy, auto yz, auto zx, auto zy,
+          auto zz>
 struct direction_cosines : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
     using describe::phrase_of;
@@ -128,8 +131,8 @@ struct direction_cosines : describe::axes<Self> {
             .calls_itself = type_name<Self>(),
             .orientation = describe::orientation_word::direction_cosines,
             .parent = &describe::frame_of<Parent>,
-            .given = {phrase_of<xx>, phrase_of<xy>, phrase_of<xz>, phrase_of<yx>, phrase_of<yy>, phrase_of<yz>,
-                      phrase_of<zx>, phrase_of<zy>, phrase_of<zz>}};
+            .given = {phrase_of<xx>, phrase_of<xy>, phrase_of<xz>, phrase_of<yx>, phrase_of<yy>,
+                      phrase_of<yz>, phrase_of<zx>, phrase_of<zy>, phrase_of<zz>}};
   }
 };
 

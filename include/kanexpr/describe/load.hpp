@@ -14,8 +14,8 @@ struct force {
 /// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.
 template <class Frame, auto vector>
 struct torque {
-  static constexpr describe::load_record load{describe::load_word::torque, nullptr, &describe::frame_of<Frame>,
-                                              describe::phrase_of<vector>};
+  static constexpr describe::load_record load{describe::load_word::torque, nullptr,
+                                              &describe::frame_of<Frame>, describe::phrase_of<vector>};
 };
 
 /// Uniform gravity on every body, by the acceleration of free fall: `gravity<-g*N::z>`.

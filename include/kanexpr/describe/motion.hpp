@@ -30,8 +30,9 @@ constexpr token by_symbol(word what, const scalar<1>& symbol) {
 
 /// The position of `Point` from `From`; both must hang on one origin.
 template <class Point, class From>
-inline constexpr auto position_of = describe::motion_of(describe::word::position, &describe::point_of<Point>) -
-                                    describe::motion_of(describe::word::position, &describe::point_of<From>);
+inline constexpr auto position_of =
+    describe::motion_of(describe::word::position, &describe::point_of<Point>) -
+    describe::motion_of(describe::word::position, &describe::point_of<From>);
 
 /// Velocity of a point in the inertial frame.
 template <class Point>
@@ -39,7 +40,8 @@ inline constexpr auto velocity_of = describe::motion_of(describe::word::velocity
 
 /// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
 template <class Point>
-inline constexpr auto acceleration_of = describe::motion_of(describe::word::acceleration, &describe::point_of<Point>);
+inline constexpr auto acceleration_of =
+    describe::motion_of(describe::word::acceleration, &describe::point_of<Point>);
 
 /// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
 template <class Frame>
@@ -72,7 +74,8 @@ constexpr vector<a + 1> in_axes_of(const vector<a>& v) {
   return describe::join<vector<a + 1>>(v.tokens, t);
 }
 
-/// The partial derivative by a symbol; of a vector, in its own axes. `partial(velocity_of<P>, u1)` is a partial velocity.
+/// The partial derivative by a symbol; of a vector, in its own axes. `partial(velocity_of<P>, u1)` is a
+/// partial velocity.
 template <int a>
 constexpr scalar<a + 1> partial(const scalar<a>& s, const scalar<1>& symbol) {
   return describe::join<scalar<a + 1>>(s.tokens, describe::by_symbol(describe::word::partial, symbol));
@@ -82,7 +85,8 @@ constexpr vector<a + 1> partial(const vector<a>& v, const scalar<1>& symbol) {
   return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::word::partial, symbol));
 }
 
-/// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial axes.
+/// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial
+/// axes.
 template <int a, int columns>
 struct jacobian_matrix {
   bool of_vector;

@@ -35,8 +35,8 @@ struct origin {
   }
 };
 
-/// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the vector's
-/// change in time, unless `fixed_in` or `velocity` says how it moves.
+/// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the
+/// vector's change in time, unless `fixed_in` or `velocity` says how it moves.
 template <class Self, class From, auto vector>
 struct offset {
   static constexpr describe::point_record place() {
@@ -54,8 +54,8 @@ struct fixed_in {
   static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
 };
 
-/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the point
-/// that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
+/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the
+/// point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
 template <class Reference, auto value>
 struct velocity {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/describe/text.hpp>
 #include <kanexpr/describe/mixed.hpp>
+#include <kanexpr/describe/text.hpp>
 
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
 namespace kanexpr::describe {

@@ -135,7 +135,8 @@ struct loads {
 };
 
 /// A system whose equations of motion Kane's method gives, told in any order:
-/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};`
+/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>>
+/// {};`
 template <class... Words>
 struct kane_system {
   static constexpr auto words = boost::hana::tuple_t<Words...>;

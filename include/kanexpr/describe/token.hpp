@@ -4,8 +4,8 @@
 #include <kanexpr/symbolic/operation.hpp>
 #include <kanexpr/symbolic/symbol.hpp>
 
-/// What the words of a model are stored as: flat arrays of tokens in postfix order, which are template arguments and
-/// cost the compiler next to nothing, and records of entities that point at each other.
+/// What the words of a model are stored as: flat arrays of tokens in postfix order, which are template
+/// arguments and cost the compiler next to nothing, and records of entities that point at each other.
 namespace kanexpr::describe {
 
 struct frame_record;

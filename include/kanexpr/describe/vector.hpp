@@ -16,7 +16,6 @@ struct dyadic {
   describe::token tokens[size];
 };
 
-
 template <int a>
 constexpr vector<a + 1> operator-(const vector<a>& v) {
   return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::word::negate));

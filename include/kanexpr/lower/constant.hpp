@@ -11,9 +11,11 @@ namespace kanexpr::lower {
 /// A result as a plain constant: `m(i, j)`, and a number where it is one.
 template <int rows, int columns>
 struct constant_matrix {
-  std::array<double, static_cast<std::size_t>(rows * columns)> entries{};
+  std::array<double, static_cast<std::size_t>(rows* columns)> entries{};
 
-  constexpr double operator()(int i, int j = 0) const { return entries[static_cast<std::size_t>(i * columns + j)]; }
+  constexpr double operator()(int i, int j = 0) const {
+    return entries[static_cast<std::size_t>(i * columns + j)];
+  }
   constexpr operator double() const
     requires(rows == 1 && columns == 1)
   {

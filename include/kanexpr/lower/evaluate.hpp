@@ -43,9 +43,14 @@ private:
   }
 
   template <class Arguments, int... i>
-  [[gnu::always_inline]] void load_arguments(const Arguments& arguments, std::integer_sequence<int, i...>) noexcept {
-    const int order[]{0, (slot_[tape.sizes.numbers + i] =
-                              arguments.template operator()<tape.loads[i].from, tape.loads[i].position>(), 0)...};
+  [[gnu::always_inline]] void load_arguments(const Arguments& arguments,
+                                             std::integer_sequence<int, i...>) noexcept {
+    const int order[] {
+      0,
+      (slot_[tape.sizes.numbers + i] =
+           arguments.template operator()<tape.loads[i].from, tape.loads[i].position>(),
+       0)...
+    };
     static_cast<void>(order);
   }
 
@@ -64,7 +69,8 @@ private:
 
   template <int begin, int end>
   [[gnu::always_inline]] void run() noexcept {
-    run_blocks<begin, end>(std::make_integer_sequence<int, (end - begin + steps_in_a_block - 1) / steps_in_a_block>{});
+    run_blocks<begin, end>(
+        std::make_integer_sequence<int, (end - begin + steps_in_a_block - 1) / steps_in_a_block>{});
   }
 
   template <int begin, int end, int... block>
@@ -82,7 +88,8 @@ private:
   template <int begin, int... i>
   [[gnu::always_inline]] void run_steps(std::integer_sequence<int, i...>) noexcept {
     const int order[]{(step<tape.op[begin + i], tape.paired[begin + i]>(
-                           slot_ + first + begin + i, slot_[tape.a[begin + i]], slot_[tape.b[begin + i]]), 0)...};
+                           slot_ + first + begin + i, slot_[tape.a[begin + i]], slot_[tape.b[begin + i]]),
+                       0)...};
     static_cast<void>(order);
   }
 

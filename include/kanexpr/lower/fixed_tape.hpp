@@ -36,7 +36,8 @@ using roomy_tape = fixed_tape<roomy, roomy, roomy, roomy>;
 
 constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
-  out.sizes = {t.steps.size(), t.numbers.size(), t.loads.size(), t.results.size(), t.first_angle, t.angle_count};
+  out.sizes = {t.steps.size(),   t.numbers.size(), t.loads.size(),
+               t.results.size(), t.first_angle,    t.angle_count};
   out.cost = cost_of(t);
   for (int i = 0; i < t.steps.size(); ++i) {
     out.op[i] = t.steps[i].op;

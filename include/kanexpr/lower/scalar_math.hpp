@@ -52,17 +52,28 @@ struct default_scalar_math {
     using std::sqrt;
     using std::tan;
     using symbolic::operation;
-    if constexpr (op == operation::sqrt) return sqrt(x);
-    else if constexpr (op == operation::sin) return sin(x);
-    else if constexpr (op == operation::cos) return cos(x);
-    else if constexpr (op == operation::tan) return tan(x);
-    else if constexpr (op == operation::asin) return asin(x);
-    else if constexpr (op == operation::acos) return acos(x);
-    else if constexpr (op == operation::atan) return atan(x);
-    else if constexpr (op == operation::exp) return exp(x);
-    else if constexpr (op == operation::log) return log(x);
-    else if constexpr (op == operation::abs) return abs(x);
-    else return sign(x);
+    if constexpr (op == operation::sqrt)
+      return sqrt(x);
+    else if constexpr (op == operation::sin)
+      return sin(x);
+    else if constexpr (op == operation::cos)
+      return cos(x);
+    else if constexpr (op == operation::tan)
+      return tan(x);
+    else if constexpr (op == operation::asin)
+      return asin(x);
+    else if constexpr (op == operation::acos)
+      return acos(x);
+    else if constexpr (op == operation::atan)
+      return atan(x);
+    else if constexpr (op == operation::exp)
+      return exp(x);
+    else if constexpr (op == operation::log)
+      return log(x);
+    else if constexpr (op == operation::abs)
+      return abs(x);
+    else
+      return sign(x);
   }
 
   static T sign(const T& x) {
@@ -86,22 +97,31 @@ struct default_scalar_math {
 template <class T>
 struct scalar_math : default_scalar_math<T> {};
 
-/// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled and for
-/// interpreted evaluation alike.
+/// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled
+/// and for interpreted evaluation alike.
 template <symbolic::operation op, class T>
 [[gnu::always_inline]] inline T apply(const T& a, const T& b) {
   using symbolic::operation;
-  if constexpr (op == operation::negate) return T(-a);
-  else if constexpr (op == operation::add) return T(a + b);
-  else if constexpr (op == operation::subtract) return T(a - b);
-  else if constexpr (op == operation::multiply) return T(a * b);
-  else if constexpr (op == operation::divide) return T(a / b);
-  else if constexpr (op == operation::power) return scalar_math<T>::power(a, b);
-  else if constexpr (op == operation::atan2) return scalar_math<T>::atan2(a, b);
-  else return scalar_math<T>::template by_name<op>(a);
+  if constexpr (op == operation::negate)
+    return T(-a);
+  else if constexpr (op == operation::add)
+    return T(a + b);
+  else if constexpr (op == operation::subtract)
+    return T(a - b);
+  else if constexpr (op == operation::multiply)
+    return T(a * b);
+  else if constexpr (op == operation::divide)
+    return T(a / b);
+  else if constexpr (op == operation::power)
+    return scalar_math<T>::power(a, b);
+  else if constexpr (op == operation::atan2)
+    return scalar_math<T>::atan2(a, b);
+  else
+    return scalar_math<T>::template by_name<op>(a);
 }
 
-/// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its digits.
+/// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its
+/// digits.
 template <class T>
 [[gnu::always_inline]] inline T number_as(const symbolic::number& n) {
   if (n.denominator == 0) return scalar_math<T>::from(n.real);

@@ -22,8 +22,8 @@ struct load {
   int position = 0;
 };
 
-/// Straight-line code: first the constants, then what is loaded from the arguments, then the steps, each in the slot
-/// of its number. Only what the outputs need is there.
+/// Straight-line code: first the constants, then what is loaded from the arguments, then the steps, each in
+/// the slot of its number. Only what the outputs need is there.
 ///
 /// The sines and cosines of angles that need none themselves stand together, `angle_count` pairs from step
 /// `first_angle` on, so that one routine can compute them all.
@@ -47,7 +47,8 @@ public:
   constexpr scheduling(const graph& g, const sequence<int>& outputs)
       : g_(g), live_(symbolic::live_nodes(g, outputs)), slot_(g.size(), none), outputs_(outputs) {
     for (int id = 0; id < g.size(); ++id)
-      if (g[id].op == operation::tan && live_[id] != 0 && has_either(id)) live_[sine_of(id)] = live_[cosine_of(id)] = 1;
+      if (g[id].op == operation::tan && live_[id] != 0 && has_either(id))
+        live_[sine_of(id)] = live_[cosine_of(id)] = 1;
   }
 
   constexpr tape run() {
@@ -88,8 +89,10 @@ private:
     sequence<int> gathered;
     for (int id = 0; id < g_.size(); ++id) {
       const symbolic::node& n = g_[id];
-      if (is_leaf(n.op)) free[id] = 1;
-      else if (n.op <= operation::divide) free[id] = free[n.a] != 0 && (!symbolic::is_binary(n.op) || free[n.b] != 0);
+      if (is_leaf(n.op))
+        free[id] = 1;
+      else if (n.op <= operation::divide)
+        free[id] = free[n.a] != 0 && (!symbolic::is_binary(n.op) || free[n.b] != 0);
       if (live_[id] == 0 || n.op != operation::sin || free[n.a] == 0 || !has_both(id)) continue;
       put_with_operands(n.a);
       gathered.push(id);
@@ -106,8 +109,8 @@ private:
     put(id);
   }
 
-  /// Gives a node its step, once its operands have theirs. Sine and cosine of one angle become one step, and a tangent
-  /// whose sine or cosine is needed anyway a division.
+  /// Gives a node its step, once its operands have theirs. Sine and cosine of one angle become one step, and
+  /// a tangent whose sine or cosine is needed anyway a division.
   constexpr void put(int id) {
     const symbolic::node& n = g_[id];
     if (slot_[id] != none) return;
@@ -136,7 +139,9 @@ private:
 } // namespace detail
 
 /// Sorts what some outputs need of a graph into a tape.
-constexpr tape tape_of(const graph& g, const sequence<int>& outputs) { return detail::scheduling(g, outputs).run(); }
+constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
+  return detail::scheduling(g, outputs).run();
+}
 
 /// What one evaluation of a tape does.
 constexpr symbolic::cost cost_of(const tape& t) {

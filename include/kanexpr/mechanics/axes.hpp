@@ -24,8 +24,8 @@ constexpr sequence<int> described_in(const skeleton& s, int f) {
   return used;
 }
 
-/// Whether everything that moves with `f` looks the same from all sides of axis `a`: then f's spin about that axis
-/// changes none of its masses or offsets, and the axes that do not spin serve as well.
+/// Whether everything that moves with `f` looks the same from all sides of axis `a`: then f's spin about that
+/// axis changes none of its masses or offsets, and the axes that do not spin serve as well.
 constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   const mechanism& m = *s.model;
   const int b = (a + 1) % 3, d = (a + 2) % 3;
@@ -89,8 +89,8 @@ constexpr void choose_body_axes(skeleton& s) {
   }
 }
 
-/// Body axes, but for frames that turn about parallel axes one after another: those share the axes below them, in
-/// which their common axis stands still and nothing needs to be turned between them.
+/// Body axes, but for frames that turn about parallel axes one after another: those share the axes below
+/// them, in which their common axis stands still and nothing needs to be turned between them.
 constexpr void choose_working_axes(skeleton& s) {
   s.working_axes = s.body_axes;
   const bool planar = detail::planar(s);

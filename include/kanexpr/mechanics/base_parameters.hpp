@@ -52,10 +52,11 @@ private:
     return found;
   }
 
-  /// Whatever a frame does about a point that is fixed in the frame below it, its mass acts on that frame as a particle
-  /// at the point. A joint about axis a does not feel the part {m, h_a, I_dd about both other axes} of what it carries
-  /// either. These parts move to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there,
-  /// and of symbols the mass alone moves, which never costs more than it saves.
+  /// Whatever a frame does about a point that is fixed in the frame below it, its mass acts on that frame as
+  /// a particle at the point. A joint about axis a does not feel the part {m, h_a, I_dd about both other
+  /// axes} of what it carries either. These parts move to the frame below (base inertial parameters: Gautier
+  /// & Khalil 1990): numbers fold there, and of symbols the mass alone moves, which never costs more than it
+  /// saves.
   constexpr link without_invisible_part(const link& l) {
     const node& at = s_.nodes[l.node];
     const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
@@ -67,7 +68,8 @@ private:
     left.mass.mass = m.zero();
 
     const int a = s_.joint_axis(l.frame);
-    if (a != none && l.mass.is_constant() && s_.body_axes[l.frame] == l.frame && s_.turns_in[l.frame] == at.frame) {
+    if (a != none && l.mass.is_constant() && s_.body_axes[l.frame] == l.frame &&
+        s_.turns_in[l.frame] == at.frame) {
       const int b = (a + 1) % 3, d = (a + 2) % 3;
       components along(*m.g);
       along[a] = l.mass.first_moment[a];

@@ -12,8 +12,8 @@ constexpr vector position_from_origin(const mechanism& m, int p) {
   return sum;
 }
 
-/// A body's inertia about its mass centre, in the axes of `frame`; the parallel-axis theorem is applied where the
-/// model gives it about another point.
+/// A body's inertia about its mass centre, in the axes of `frame`; the parallel-axis theorem is applied where
+/// the model gives it about another point.
 constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame) {
   const matrix3 given = express(m, b.inertia, frame);
   symmetric i(*m.g);

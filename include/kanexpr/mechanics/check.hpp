@@ -57,12 +57,13 @@ private:
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
     // the frames whose motion this one's is measured from
-    for (int on = f.reference; on != none;) {
+    int steps = m_.frames.size(); // a circle that f is not in is told of another frame
+    for (int on = f.reference; on != none && steps > 0; --steps) {
+      const frame& above = m_.frames[on];
       if (on == place)
         return fail({"the angular velocity of frame ", f.called.view(), " is given in ",
                      m_.frames[f.reference].called.view(), ", which turns with ", f.called.view()});
-      const frame& above = m_.frames[on];
-      on = above.turns_by_declaration() && on < place ? above.reference : above.parent;
+      on = above.turns_by_declaration() ? above.reference : above.parent;
     }
   }
 

@@ -14,8 +14,7 @@ struct components {
 
   constexpr components() = default;
   constexpr components(expression x_, expression y_, expression z_) : x(x_), y(y_), z(z_) {}
-  constexpr explicit components(graph& g)
-      : x(g, graph::zero), y(g, graph::zero), z(g, graph::zero) {}
+  constexpr explicit components(graph& g) : x(g, graph::zero), y(g, graph::zero), z(g, graph::zero) {}
 
   constexpr expression& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
   constexpr const expression& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }

@@ -18,14 +18,14 @@ struct composite {
   sequence<column> columns;
 };
 
-/// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree of points
-/// and any generalized speeds: whatever a frame or a point adds to the velocity of what it hangs on is a few columns,
-/// and each column meets the composite where it enters and the columns of what lies outward of it.
+/// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
+/// of points and any generalized speeds: whatever a frame or a point adds to the velocity of what it hangs on
+/// is a few columns, and each column meets the composite where it enters and the columns of what lies outward
+/// of it.
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
-      : s_(s), m_(*s.model), at_(s_.nodes.size()),
-        result_(*m_.g, m_.speeds.size(), m_.speeds.size()) {
+      : s_(s), m_(*s.model), at_(s_.nodes.size()), result_(*m_.g, m_.speeds.size(), m_.speeds.size()) {
     for (const mechanics::link& l : s_.base_links) {
       composite& c = composite_of(l.node, l.frame);
       const path to_working(m_, s_.body_axes[l.frame], s_.working_axes[l.frame]);
@@ -39,7 +39,8 @@ public:
   /// The lower and the upper triangle.
   constexpr const symbolic::matrix& run() {
     for (int n = s_.nodes.size() - 1; n >= 0; --n) {
-      while (take_deepest_frame_down(n)) {}
+      while (take_deepest_frame_down(n)) {
+      }
       take_node_down(n);
     }
     for (int i = 0; i < result_.rows; ++i)
@@ -115,7 +116,8 @@ private:
   constexpr void take_node_down(int n) {
     const node& at = s_.nodes[n];
     composite c = composite_of(n, at.frame);
-    if (at.frame != mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
+    if (at.frame !=
+        mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
       const composite& fixed = composite_of(n, mechanism::inertial);
       c.mass.mass += fixed.mass.mass;
       for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force += k.force;
@@ -150,13 +152,10 @@ private:
 
   /// New columns meet each other and those that are there already.
   constexpr void enter(composite& c, const sequence<direction>& ways,
-                       const sequence<composite::column>& entering,
-                       components composite::column::* felt) {
+                       const sequence<composite::column>& entering, components composite::column::* felt) {
     for (int i = 0; i < ways.size(); ++i) {
-      for (int j = 0; j <= i; ++j)
-        add(ways[i].speed, ways[j].speed, dot(ways[j].value, entering[i].*felt));
-      for (const composite::column& k : c.columns)
-        meet(ways[i].speed, k, dot(ways[i].value, k.*felt));
+      for (int j = 0; j <= i; ++j) add(ways[i].speed, ways[j].speed, dot(ways[j].value, entering[i].*felt));
+      for (const composite::column& k : c.columns) meet(ways[i].speed, k, dot(ways[i].value, k.*felt));
     }
     for (const composite::column& k : entering) {
       composite::column& sum = column_of(c, k.speed, *m_.g);

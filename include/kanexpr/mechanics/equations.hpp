@@ -7,22 +7,23 @@
 
 namespace kanexpr::mechanics {
 
-/// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of speeds.
+/// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
+/// speeds.
 enum class quantity {
-  mass_matrix,       ///< M, p×p
-  forcing,           ///< f with M u̇ = f, p
-  mass_matrix_full,  ///< blockdiag(E, M), (n+p)×(n+p)
-  forcing_full,      ///< [q̇; f], n+p
-  qdot,              ///< n
-  udot,              ///< p
-  rhs,               ///< [q̇; u̇], n+p
-  active_forces,     ///< F_r, p
-  inertia_forces,    ///< F_r*, p, with the symbols u̇
+  mass_matrix,      ///< M, p×p
+  forcing,          ///< f with M u̇ = f, p
+  mass_matrix_full, ///< blockdiag(E, M), (n+p)×(n+p)
+  forcing_full,     ///< [q̇; f], n+p
+  qdot,             ///< n
+  udot,             ///< p
+  rhs,              ///< [q̇; u̇], n+p
+  active_forces,    ///< F_r, p
+  inertia_forces,   ///< F_r*, p, with the symbols u̇
   kinetic_energy,
-  potential_energy,  ///< of gravity on every body
-  linear_momentum,   ///< 3, inertial axes
-  angular_momentum,  ///< 3, inertial axes, about the origin
-  center_of_mass,    ///< 3, inertial axes, from the origin
+  potential_energy, ///< of gravity on every body
+  linear_momentum,  ///< 3, inertial axes
+  angular_momentum, ///< 3, inertial axes, about the origin
+  center_of_mass,   ///< 3, inertial axes, from the origin
 };
 
 /// The equations of one system. Nothing is formed before it is asked for, and nothing twice.
@@ -67,7 +68,8 @@ public:
   /// An expression with the rates q̇ and u̇ as the equations of motion give them.
   constexpr expression in_motion(expression e) {
     symbolic::substitution rates(*m_->g);
-    for (int i = 0; i < m_->coordinates.size(); ++i) rates.replace(m_->coordinate_rates[i], s_.coordinate_rates[i]);
+    for (int i = 0; i < m_->coordinates.size(); ++i)
+      rates.replace(m_->coordinate_rates[i], s_.coordinate_rates[i]);
     e = rates.in(e);
     if (!holds_speed_rate(e.node())) return e;
     symbolic::substitution accelerated(*m_->g);

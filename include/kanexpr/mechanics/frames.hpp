@@ -53,9 +53,15 @@ constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, ex
 /// 0, 1, 2 for the letters and digits of an axis; `none` for anything else.
 constexpr int axis_of(char letter) {
   switch (letter) {
-  case 'x': case 'X': case '1': return 0;
-  case 'y': case 'Y': case '2': return 1;
-  case 'z': case 'Z': case '3': return 2;
+  case 'x':
+  case 'X':
+  case '1': return 0;
+  case 'y':
+  case 'Y':
+  case '2': return 1;
+  case 'z':
+  case 'Z':
+  case '3': return 2;
   default: return none;
   }
 }
@@ -82,8 +88,8 @@ constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent
 }
 
 /// The unit quaternion e0 + e1 i + e2 j + e3 k. Kane, Likins & Levinson (1983), eq. 1.3.10.
-constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0, expression e1,
-                                      expression e2, expression e3) {
+constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
+                                      expression e1, expression e2, expression e3) {
   const expression xx = e1 * e1, yy = e2 * e2, zz = e3 * e3;
   const expression xy = e1 * e2, yz = e2 * e3, zx = e3 * e1, wx = e0 * e1, wy = e0 * e2, wz = e0 * e3;
   matrix3 r;

@@ -5,14 +5,15 @@
 
 namespace kanexpr::mechanics {
 
-/// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces run down the tree of
-/// points, moments down the tree of frames, and each speed picks up its share where it enters. Kane & Levinson
-/// (1985), section 4.4, in time proportional to the number of links.
+/// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces run down the
+/// tree of points, moments down the tree of frames, and each speed picks up its share where it enters. Kane &
+/// Levinson (1985), section 4.4, in time proportional to the number of links.
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
       : s_(s), m_(*s.model), force_(s.nodes.size(), components(*m_.g)),
-        moment_(m_.frames.size(), components(*m_.g)), share_(m_.speeds.size(), expression{*m_.g, graph::zero}) {}
+        moment_(m_.frames.size(), components(*m_.g)),
+        share_(m_.speeds.size(), expression{*m_.g, graph::zero}) {}
 
   /// Forces and torques of the model; gravity on every body only if it is not taken as an acceleration.
   constexpr void add_loads(bool gravity) {
@@ -63,7 +64,8 @@ private:
 
   constexpr vector known(const vector& v) const {
     symbolic::substitution rates(*m_.g);
-    for (int i = 0; i < m_.coordinates.size(); ++i) rates.replace(m_.coordinate_rates[i], s_.coordinate_rates[i]);
+    for (int i = 0; i < m_.coordinates.size(); ++i)
+      rates.replace(m_.coordinate_rates[i], s_.coordinate_rates[i]);
     vector out;
     for (const vector::part& p : v.parts)
       out.parts.push({p.frame, {rates.in(p.value.x), rates.in(p.value.y), rates.in(p.value.z)}});

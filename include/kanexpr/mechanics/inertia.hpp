@@ -8,7 +8,7 @@ namespace kanexpr::mechanics {
 struct symmetric {
   expression xx, yy, zz, xy, yz, zx;
 
-  static constexpr expression symmetric::*entry(int i, int j) {
+  static constexpr expression symmetric::* entry(int i, int j) {
     if (i == j) return i == 0 ? &symmetric::xx : i == 1 ? &symmetric::yy : &symmetric::zz;
     return i + j == 1 ? &symmetric::xy : i + j == 3 ? &symmetric::yz : &symmetric::zx;
   }
@@ -24,8 +24,8 @@ struct symmetric {
     return xx.is_zero() && yy.is_zero() && zz.is_zero() && xy.is_zero() && yz.is_zero() && zx.is_zero();
   }
   constexpr bool is_constant() const {
-    return xx.is_constant() && yy.is_constant() && zz.is_constant() && xy.is_constant() &&
-           yz.is_constant() && zx.is_constant();
+    return xx.is_constant() && yy.is_constant() && zz.is_constant() && xy.is_constant() && yz.is_constant() &&
+           zx.is_constant();
   }
   friend constexpr symmetric operator+(const symmetric& a, const symmetric& b) {
     symmetric s;
@@ -65,8 +65,8 @@ struct rigid_mass {
 /// The same mass seen from a point that lies at −r: what was about c is now about p, with c at p + r.
 ///
 /// With h' = h + m r the diagonal gains r·(h + h') less its own product, the rest r_i h_j + r_j h'_i:
-/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation). Without mass h' is
-/// h, and the diagonal gains twice what the moments of forces at r need as well.
+/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation). Without
+/// mass h' is h, and the diagonal gains twice what the moments of forces at r need as well.
 constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
   rigid_mass to = at;
   const components& h = at.first_moment;

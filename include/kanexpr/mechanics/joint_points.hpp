@@ -5,7 +5,8 @@
 /// Where a joint's point stands on its axis is free: it is put where offsets vanish.
 namespace kanexpr::mechanics {
 
-/// A point that is fixed in the same frame as the point it was measured from is measured from that one's parent.
+/// A point that is fixed in the same frame as the point it was measured from is measured from that one's
+/// parent.
 constexpr void gather_rigid_steps(skeleton& s) {
   for (node& n : s.nodes) {
     if (!n.rigid) continue;
@@ -54,8 +55,8 @@ constexpr int offsets_left(const skeleton& s, int root, const components& below,
 
 } // namespace detail
 
-/// Slides joint points along their axes where that leaves fewer offset components: intersecting axes come to share
-/// a point. Only numbers are moved, since they fold.
+/// Slides joint points along their axes where that leaves fewer offset components: intersecting axes come to
+/// share a point. Only numbers are moved, since they fold.
 constexpr void place_joint_points(skeleton& s) {
   const mechanism& m = *s.model;
   for (int f = 1; f < m.frames.size(); ++f) {

@@ -6,8 +6,8 @@
 
 namespace kanexpr::mechanics {
 
-/// Kane's dynamical equations M u̇ = f, one for each generalized speed (Kane & Levinson 1985, section 6.1), and the
-/// kinematic differential equations solved for q̇.
+/// Kane's dynamical equations M u̇ = f, one for each generalized speed (Kane & Levinson 1985, section 6.1),
+/// and the kinematic differential equations solved for q̇.
 struct dynamical_equations {
   symbolic::matrix mass_matrix;
   sequence<expression> forcing;

@@ -40,7 +40,8 @@ constexpr coupled_block block_of(const linear_kinematics& k, int first, const se
   block.equations.push(first);
   for (int e = 0; e < block.equations.size(); ++e)
     for (int j = 0; j < k.k_rates.columns; ++j) {
-      if (rate_done[j] != 0 || k.k_rates(block.equations[e], j).is_zero() || block.rates.contains(j)) continue;
+      if (rate_done[j] != 0 || k.k_rates(block.equations[e], j).is_zero() || block.rates.contains(j))
+        continue;
       block.rates.push(j);
       for (int i = 0; i < k.k_rates.rows; ++i)
         if (equation_done[i] == 0 && !k.k_rates(i, j).is_zero() && !block.equations.contains(i))

@@ -99,8 +99,8 @@ constexpr dyadic operator+(dyadic a, const dyadic& b) {
 enum class orientation {
   inertial,
   about_basis, ///< turned by `angle` about the parent's axis number `axis`
-  about_axis,  ///< turned by `angle` about `direction`, a unit vector fixed in the parent; `to_parent` follows
-  matrix,      ///< `to_parent` given
+  about_axis, ///< turned by `angle` about `direction`, a unit vector fixed in the parent; `to_parent` follows
+  matrix,     ///< `to_parent` given
 };
 
 struct frame {
@@ -119,9 +119,9 @@ struct frame {
 
 struct point {
   name called;
-  int parent = none; ///< none: an origin, fixed in the inertial frame
-  vector offset;     ///< from the parent
-  int fixed_in = none; ///< both points are fixed in this frame (two-point theorem)
+  int parent = none;    ///< none: an origin, fixed in the inertial frame
+  vector offset;        ///< from the parent
+  int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
   int reference = none; ///< the frame that a declared velocity is measured in
   vector velocity;
 
@@ -151,8 +151,9 @@ struct torque {
 /// while they run, and what every step of the mechanics starts from. Frame 0 is the inertial frame.
 struct mechanism {
   graph* g = nullptr;
-  sequence<expression> coordinates, speeds, parameters, inputs; ///< in the order of the state and argument vectors
-  sequence<expression> coordinate_rates, speed_rates;           ///< the symbols dq/dt and du/dt
+  sequence<expression> coordinates, speeds, parameters,
+      inputs;                                         ///< in the order of the state and argument vectors
+  sequence<expression> coordinate_rates, speed_rates; ///< the symbols dq/dt and du/dt
   expression time;
   sequence<expression> kinematics; ///< expressions that vanish, linear in the coordinate rates
   sequence<frame> frames;

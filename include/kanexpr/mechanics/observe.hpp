@@ -35,7 +35,8 @@ constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_acceleration(frame));
 }
 
-/// The time derivative of a vector as `frame` sees it: each part changes by itself and turns with its own frame.
+/// The time derivative of a vector as `frame` sees it: each part changes by itself and turns with its own
+/// frame.
 constexpr vector derivative_in(motion& k, const vector& v, int frame) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;

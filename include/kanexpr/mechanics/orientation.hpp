@@ -9,7 +9,7 @@ namespace kanexpr::mechanics {
 struct hop {
   bool about_basis = true;
   int axis = 0;
-  expression angle;   ///< of the old axes in the new ones
+  expression angle; ///< of the old axes in the new ones
   matrix3 to_new;
 };
 
@@ -23,8 +23,9 @@ constexpr components turned(const hop& h, const components& v) {
   return out;
 }
 
-/// A symmetric dyadic in turned axes. About a basis vector a: with e = s²(I_bb − I_dd) + 2sc I_bd the diagonal is
-/// I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; the row of a turns like a vector.
+/// A symmetric dyadic in turned axes. About a basis vector a: with e = s²(I_bb − I_dd) + 2sc I_bd the
+/// diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; the row of a turns like a
+/// vector.
 constexpr symmetric turned(const hop& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {
@@ -129,8 +130,8 @@ constexpr components express(const mechanism& m, const components& v, int from, 
   return path(m, from, to).turn(v); // not in a conditional expression: g++ 12 would destroy the path twice
 }
 
-/// A sum over frames in the axes of one: the running sum starts at the frame that is farthest away and is turned
-/// hop by hop, taking up the other parts where it meets them.
+/// A sum over frames in the axes of one: the running sum starts at the frame that is farthest away and is
+/// turned hop by hop, taking up the other parts where it meets them.
 constexpr components express(const mechanism& m, const vector& v, int to) {
   sequence<vector::part> left = v.parts;
   components total(*m.g);

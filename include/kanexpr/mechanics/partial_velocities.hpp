@@ -8,7 +8,8 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
-constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v, int f) {
+constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v,
+                                          int f) {
   const mechanism& m = *s.model;
   sequence<direction> out;
   if (v.is_zero()) return out;

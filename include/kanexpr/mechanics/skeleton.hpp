@@ -31,30 +31,34 @@ struct link {
   rigid_mass mass;
 };
 
-/// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or a
-/// partial angular velocity.
+/// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or
+/// a partial angular velocity.
 struct direction {
   int speed = none;
   components value;
 };
 
-/// A mechanism made ready for the dynamics: frames that do not turn in each other are one, points form a tree of
-/// steps, masses are gathered where they move as one, and every frame has the axes in which its quantities are
-/// cheapest to form.
+/// A mechanism made ready for the dynamics: frames that do not turn in each other are one, points form a tree
+/// of steps, masses are gathered where they move as one, and every frame has the axes in which its quantities
+/// are cheapest to form.
 struct skeleton {
   const mechanism* model = nullptr;
   sequence<expression> coordinate_rates; ///< q̇ as expressions of q, u and t
   sequence<int> rigid_with;              ///< by frame: the frame that stands for all that turn with it
   sequence<int> turns_in;                ///< by such frame: the one that its angular velocity is measured in
   sequence<vector> turning;              ///< by such frame: that angular velocity
-  sequence<int> body_axes;               ///< by such frame: the axes in which its masses and offsets are given
-  sequence<int> working_axes;            ///< by such frame: the axes in which its motion, forces and composites are formed
-  sequence<sequence<direction>> partial_turning; ///< by such frame: the partial derivatives of that, in working axes
-  sequence<node> nodes;                  ///< a parent comes before its children
-  sequence<sequence<direction>> partial_slide; ///< by node: the partial derivatives of its slide, in working axes
+  sequence<int> body_axes; ///< by such frame: the axes in which its masses and offsets are given
+  sequence<int>
+      working_axes; ///< by such frame: the axes in which its motion, forces and composites are formed
+  sequence<sequence<direction>>
+      partial_turning;  ///< by such frame: the partial derivatives of that, in working axes
+  sequence<node> nodes; ///< a parent comes before its children
+  sequence<sequence<direction>>
+      partial_slide; ///< by node: the partial derivatives of its slide, in working axes
   sequence<int> node_of_point;
   sequence<link> links;      ///< every mass, gathered where it moves as one
-  sequence<link> base_links; ///< the same motion with fewer numbers: masses regrouped across joints, see base_parameters.hpp
+  sequence<link> base_links; ///< the same motion with fewer numbers: masses regrouped across joints, see
+                             ///< base_parameters.hpp
 
   constexpr components offset_in_working_axes(int n) const {
     const node& at = nodes[n];

@@ -11,10 +11,12 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Reads a mechanism into nodes and links, with every coordinate rate replaced by what the kinematic equations say.
+/// Reads a mechanism into nodes and links, with every coordinate rate replaced by what the kinematic
+/// equations say.
 class skeleton_builder {
 public:
-  constexpr skeleton_builder(const mechanism& m, skeleton& s) : m_(m), s_(s), known_(*m.g), along_time_(*m.g) {
+  constexpr skeleton_builder(const mechanism& m, skeleton& s)
+      : m_(m), s_(s), known_(*m.g), along_time_(*m.g) {
     s.model = &m;
     s.coordinate_rates = solve_for_rates(m);
     along_time_.set_rate(m.time, m.one());
@@ -140,7 +142,8 @@ private:
         continue;
       }
       last = push_step(last, s_.rigid_with[p.frame], p, true);
-      const components growth{along_time_.of(p.value.x), along_time_.of(p.value.y), along_time_.of(p.value.z)};
+      const components growth{along_time_.of(p.value.x), along_time_.of(p.value.y),
+                              along_time_.of(p.value.z)};
       if (growth.is_zero()) continue;
       s_.nodes[last].slide.add(p.frame, growth);
       s_.nodes[last].rigid = false;

@@ -17,7 +17,8 @@ public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   interpreted(const symbolic::graph& g, const symbolic::matrix& wanted, int coordinates)
-      : code_(lower::tape_of(g, nodes(wanted))), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
+      : code_(lower::tape_of(g, nodes(wanted))), coordinates_(coordinates),
+        result_(wanted.rows, wanted.columns) {}
 
   /// Operations of one call.
   symbolic::cost cost() const { return lower::cost_of(code_.code()); }

@@ -17,7 +17,9 @@ namespace kanexpr {
 template <class System, auto... also>
 class model {
 public:
-  model() : mechanism_(graph_), reader_(System::record, mechanism_), derived_(read()) { reader_.know(derived_); }
+  model() : mechanism_(graph_), reader_(System::record, mechanism_), derived_(read()) {
+    reader_.know(derived_);
+  }
   model(const model&) = delete;
   model& operator=(const model&) = delete;
 
@@ -47,14 +49,17 @@ public:
     return reader_.evaluate(describe::phrase_of<wanted>, "an expression").vector;
   }
 
-  std::string print(const mechanics::vector& v, mechanics::basis_style style = mechanics::basis_style::xyz) const {
+  std::string print(const mechanics::vector& v,
+                    mechanics::basis_style style = mechanics::basis_style::xyz) const {
     return mechanics::print(mechanism_, v, style);
   }
-  std::string latex(const mechanics::vector& v, mechanics::basis_style style = mechanics::basis_style::xyz) const {
+  std::string latex(const mechanics::vector& v,
+                    mechanics::basis_style style = mechanics::basis_style::xyz) const {
     return mechanics::latex(mechanism_, v, style);
   }
 
-  /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the last bit.
+  /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the
+  /// last bit.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) const {
     return {graph_, result, mechanism_.coordinates.size()};

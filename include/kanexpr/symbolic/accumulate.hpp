@@ -6,8 +6,8 @@ namespace kanexpr::symbolic {
 
 /// Reverse accumulation: the gradient of Σ seed·output by every symbol, in one pass over the graph.
 ///
-/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Add the outputs with `seed`, then `run` once,
-/// then ask for the gradient by any symbol.
+/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Add the outputs with `seed`, then `run`
+/// once, then ask for the gradient by any symbol.
 class accumulation {
 public:
   constexpr explicit accumulation(graph& g) : graph_(&g), adjoints_(g.size(), graph::zero) {}

@@ -4,8 +4,8 @@
 
 namespace kanexpr::symbolic {
 
-/// What one evaluation does. Subtractions count as additions, a square as one multiplication; signs are free; the sine
-/// and cosine of one angle are one trigonometric call. `other` are the remaining functions.
+/// What one evaluation does. Subtractions count as additions, a square as one multiplication; signs are free;
+/// the sine and cosine of one angle are one trigonometric call. `other` are the remaining functions.
 struct cost {
   int multiplications = 0;
   int additions = 0;

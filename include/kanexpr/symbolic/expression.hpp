@@ -19,7 +19,9 @@ public:
   /// The same node; equal expressions are the same node wherever local rules make them so.
   constexpr bool operator==(const expression& other) const { return node_ == other.node_; }
 
-  constexpr expression number(const symbolic::number& value) const { return {*graph_, graph_->constant(value)}; }
+  constexpr expression number(const symbolic::number& value) const {
+    return {*graph_, graph_->constant(value)};
+  }
 
   friend constexpr expression operator-(expression a) { return {*a.graph_, negate(*a.graph_, a.node_)}; }
   friend constexpr expression operator+(expression a, expression b) {

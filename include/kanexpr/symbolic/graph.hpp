@@ -68,13 +68,14 @@ public:
 private:
   static constexpr unsigned hash(const number& value) {
     const double bounded = value.real > -1e9 && value.real < 1e9 ? value.real : 0;
-    const std::uint64_t fraction = static_cast<std::uint64_t>(value.numerator) * 31 +
-                                   static_cast<std::uint64_t>(value.denominator);
+    const std::uint64_t fraction =
+        static_cast<std::uint64_t>(value.numerator) * 31 + static_cast<std::uint64_t>(value.denominator);
     return hash(operation::constant, static_cast<int>(fraction),
                 static_cast<int>(static_cast<std::int64_t>(bounded * 65536.0)));
   }
   static constexpr unsigned hash(operation op, int a, int b) {
-    const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^ (static_cast<unsigned>(b) * 2246822519u) ^
+    const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^
+                           (static_cast<unsigned>(b) * 2246822519u) ^
                            (static_cast<unsigned>(op) * 3266489917u);
     return mixed ^ (mixed >> 15);
   }

@@ -32,7 +32,7 @@ public:
     return latex_name(s.called.view(), is_rate);
   }
   std::string number_of(const number& n) const {
-    const std::string text = decimal(n);
+    std::string text = decimal(n);
     if (text == "inf") return "\\infty";
     const std::size_t e = text.find('e');
     if (e == std::string::npos) return text;
@@ -66,19 +66,13 @@ private:
 
   static std::string word_for(operation op) {
     switch (op) {
-    case operation::asin:
-      return "\\arcsin";
-    case operation::acos:
-      return "\\arccos";
-    case operation::atan:
-      return "\\arctan";
-    case operation::log:
-      return "\\ln";
+    case operation::asin: return "\\arcsin";
+    case operation::acos: return "\\arccos";
+    case operation::atan: return "\\arctan";
+    case operation::log: return "\\ln";
     case operation::atan2:
-    case operation::sign:
-      return std::string("\\operatorname{") + function_name(op) + "}";
-    default:
-      return std::string("\\") + function_name(op);
+    case operation::sign: return std::string("\\operatorname{") + function_name(op) + "}";
+    default: return std::string("\\") + function_name(op);
     }
   }
 

@@ -18,8 +18,8 @@ struct matrix {
   constexpr const expression& operator()(int i, int j) const { return entries[i * columns + j]; }
 };
 
-/// The determinant by minors of the last rows, each formed once: n 2^(n-1) products, no division and no pivot,
-/// so it holds at every state at which the matrix has one. Meant for small n.
+/// The determinant by minors of the last rows, each formed once: n 2^(n-1) products, no division and no
+/// pivot, so it holds at every state at which the matrix has one. Meant for small n.
 constexpr expression determinant(graph& g, const matrix& a) {
   const int n = a.rows;
   sequence<expression> minors(1 << n, expression{g, graph::zero}); // by the set of columns they use
@@ -41,8 +41,8 @@ constexpr expression determinant(graph& g, const matrix& a) {
   return minors[(1 << n) - 1];
 }
 
-/// Solves A x = b by Cramer's rule; `b` and the result are of A's order. A vanishing determinant is left to the
-/// caller to find out beforehand.
+/// Solves A x = b by Cramer's rule; `b` and the result are of A's order. A vanishing determinant is left to
+/// the caller to find out beforehand.
 constexpr sequence<expression> solve_by_cofactors(graph& g, const matrix& a, const sequence<expression>& b) {
   const expression below = determinant(g, a);
   sequence<expression> x;

@@ -30,12 +30,12 @@ struct name {
 
 enum class symbol_kind : unsigned char {
   time,
-  coordinate,        ///< generalized coordinate q
-  speed,             ///< generalized speed u
+  coordinate, ///< generalized coordinate q
+  speed,      ///< generalized speed u
   parameter,
   input,
-  coordinate_rate,   ///< dq/dt
-  speed_rate,        ///< du/dt
+  coordinate_rate, ///< dq/dt
+  speed_rate,      ///< du/dt
 };
 
 struct symbol {
@@ -43,7 +43,9 @@ struct symbol {
   name called;
   int position = 0; ///< among the symbols of its kind, in the order of the state, parameter or input vector
 
-  constexpr bool operator==(const symbol& other) const { return kind == other.kind && called == other.called; }
+  constexpr bool operator==(const symbol& other) const {
+    return kind == other.kind && called == other.called;
+  }
 };
 
 } // namespace kanexpr::symbolic

@@ -183,8 +183,7 @@ inline term term_reader::product_of(int root) {
       put(n.a, exponent);
       put(n.b, -exponent);
       return true;
-    default:
-      return false;
+    default: return false;
     }
   };
   for (const auto& [base, exponent] : gather(root, std::int64_t{1}, expand))

@@ -82,7 +82,7 @@ protected:
   std::string text_of(const factor& f) const {
     const node& n = at(f.base);
     if (n.op == operation::power) {
-      const std::string inner = form().raised(n.a, form().exponent(n.b));
+      std::string inner = form().raised(n.a, form().exponent(n.b));
       if (f.exponent == 1) return inner;
       return form().power(form().in_parentheses(inner), std::to_string(f.exponent));
     }
