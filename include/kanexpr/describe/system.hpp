@@ -4,7 +4,6 @@
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
-#include <boost/hana/count_if.hpp>
 #include <boost/hana/for_each.hpp>
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/type.hpp>
@@ -143,13 +142,15 @@ struct kane_system {
 
   static constexpr int times_told(std::string_view wanted) {
     int times = 0;
-    ((times += describe::word_of<Words>() == wanted ? 1 : 0), ...);
+    boost::hana::for_each(words, [&](auto word) {
+      if (describe::word_of<typename decltype(word)::type>() == wanted) ++times;
+    });
     return times;
   }
 
   static constexpr describe::system_record record = [] {
     describe::system_record r;
-    (describe::tell<Words>(r), ...);
+    boost::hana::for_each(words, [&](auto word) { describe::tell<typename decltype(word)::type>(r); });
     return r;
   }();
 };
