@@ -54,12 +54,12 @@ template <class System>
 void add_system(const std::string& name) {
   using eom = kanexpr::equations_of_motion<System>;
   typename eom::state x = eom::state::Constant(0.3);
-  static typename eom::parameters p = eom::parameters::Constant(1.1);
-  static typename eom::inputs r = eom::inputs::Constant(0.2);
+  const typename eom::parameters p = eom::parameters::Constant(1.1);
+  const typename eom::inputs r = eom::inputs::Constant(0.2);
 
-  add(name + "/udot/compiled", x, [](const auto& at) { return eom::udot(at, p, r); });
+  add(name + "/udot/compiled", x, [p, r](const auto& at) { return eom::udot(at, p, r); });
   add(name + "/mass_matrix+forcing/compiled", x,
-      [](const auto& at) { return eom::together(eom::mass_matrix, eom::forcing)(at, p, r); });
+      [p, r](const auto& at) { return eom::together(eom::mass_matrix, eom::forcing)(at, p, r); });
 
   static auto derived = kanexpr::derive<System>();
   static auto udot = derived.function(derived.udot());
@@ -70,9 +70,9 @@ void add_system(const std::string& name) {
     entries.columns = 1;
     return derived.function(entries);
   }();
-  add(name + "/udot/interpreted", x, [](const auto& at) { return udot(at, p, r)(0); });
+  add(name + "/udot/interpreted", x, [p, r](const auto& at) { return udot(at, p, r)(0); });
   add(name + "/mass_matrix+forcing/interpreted", x,
-      [](const auto& at) { return mass_and_forcing(at, p, r)(0); });
+      [p, r](const auto& at) { return mass_and_forcing(at, p, r)(0); });
 }
 
 inline int run(int argc, char** argv) {
