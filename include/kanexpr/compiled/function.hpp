@@ -158,14 +158,19 @@ private:
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
-      Eigen::Matrix<T, size.rows, size.columns> m;
-      [&]<int... i>(std::integer_sequence<int, i...>) {
-        const int order[]{0,
-                          (m(i / size.columns, i % size.columns) = done.template result<first + i>(), 0)...};
-        static_cast<void>(order);
-      }(std::make_integer_sequence<int, size.rows * size.columns>{});
-      return m;
+      return fill<T, first, size.rows, size.columns>(
+          done, std::make_integer_sequence<int, size.rows * size.columns>{});
     }
+  }
+
+  // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
+  template <class T, int first, int rows, int columns, int... i>
+  [[gnu::always_inline]] static auto fill(const lower::evaluation<code, T>& done,
+                                          std::integer_sequence<int, i...>) noexcept {
+    Eigen::Matrix<T, rows, columns> m;
+    const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
+    static_cast<void>(order);
+    return m;
   }
 
   static constexpr int first_of(std::size_t which) {

@@ -34,9 +34,12 @@ struct default_scalar_math {
   /// Several angles at once: the place for a vector routine.
   template <std::size_t count>
   [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (sincos(angle[i], sine[i], cosine[i]), ...);
-    }(std::make_index_sequence<count>{});
+    one_by_one(angle, sine, cosine, std::make_index_sequence<count>{});
+  }
+  template <std::size_t... i>
+  [[gnu::always_inline]] static void one_by_one(const T* angle, T* sine, T* cosine,
+                                                std::index_sequence<i...>) {
+    (sincos(angle[i], sine[i], cosine[i]), ...);
   }
 
   template <symbolic::operation op>
