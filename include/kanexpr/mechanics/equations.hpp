@@ -67,10 +67,7 @@ public:
 
   /// An expression with the rates q̇ and u̇ as the equations of motion give them.
   constexpr expression in_motion(expression e) {
-    symbolic::substitution rates(*m_->g);
-    for (int i = 0; i < m_->coordinates.size(); ++i)
-      rates.replace(m_->coordinate_rates[i], s_.coordinate_rates[i]);
-    e = rates.in(e);
+    e = known_rates(*m_, s_.coordinate_rates).in(e);
     if (!holds_speed_rate(e.node())) return e;
     symbolic::substitution accelerated(*m_->g);
     for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);

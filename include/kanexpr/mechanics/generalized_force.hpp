@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/motion.hpp>
-#include <kanexpr/symbolic/substitute.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -11,16 +11,16 @@ namespace kanexpr::mechanics {
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
-      : s_(s), m_(*s.model), force_(s.nodes.size(), components(*m_.g)),
+      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), force_(s.nodes.size(), components(*m_.g)),
         moment_(m_.frames.size(), components(*m_.g)),
         share_(m_.speeds.size(), expression{*m_.g, graph::zero}) {}
 
   /// Forces and torques of the model; gravity on every body only if it is not taken as an acceleration.
   constexpr void add_loads(bool gravity) {
-    for (const torque& t : m_.torques) add_moment(s_.rigid_with[t.frame], known(t.value));
-    for (const force& f : m_.forces) add_force(s_.node_of_point[f.point], known(f.value));
+    for (const torque& t : m_.torques) add_moment(s_.rigid_with[t.frame], known_.in(t.value));
+    for (const force& f : m_.forces) add_force(s_.node_of_point[f.point], known_.in(f.value));
     if (!gravity || !m_.has_gravity) return;
-    for (const body& b : m_.bodies) add_force(s_.node_of_point[b.center], b.mass * known(m_.gravity));
+    for (const body& b : m_.bodies) add_force(s_.node_of_point[b.center], b.mass * known_.in(m_.gravity));
   }
 
   /// What inertia asks for at u̇ = 0, with the minus sign of a generalized inertia force.
@@ -62,16 +62,6 @@ private:
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
   }
 
-  constexpr vector known(const vector& v) const {
-    symbolic::substitution rates(*m_.g);
-    for (int i = 0; i < m_.coordinates.size(); ++i)
-      rates.replace(m_.coordinate_rates[i], s_.coordinate_rates[i]);
-    vector out;
-    for (const vector::part& p : v.parts)
-      out.parts.push({p.frame, {rates.in(p.value.x), rates.in(p.value.y), rates.in(p.value.z)}});
-    return out;
-  }
-
   constexpr void add_force(int n, const vector& value) {
     force_[n] += express(m_, value, s_.working_axes[s_.nodes[n].axes]);
   }
@@ -111,6 +101,7 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
+  known_rates known_;
   sequence<components> force_;
   sequence<components> moment_;
   sequence<expression> share_;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/mechanics/axes.hpp>
+#include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton.hpp>
 #include <kanexpr/symbolic/differentiate.hpp>
-#include <kanexpr/symbolic/substitute.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -38,18 +38,11 @@ public:
   constexpr expression rate(expression e) { return along_time_.of(e); }
 
   /// A scalar with the coordinate rates that the kinematic equations give.
-  constexpr expression known(expression e) const {
-    symbolic::substitution rates(*m_->g);
-    for (int i = 0; i < m_->coordinates.size(); ++i)
-      rates.replace(m_->coordinate_rates[i], s_->coordinate_rates[i]);
-    return rates.in(e);
-  }
+  constexpr expression known(expression e) const { return known_rates(*m_, s_->coordinate_rates).in(e); }
 
   /// A uniform acceleration given to the ground; −g stands for gravity on every body.
   constexpr void accelerate_ground(const vector& acceleration) {
-    ground_ = acceleration;
-    for (vector::part& p : ground_.parts)
-      for (int i = 0; i < 3; ++i) p.value[i] = known(p.value[i]);
+    ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
   }
 
   /// Angular velocity of frame `f`, in its working axes.

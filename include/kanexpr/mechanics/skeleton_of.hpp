@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/central_inertia.hpp>
 #include <kanexpr/mechanics/joint_points.hpp>
 #include <kanexpr/mechanics/kinematic_equations.hpp>
+#include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/partial_velocities.hpp>
 
 namespace kanexpr::mechanics {
@@ -16,14 +17,11 @@ namespace detail {
 class skeleton_builder {
 public:
   constexpr skeleton_builder(const mechanism& m, skeleton& s)
-      : m_(m), s_(s), known_(*m.g), along_time_(*m.g) {
+      : m_(m), s_(s), known_(m, s.coordinate_rates = solve_for_rates(m)), along_time_(*m.g) {
     s.model = &m;
-    s.coordinate_rates = solve_for_rates(m);
     along_time_.set_rate(m.time, m.one());
-    for (int i = 0; i < m.coordinates.size(); ++i) {
-      known_.replace(m.coordinate_rates[i], s.coordinate_rates[i]);
+    for (int i = 0; i < m.coordinates.size(); ++i)
       along_time_.set_rate(m.coordinates[i], s.coordinate_rates[i]);
-    }
   }
 
   constexpr void frames() {
@@ -73,16 +71,9 @@ public:
   }
 
 private:
-  constexpr vector known(const vector& v) {
-    vector out;
-    for (const vector::part& p : v.parts)
-      out.parts.push({p.frame, {known_.in(p.value.x), known_.in(p.value.y), known_.in(p.value.z)}});
-    return out;
-  }
-
   constexpr vector turning_of(int f) {
     const frame& own = m_.frames[f];
-    if (own.turns_by_declaration()) return known(own.angular_velocity);
+    if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
     vector w;
     switch (own.kind) {
     case orientation::inertial: break;
@@ -113,7 +104,7 @@ private:
 
   /// The one-point theorem, or a velocity measured from the ground.
   constexpr int declared_node(const point& at) {
-    const vector v = known(at.velocity);
+    const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
     if (in == mechanism::inertial) {
       node n;
@@ -164,7 +155,7 @@ private:
 
   const mechanism& m_;
   skeleton& s_;
-  symbolic::substitution known_;
+  known_rates known_;
   symbolic::derivation along_time_;
 };
 
