@@ -63,17 +63,4 @@ TEST_F(substitute, keeps_the_value_where_the_new_parts_have_the_value_of_the_old
   }
 }
 
-TEST_F(substitute, finds_symbols_by_kind) {
-  const auto is_speed = [](const symbol& s) { return s.kind == symbol_kind::speed; };
-  EXPECT_TRUE(holds(g, (a + sin(b * u1)).node(), is_speed));
-  EXPECT_FALSE(holds(g, (a + sin(b * q1)).node(), is_speed));
-  EXPECT_FALSE(holds(g, number(0.3).node(), is_speed));
-  expression shared = a + q1;
-  for (int i = 0; i < 100; ++i) shared = sin(shared) * cos(shared);
-  EXPECT_FALSE(holds(g, shared.node(), is_speed));
-  substitution s(g);
-  s.replace(q1, u1);
-  EXPECT_TRUE(holds(g, s.in(shared).node(), is_speed));
-}
-
 } // namespace

@@ -39,22 +39,4 @@ private:
   sequence<int> images_;
 };
 
-/// Whether an expression holds a symbol of one of the kinds given.
-template <class Predicate>
-constexpr bool holds(const graph& g, int id, Predicate wanted) {
-  sequence<char> reached(id + 1, 0); // each node is looked at once, however often it is shared
-  reached[id] = 1;
-  for (; id >= 0; --id) {
-    const node& n = g[id];
-    if (reached[id] == 0 || n.op == operation::constant) continue;
-    if (n.op == operation::symbol) {
-      if (wanted(g.symbol_at(id))) return true;
-      continue;
-    }
-    reached[n.a] = 1;
-    if (is_binary(n.op)) reached[n.b] = 1;
-  }
-  return false;
-}
-
 } // namespace kanexpr::symbolic
