@@ -32,6 +32,7 @@ public:
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
     case symbol_kind::speed: return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate: return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+    case symbol_kind::auxiliary_speed: break;
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) return bound_values_[i];

@@ -20,6 +20,7 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   case symbol_kind::input: return "input ";
   case symbol_kind::coordinate_rate: return "the rate of coordinate ";
   case symbol_kind::speed_rate: return "the rate of speed ";
+  case symbol_kind::auxiliary_speed: return "auxiliary speed ";
   }
   return "";
 }

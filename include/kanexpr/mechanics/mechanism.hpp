@@ -147,6 +147,21 @@ struct torque {
   vector value;
 };
 
+/// A velocity constraint: a scalar, linear in the speeds, that vanishes. Where it is the component of a
+/// vector along a direction, both are kept, for the rate of the vector is cheaper to form than that of the
+/// scalar.
+struct velocity_constraint {
+  expression value;
+  vector vanishing; ///< no parts: there is only the scalar
+  vector direction;
+};
+
+/// A quantity that the caller knows as a function of time: its symbol is an input, and so is its rate.
+struct prescribed_rate {
+  expression quantity;
+  expression rate;
+};
+
 /// A mechanical system as plain values: what models written as types are read into, what programs build
 /// while they run, and what every step of the mechanics starts from. Frame 0 is the inertial frame.
 struct mechanism {
@@ -155,7 +170,13 @@ struct mechanism {
       inputs;                                         ///< in the order of the state and argument vectors
   sequence<expression> coordinate_rates, speed_rates; ///< the symbols dq/dt and du/dt
   expression time;
+  sequence<prescribed_rate> prescribed_rates;
   sequence<expression> kinematics; ///< expressions that vanish, linear in the coordinate rates
+  sequence<expression> configuration_constraints; ///< of coordinates, parameters and time, that vanish
+  sequence<velocity_constraint> velocity_constraints;
+  sequence<expression> acceleration_constraints; ///< linear in u̇, that vanish; empty: derived from the others
+  sequence<int> dependent_coordinates, dependent_speeds; ///< by position; empty: the library chooses
+  sequence<expression> auxiliary_speeds; ///< that are zero and bring out a force that does no work
   sequence<frame> frames;
   sequence<point> points;
   sequence<body> bodies;
@@ -191,6 +212,12 @@ struct mechanism {
     const int i = parameters.size();
     parameters.push(symbolic::variable(*g, {symbolic::symbol_kind::parameter, called, i}));
     return parameters[i];
+  }
+  /// A speed that is zero at all times and stands in no state.
+  constexpr expression auxiliary_speed(const name& called) {
+    const int i = auxiliary_speeds.size();
+    auxiliary_speeds.push(symbolic::variable(*g, {symbolic::symbol_kind::auxiliary_speed, called, i}));
+    return auxiliary_speeds[i];
   }
   constexpr expression input(const name& called) {
     const int i = inputs.size();

@@ -36,6 +36,7 @@ enum class symbol_kind : unsigned char {
   input,
   coordinate_rate, ///< dq/dt
   speed_rate,      ///< du/dt
+  auxiliary_speed, ///< zero at all times
 };
 
 struct symbol {
