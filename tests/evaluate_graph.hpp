@@ -3,8 +3,11 @@
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/expression.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <utility>
 #include <vector>
 
 /// Walks a graph with numbers of any type, to check what the library makes of it.
@@ -54,6 +57,71 @@ T arithmetic(operation op, const T& a, const T& b) {
   return std::nan("");
 }
 
+/// x in A x = b, by elimination with row exchanges; `a` by rows.
+template <class T>
+std::vector<T> solved(std::vector<std::vector<T>> a, std::vector<T> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i)
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k) continue;
+      const T weight = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= weight * a[k][j];
+      b[i] -= weight * b[k];
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) b[k] /= a[k][k];
+  return b;
+}
+
+/// The solution of a node, from the values of its operands.
+template <class T, class At>
+std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const At& at) {
+  const auto order = static_cast<std::size_t>(symbolic::order_of(g, n.a));
+  const symbolic::sequence<int> entries = symbolic::entries_of(g, n.a), right = symbolic::elements_of(g, n.b);
+  std::vector<std::vector<T>> a(order, std::vector<T>(order));
+  std::vector<T> b;
+  for (std::size_t i = 0; i < order; ++i) {
+    b.push_back(at(right[static_cast<int>(i)]));
+    for (std::size_t j = 0; j < order; ++j)
+      (n.op == operation::solve ? a[i][j] : a[j][i]) = at(entries[static_cast<int>(i * order + j)]);
+  }
+  return solved(a, b);
+}
+
+/// By products of pivots for small systems, by the least of them for others.
+template <class T, class At>
+T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
+  if constexpr (is_complex<T>) {
+    return std::nan("");
+  } else {
+    const int order = symbolic::order_of(g, n.a);
+    symbolic::sequence<T> f, scales;
+    for (int id : symbolic::entries_of(g, n.a)) f.push(at(id));
+    for (int id : symbolic::elements_of(g, n.b)) scales.push(at(id));
+    T determinant = 1, least = 0, largest = 0;
+    for (int k = 0; k < order; ++k) {
+      int pivot = k;
+      for (int i = k + 1; i < order; ++i)
+        if (std::abs(f[i * order + k]) > std::abs(f[pivot * order + k])) pivot = i;
+      for (int j = 0; j < order; ++j) std::swap(f[k * order + j], f[pivot * order + j]);
+      const T size = std::abs(f[k * order + k]);
+      if (size == 0) return 0;
+      least = k == 0 ? size : std::min(least, size);
+      largest = std::max(largest, scales[k]);
+      determinant *= size / scales[k];
+      for (int i = k + 1; i < order; ++i)
+        for (int j = order - 1; j >= k; --j)
+          f[i * order + j] -= f[i * order + k] / f[k * order + k] * f[k * order + j];
+    }
+    return order <= 3 ? determinant : least / largest;
+  }
+}
+
 /// `symbols` are the values of `graph::symbols()`, in that order.
 template <class T>
 T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
@@ -61,13 +129,20 @@ T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
   const symbolic::sequence<char> live = symbolic::live_nodes(g, {e.node()});
   std::vector<T> values(static_cast<std::size_t>(e.node()) + 1);
   const auto at = [&values](int id) -> T& { return values[static_cast<std::size_t>(id)]; };
+  std::map<int, std::vector<T>> solutions;
   for (int id = 0; id <= e.node(); ++id) {
     const symbolic::node& n = g[id];
-    if (live[id] == 0) continue;
+    if (live[id] == 0 || n.op == operation::pair || n.op == operation::factorization) continue;
     if (n.op == operation::constant)
       at(id) = constant_value<T>(g.number_at(id));
     else if (n.op == operation::symbol)
       at(id) = symbols[static_cast<std::size_t>(n.a)];
+    else if (n.op == operation::solve || n.op == operation::transposed_solve)
+      solutions[id] = solution<T>(g, n, at);
+    else if (n.op == operation::regularity)
+      at(id) = regularity<T>(g, n, at);
+    else if (n.op == operation::component)
+      at(id) = solutions[n.a][static_cast<std::size_t>(symbolic::integer_at(g, n.b))];
     else
       at(id) = arithmetic(n.op, at(n.a), symbolic::is_binary(n.op) ? at(n.b) : T(0));
   }

@@ -1,12 +1,23 @@
 // What one call of each function of each model costs: the operations of the code that the compiler is given.
+#include <models/andrews.hpp>
 #include <models/arm3.hpp>
+#include <models/bicycle.hpp>
+#include <models/chaplygin_sleigh.hpp>
 #include <models/double_pendulum.hpp>
+#include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/n_pendulum_cart.hpp>
 #include <models/pendulum6.hpp>
+#include <models/pendulum_nonminimal.hpp>
+#include <models/pivot_body.hpp>
 #include <models/puma.hpp>
 #include <models/quadruped.hpp>
+#include <models/rattleback.hpp>
+#include <models/rocket.hpp>
 #include <models/rolling_disc.hpp>
+#include <models/rolling_disc_constrained.hpp>
+#include <models/rolling_torus.hpp>
+#include <models/rotating_tube.hpp>
 #include <models/simple_pendulum.hpp>
 #include <models/spinning_top.hpp>
 
@@ -33,6 +44,13 @@ void lines(const char* system) {
   line<System>(system, "udot", {quantity::udot});
 }
 
+template <class System>
+void constrained_lines(const char* system) {
+  lines<System>(system);
+  line<System>(system, "mass_matrix+forcing+acceleration_bias",
+               {quantity::mass_matrix, quantity::forcing, quantity::acceleration_bias});
+}
+
 } // namespace
 
 int main() {
@@ -41,7 +59,19 @@ int main() {
   lines<double_pendulum::System>("double_pendulum");
   lines<n_pendulum_cart::System<5>>("n_pendulum_cart");
   lines<spinning_top::System>("spinning_top");
+  lines<pivot_body::System>("pivot_body");
+  lines<rocket::System>("rocket");
+  lines<rotating_tube::System>("rotating_tube");
   lines<rolling_disc::System>("rolling_disc");
+  lines<rolling_torus::System>("rolling_torus");
+  lines<rattleback::System>("rattleback");
+  constrained_lines<rolling_disc_constrained::System>("rolling_disc_constrained");
+  constrained_lines<chaplygin_sleigh::System>("chaplygin_sleigh");
+  constrained_lines<pendulum_nonminimal::System>("pendulum_nonminimal");
+  constrained_lines<four_bar::System>("four_bar");
+  constrained_lines<andrews::System>("andrews");
+  constrained_lines<bicycle::System>("bicycle");
+  constrained_lines<bicycle::BoundSystem>("bicycle_bound");
   lines<arm3::System>("arm3");
   lines<pendulum6::System>("pendulum6");
   lines<puma::System>("puma");

@@ -4,5 +4,7 @@
 /// Needs Eigen and Boost.Hana only.
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/describe/constraint.hpp>
+#include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>

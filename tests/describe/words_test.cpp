@@ -169,3 +169,139 @@ TEST(words, scalar_functions) {
                   std::pow(length, a) + std::tan(a) / 3,
               1e-14);
 }
+
+namespace {
+
+constexpr coordinate<"e0"> e0;
+constexpr coordinate<"e1"> e1;
+constexpr coordinate<"e2"> e2;
+constexpr coordinate<"e3"> e3;
+
+/// A body whose angular velocity has the generalized speeds as its components in its own axes.
+template <class B, class Coordinates, auto... equations>
+struct turning {
+  struct Center : offset<Center, O, l * B::x + 0.3 * B::y> {};
+  struct Body : rigid_body<Body, Center, B, m, inertia<B, I, 2 * I, 3 * I>> {};
+  struct System : kane_system<inertial<N>, Coordinates, speeds<u1, u2, u3>, parameters<m, l, I>,
+                              kinematics<equations...>, bodies<Body>, loads<gravity<-9.81 * N::z>>> {};
+};
+
+using three_angles = coordinates<q1, q2, q3>;
+using own_speeds = angular_velocity<N, u1 * own::x + u2 * own::y + u3 * own::z>;
+
+struct angles : body_fixed<angles, N, "zxz", q1, q2, q3>, own_speeds {};
+struct space : space_fixed<space, N, "xyz", q1, q2, q3>, own_speeds {};
+struct Y : rotated<Y, N, q1, N::z> {};
+struct L : rotated<L, Y, q2, Y::x> {};
+struct R : rotated<R, L, q3, L::y>, angular_velocity<N, u1 * L::x + u2 * L::y + u3 * L::z> {};
+struct parameters_of_euler : quaternion<parameters_of_euler, N, e0, e1, e2, e3>, own_speeds {};
+
+} // namespace
+
+TEST(words, kinematics_of_frames) {
+  expect_same_motion<turning<angles, three_angles, sin(q2) * dot(q1) == sin(q3) * u1 + cos(q3) * u2,
+                             dot(q2) == cos(q3) * u1 - sin(q3) * u2,
+                             dot(q3) == u3 - cos(q2) / sin(q2) * (sin(q3) * u1 + cos(q3) * u2)>::System,
+                     turning<angles, three_angles, kinematics_of<angles, N>>::System>();
+  expect_same_motion<turning<space, three_angles, dot(q1) == u1 + tan(q2) * (sin(q1) * u2 + cos(q1) * u3),
+                             dot(q2) == cos(q1) * u2 - sin(q1) * u3,
+                             dot(q3) == (sin(q1) * u2 + cos(q1) * u3) / cos(q2)>::System,
+                     turning<space, three_angles, kinematics_of<space, N>>::System>();
+  expect_same_motion<
+      turning<R, three_angles, dot(q1) == u3 / cos(q2), dot(q2) == u1, dot(q3) == u2 - u3 * tan(q2)>::System,
+      turning<R, three_angles, kinematics_of<R, N>>::System>();
+  using unit_quaternion = coordinates<e0, e1, e2, e3>;
+  expect_same_motion<
+      turning<parameters_of_euler, unit_quaternion, dot(e0) == -(e1 * u1 + e2 * u2 + e3 * u3) / 2,
+              dot(e1) == (e0 * u1 + e2 * u3 - e3 * u2) / 2, dot(e2) == (e0 * u2 + e3 * u1 - e1 * u3) / 2,
+              dot(e3) == (e0 * u3 + e1 * u2 - e2 * u1) / 2>::System,
+      turning<parameters_of_euler, unit_quaternion, kinematics_of<parameters_of_euler, N>>::System>();
+}
+
+namespace {
+
+constexpr speed<"ua"> ua;
+constexpr prescribed<"theta"> theta;
+constexpr prescribed<"swing", 2> swing2;
+
+struct Slider : offset<Slider, O, q1 * N::x>, velocity<N, u1 * N::x + ua * N::z> {};
+struct Arm : rotated<Arm, N, q2, N::y> {};
+struct Tip : offset<Tip, Slider, l * Arm::x> {};
+struct Ball : particle<Ball, Tip, m> {};
+
+using own_words = kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>, auxiliary<ua>,
+                              kinematics<dot(q1) == u1, dot(q2) == u2>, bodies<Ball>>;
+
+/// The same system with more words.
+template <class Words, class... More>
+struct with;
+template <class... Words, class... More>
+struct with<kane_system<Words...>, More...> : kane_system<Words..., More...> {};
+
+struct constrained
+    : with<own_words,
+           configuration_constraints<q1 * q1 == l * l, zero_along<position_of<Tip, O>, N::x, 2 * N::z>>,
+           velocity_constraints<zero_along<velocity_of<Tip>, N::x, Arm::x + N::z>, u1 == u2 + ua>,
+           acceleration_constraints<dot(u1) + dot(u2) == 0>, dependent<u2, q1>> {};
+
+template <class System>
+struct reading {
+  symbolic::graph graph;
+  mechanics::mechanism m{graph};
+  derivation::reader reader{System::record, m};
+  reading() { reader.read(); }
+  std::string print(symbolic::expression e) const { return symbolic::print(e); }
+  std::string inputs() const {
+    std::string all;
+    for (const symbolic::expression& e : m.inputs) all += symbolic::print(e) + " ";
+    for (const mechanics::prescribed_rate& p : m.prescribed_rates)
+      all += symbolic::print(p.quantity) + "->" + symbolic::print(p.rate) + " ";
+    return all;
+  }
+};
+
+} // namespace
+
+TEST(words, constraints) {
+  reading<constrained> r;
+  ASSERT_EQ(r.reader.mistake().view(), "");
+  mechanics::equations e(r.m);
+  r.reader.know(e);
+  r.reader.read_constraints();
+  ASSERT_EQ(r.reader.mistake().view(), "");
+  ASSERT_EQ(r.m.configuration_constraints.size(), 3);
+  EXPECT_EQ(r.print(r.m.configuration_constraints[0]), "q1^2 - l^2");
+  EXPECT_EQ(r.print(r.m.configuration_constraints[1]), "l*cos(q2) + q1");
+  EXPECT_EQ(r.print(r.m.configuration_constraints[2]), "-2*l*sin(q2)");
+  ASSERT_EQ(r.m.velocity_constraints.size(), 3);
+  EXPECT_EQ(r.m.velocity_constraints[0].vanishing.parts.size(), 1);
+  EXPECT_EQ(r.m.velocity_constraints[1].direction.parts.size(), 2);
+  EXPECT_TRUE(r.m.velocity_constraints[2].vanishing.parts.empty());
+  EXPECT_EQ(r.print(r.m.velocity_constraints[2].value), "u1 - u2 - ua");
+  ASSERT_EQ(r.m.acceleration_constraints.size(), 1);
+  EXPECT_EQ(r.print(r.m.acceleration_constraints[0]), "u1' + u2'");
+  ASSERT_EQ(r.m.dependent_speeds.size(), 1);
+  EXPECT_EQ(r.m.dependent_speeds[0], 1);
+  ASSERT_EQ(r.m.dependent_coordinates.size(), 1);
+  EXPECT_EQ(r.m.dependent_coordinates[0], 0);
+  ASSERT_EQ(r.m.auxiliary_speeds.size(), 1);
+}
+
+TEST(words, prescribed_quantities) {
+  using moved = loads<force<Tip, dot(swing2) * N::x>>;
+  EXPECT_EQ((reading<with<own_words, moved>>().inputs()),
+            "swing2 swing2' swing2'' swing2->swing2' swing2'->swing2'' ");
+  EXPECT_EQ((reading<with<own_words, inputs<dot(swing2), theta, swing2>, moved>>().inputs()),
+            "swing2' theta swing2 swing2->swing2' ");
+}
+
+TEST(words, prescribed_quantities_by_name) {
+  struct System : with<own_words, loads<force<Tip, (theta + dot(swing2)) * N::x>>> {};
+  input_values<System> r;
+  ASSERT_EQ(r.size(), 6);
+  r[theta] = 1, r[dot(theta)] = 2, r[dot(dot(theta))] = 3;
+  r[swing2] = 4, r[dot(swing2)] = 5, r[dot(dot(swing2))] = 6;
+  const input_values<System>& kept = r;
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(r(i), i + 1);
+  EXPECT_EQ(kept[dot(swing2)], 5);
+}

@@ -42,6 +42,10 @@ public:
     return total;
   }
 
+  expression scalar(const formula& f) const { return now_(f); }
+  expression speed(int i) const { return now_.u[at(i)]; }
+  expression rate(int i) const { return now_.qdot[at(i)]; }
+
   std::vector<frame_id> frames{builder::inertial_frame()};
   std::vector<point_id> points;
 
@@ -187,9 +191,11 @@ inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::sym
         case symbol_kind::parameter: return m.parameters.at(at(l.position));
         case symbol_kind::input: return m.r.at(at(l.position));
         case symbol_kind::speed_rate: return udot.at(at(l.position));
-        case symbol_kind::coordinate_rate: break;
+        case symbol_kind::coordinate_rate:
+        case symbol_kind::auxiliary_speed: break;
         }
-        return std::numeric_limits<double>::quiet_NaN(); // nothing may be left in terms of q̇
+        return std::numeric_limits<double>::quiet_NaN(); // nothing may be left in terms of q̇, or of auxiliary
+                                                         // speeds
       },
       result.data());
   return result;

@@ -129,7 +129,8 @@ TEST(two_point_theorem, takes_an_offset_in_the_axes_of_another_frame) {
   mechanics::equations e(b.mechanism());
 
   // in L's axes: ω = u, v = ω×r z, and every rate of a vector is that in L plus ω_L×
-  const Vector3d u(b.u_now), udot(b.udot_now), arm = radius * Vector3d::UnitZ();
+  const Vector3d u = Vector3d::Map(b.u_now), udot = Vector3d::Map(b.udot_now),
+                 arm = radius * Vector3d::UnitZ();
   const Vector3d omega_l(u(0), u(2) * std::tan(b.q_now[1]), u(2));
   const Matrix3d inertia = Vector3d(across, along, across).asDiagonal();
   Matrix3d partial_velocity, mass_matrix;

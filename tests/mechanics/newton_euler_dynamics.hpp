@@ -72,6 +72,31 @@ inline Matrix3d central_inertia(const recipe::body& b, const motion& k) {
   return total;
 }
 
+// The rate of I·ω for an angular velocity that stays: ω×(I·ω), and more where the inertia is not fixed in the
+// body.
+inline Vector3d change_of_inertia(const recipe::body& b, const motion& k, const Vector3d& omega) {
+  const jet3 w(omega);
+  jet3 total;
+  for (const recipe::inertia& part : b.dyadic) {
+    const jet3x3& axes = k.here.frames[at(part.axes)];
+    jet3 own;
+    for (int i = 0; i < 3; ++i) own[i] = dot(axes.column[at(i)], w);
+    jet3 h;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      h[i] += jet(part.scalars[at(i)].value) * own[i];
+      h[i] += jet(part.scalars[at(3 + i)].value) * own[j];
+      h[j] += jet(part.scalars[at(3 + i)].value) * own[i];
+    }
+    total = total + axes * h;
+  }
+  if (b.about >= 0) {
+    const jet3 r = k.here.points[at(b.center)] + jet(-1) * k.here.points[at(b.about)];
+    total = total + jet(-b.mass.value) * (dot(r, r) * w + jet(-1) * (dot(r, w) * r));
+  }
+  return total.rate().value();
+}
+
 inline dynamics evaluate(const recipe::mechanism& m) {
   const motion k = move(m, m.u);
   const partial_motions partial(m);
@@ -117,7 +142,7 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     const partial_motions::columns turning = partial.angular(at(b.frame));
     resist(turning, inertia);
     act(d.inertia_bias, turning, -inertia * alpha);
-    act(d.inertia_bias, turning, -omega.cross(inertia * omega));
+    act(d.inertia_bias, turning, -change_of_inertia(b, k, omega));
     d.kinetic_energy += omega.dot(inertia * omega) / 2;
     d.angular_momentum += inertia * omega;
   }

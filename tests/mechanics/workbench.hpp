@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace workbench {
 
@@ -17,6 +18,7 @@ namespace mechanics = kanexpr::mechanics;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::frame_id;
 using kanexpr::runtime::point_id;
@@ -27,7 +29,10 @@ using mechanics::quantity;
 // Three angles with their rates as speeds, a particle that has all three, and numbers for them.
 struct bench : builder {
   expression q[3], u[3];
-  double q_now[3]{0.3, -0.8, 1.1}, u_now[3]{0.7, -1.3, 0.4}, udot_now[3]{0.2, 0.9, -0.5};
+  // the first three are those above; a test that has more of them says so
+  double q_now[5]{0.3, -0.8, 1.1, 0.2, -0.1}, u_now[5]{0.7, -1.3, 0.4}, udot_now[5]{0.2, 0.9, -0.5};
+  double t_now = 0.6;
+  std::vector<double> r_now; // the inputs
   frame_id n = inertial_frame();
   point_id o;
 
@@ -52,6 +57,8 @@ struct bench : builder {
       if (l.from == symbol_kind::coordinate) return q_now[l.position];
       if (l.from == symbol_kind::speed) return u_now[l.position];
       if (l.from == symbol_kind::speed_rate) return udot_now[l.position];
+      if (l.from == symbol_kind::input) return r_now.at(static_cast<std::size_t>(l.position));
+      if (l.from == symbol_kind::time) return t_now;
       return std::numeric_limits<double>::quiet_NaN();
     };
     code.evaluate(value_of, result.data());

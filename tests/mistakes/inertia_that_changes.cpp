@@ -1,7 +1,7 @@
-// expect: the inertia of Rod changes with coordinate q
+// expect: the inertia of Rod changes with the rate of coordinate q
 #include "pendulum.hpp"
 
-struct Rod : rigid_body<Rod, P, A, m, inertia<A, 0, m * q * q, m * q * q>> {};
+struct Rod : rigid_body<Rod, P, A, m, inertia<A, 0, m * l * dot(q), m * l * dot(q)>> {};
 
 struct System : pendulum_with<Rod> {};
 

@@ -1,4 +1,4 @@
-// expect: the kinematic differential equations cannot be solved for the rate of coordinate q
+// expect: the kinematic differential equations cannot be solved for the rate of coordinate s
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>,

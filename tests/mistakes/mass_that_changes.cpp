@@ -1,7 +1,7 @@
-// expect: the mass of Ball changes with coordinate q
+// expect: the mass of Ball changes with speed u
 #include "pendulum.hpp"
 
-struct Ball : particle<Ball, P, m * q> {};
+struct Ball : particle<Ball, P, m * u> {};
 
 struct System : pendulum_with<Ball> {};
 

@@ -29,6 +29,14 @@ template <class... Bodies>
 using pendulum_with =
     kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bodies...>>;
 
+// With a block on the ground, and what binds the two.
+struct S : offset<S, O, s * N::x> {};
+struct Block : particle<Block, S, m> {};
+
+template <class... Words>
+using bound_pendulum = kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>,
+                                   kinematics<dot(q) == u, dot(s) == v>, bodies<Bob, Block>, Words...>;
+
 template <class System>
 void use() {
   using eom = equations_of_motion<System>;

@@ -1,5 +1,4 @@
-// expect: the offset of point Q holds a position, velocity or derivative, which is not known yet while a
-// model is read
+// expect: the offset of point Q holds a velocity or derivative, which is not known yet while a model is read
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, velocity_of<P>> {};

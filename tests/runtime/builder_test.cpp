@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/symbolic/print.hpp>
 
 #include <cmath>
 #include <string>
@@ -64,6 +66,7 @@ TEST(builder, gives_the_equations_of_what_was_built) {
   pendulum_on_cart b;
   ASSERT_EQ(b.check().view(), "");
   equations derived(b.mechanism());
+  derived.constrain();
   double mass[4], force[2];
   code_for(b, derived.get(quantity::mass_matrix)).evaluate(cart_value, mass);
   code_for(b, derived.get(quantity::forcing)).evaluate(cart_value, force);
@@ -76,9 +79,83 @@ TEST(builder, gives_the_equations_of_what_was_built) {
   EXPECT_DOUBLE_EQ(force[1], -ml * 9.81 * s);
 }
 
+using kanexpr::symbolic::print;
+
+TEST(builder, keeps_constraints_and_what_depends_on_them) {
+  pendulum_on_cart b;
+  equations derived(b.mechanism());
+  b.velocity_constraint(kanexpr::mechanics::velocity_of_point(derived.moving(), place(b.bob)),
+                        b.along(b.n, 1, 0, 0));
+  b.velocity_constraint(b.v - b.length * b.omega);
+  b.configuration_constraint(b.x - b.length * sin(b.theta));
+  b.acceleration_constraint(b.dot(b.v) - b.dot(b.omega));
+  b.dependent(b.omega);
+  b.dependent(b.x);
+  const kanexpr::mechanics::mechanism& m = b.mechanism();
+  ASSERT_EQ(b.mistake().view(), "");
+  ASSERT_EQ(m.velocity_constraints.size(), 2);
+  EXPECT_EQ(print(m.velocity_constraints[0].value), "l*omega*cos(theta) + v");
+  EXPECT_EQ(m.velocity_constraints[0].vanishing.parts.size(), 1);
+  EXPECT_EQ(m.velocity_constraints[0].direction.parts.size(), 1);
+  EXPECT_EQ(print(m.velocity_constraints[1].value), "v - l*omega");
+  EXPECT_TRUE(m.velocity_constraints[1].vanishing.parts.empty());
+  ASSERT_EQ(m.configuration_constraints.size(), 1);
+  EXPECT_EQ(print(m.configuration_constraints[0]), "x - l*sin(theta)");
+  ASSERT_EQ(m.acceleration_constraints.size(), 1);
+  EXPECT_EQ(print(m.acceleration_constraints[0]), "v' - omega'");
+  ASSERT_EQ(m.dependent_speeds.size(), 1);
+  EXPECT_EQ(m.dependent_speeds[0], 1);
+  ASSERT_EQ(m.dependent_coordinates.size(), 1);
+  EXPECT_EQ(m.dependent_coordinates[0], 0);
+}
+
+TEST(builder, derives_what_is_constrained) {
+  pendulum_on_cart b;
+  b.velocity_constraint(b.v); // the cart stands still
+  ASSERT_EQ(b.check().view(), "");
+  equations derived(b.mechanism());
+  derived.constrain();
+  ASSERT_EQ(derived.mistake().view(), "");
+  double udot[2];
+  code_for(b, derived.get(quantity::udot)).evaluate(cart_value, udot);
+  EXPECT_NEAR(udot[0], 0, 1e-14);
+  EXPECT_NEAR(udot[1], -9.81 / 0.8 * std::sin(0.3), 1e-14);
+}
+
+TEST(builder, places_a_prescribed_quantity_with_its_derivatives) {
+  builder b("N");
+  const expression push = b.input("F"), turn = b.prescribed("turn");
+  const kanexpr::mechanics::mechanism& m = b.mechanism();
+  ASSERT_EQ(m.inputs.size(), 4);
+  EXPECT_EQ(m.inputs[0], push);
+  EXPECT_EQ(m.inputs[1], turn);
+  EXPECT_EQ(m.inputs[2], b.dot(turn));
+  EXPECT_EQ(m.inputs[3], b.dot(b.dot(turn)));
+  EXPECT_EQ(print(m.inputs[3]), "turn''");
+  EXPECT_EQ(b.mistake().view(), "");
+}
+
+TEST(builder, writes_the_kinematics_of_a_frame) {
+  builder b("N");
+  const frame_id n = b.inertial_frame();
+  const expression yaw = b.coordinate("yaw"), lean = b.coordinate("lean"), spin = b.coordinate("spin");
+  const expression u1 = b.speed("u1"), u2 = b.speed("u2"), u3 = b.speed("u3"), ua = b.auxiliary_speed("ua");
+  const frame_id y = b.rotated("Y", n, yaw, b.along(n, 0, 0, 1));
+  const frame_id l = b.rotated("L", y, lean, b.along(y, 1, 0, 0));
+  const frame_id r = b.rotated("R", l, spin, b.along(l, 0, 1, 0));
+  b.angular_velocity(r, n, b.along(l, u1, u2 + ua, u3));
+  b.kinematics_of(r, n);
+  ASSERT_EQ(b.mistake().view(), "");
+  ASSERT_EQ(b.mechanism().kinematics.size(), 3);
+  EXPECT_EQ(print(b.mechanism().kinematics[0]), "u1 - lean'");
+  EXPECT_EQ(print(b.mechanism().kinematics[1]), "u2 - spin' - yaw'*sin(lean)");
+  EXPECT_EQ(print(b.mechanism().kinematics[2]), "u3 - yaw'*cos(lean)");
+}
+
 TEST(interpreter, takes_memory_only_once) {
   pendulum_on_cart b;
   equations derived(b.mechanism());
+  derived.constrain();
   interpreter<double> code = code_for(b, derived.get(quantity::udot));
   double udot[2];
   no_heap::guard guard;
@@ -179,7 +256,8 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
             "frame A is turned about an axis that is not fixed in N");
   EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
             "frame A is turned by the sequence xxy, which is none: three axes, no two neighbours alike");
-  EXPECT_EQ(told([](auto& b) { b.dot(b.m); }), "the rate of something that is not a coordinate is asked for");
+  EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
+            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, hears_how_something_moves_only_once) {
@@ -200,6 +278,46 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
 }
 
+TEST(builder_mistakes, looks_at_constraints) {
+  const std::string foreign = " has an expression that belongs to another mechanism or to none";
+  EXPECT_EQ(told([](auto& b) { b.configuration_constraint(expression()); }),
+            "a configuration constraint" + foreign);
+  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(expression()); }), "a velocity constraint" + foreign);
+  EXPECT_EQ(told([](auto& b) { b.acceleration_constraint(expression()); }),
+            "an acceleration constraint" + foreign);
+  EXPECT_EQ(
+      told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(frame_id{4}, 1, 0, 0)); }),
+      "a vector speaks of frame number 4, which does not exist");
+  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0, 0, 0)); }),
+            "a velocity constraint is given a direction of no length");
+  EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
+  EXPECT_EQ(told([](auto& b) { b.dependent(b.m); }),
+            "something is said to be dependent that is neither a coordinate nor a speed");
+  EXPECT_EQ(told([](auto& b) {
+              b.dependent(b.v);
+              b.dependent(b.v);
+            }),
+            "v is said to be dependent twice");
+}
+
+TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {
+  EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("v"); }), "the name v is used twice");
+  EXPECT_EQ(told([](auto& b) { b.dot(b.auxiliary_speed("ua")); }),
+            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+  EXPECT_EQ(told([](auto& b) { b.prescribed("F"); }), "the name F is used twice");
+  EXPECT_EQ(told([](auto& b) { b.dot(b.dot(b.dot(b.prescribed("turn")))); }),
+            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+}
+
+TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
+  EXPECT_EQ(told([](auto& b) { b.kinematics_of(frame_id{7}, b.n); }),
+            "kinematics_of speaks of frame number 7, which does not exist");
+  EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.rod, b.n); }),
+            "kinematics_of<R, N> is asked for, and frame R has no declared angular velocity");
+  EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.n, b.rod); }),
+            "kinematics_of<N, R> is asked for, and frame N does not stand in R");
+}
+
 TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
   EXPECT_EQ(told([](auto& b) {
               const frame_id a = b.rotated("A", b.rod, b.x, b.along(b.rod, 1, 0, 0));
@@ -208,8 +326,8 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
             "the angular velocity of frame R is given in A, which turns with R");
   EXPECT_EQ(told([](auto& b) { b.coordinate("y"); }),
             "coordinate y has its rate in no kinematic differential equation");
-  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.theta); }),
-            "the mass of A changes with coordinate theta");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.omega); }),
+            "the mass of A changes with speed omega");
 }
 
 TEST(builder_mistakes, tells_the_first_one) {

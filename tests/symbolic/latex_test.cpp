@@ -33,6 +33,8 @@ TEST_F(latex_names, have_subscripts) {
   EXPECT_EQ(named("x_1_2"), R"(x_{\mathrm{1,2}})");
   EXPECT_EQ(latex(q1_rate), R"(\dot{q}_1)");
   EXPECT_EQ(latex(u1_rate * u1_rate), R"(\dot{u}_1^{2})");
+  EXPECT_EQ(latex(of(kind::input, "theta1'")), R"(\dot{\theta}_1)");
+  EXPECT_EQ(latex(of(kind::input, "x''")), R"(\ddot{x})");
   EXPECT_EQ(latex(of(kind::speed_rate, "omega12")), R"(\dot{\omega}_{12})");
 }
 

@@ -1,12 +1,14 @@
 // builds: sanitize
 #include "evaluate_graph.hpp"
 
+#include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/solve.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace {
@@ -90,29 +92,131 @@ TEST(solve_symmetric, costs_no_more_than_the_structure_asks_for) {
   EXPECT_EQ(cost_for(arrow).divisions, n);
 }
 
-TEST(solve_by_cofactors, agrees_with_lu) {
-  std::mt19937 engine(6);
-  for (int n = 1; n <= 6; ++n)
-    for (const double density : {0.3, 0.6, 1.0}) {
-      Eigen::MatrixXd a = random_matrix(engine, n, density);
-      a.rowwise() += 2 * Eigen::RowVectorXd::Unit(n, n / 2); // no diagonal to pivot on
-      for (int i = 0; i < n; ++i) a(i, (i + 1) % n) += 3;
-      const Eigen::VectorXd b = random_matrix(engine, n, 0.8).col(0);
-      linear_system s(a, b, false);
-      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(a);
-      const Eigen::VectorXd x = s.value_of(solve_by_cofactors(s.g, s.entries(), s.right()));
-      const Eigen::VectorXd expected = lu.solve(b);
-      EXPECT_LE((x - expected).norm(), 1e-12 * (1 + expected.norm())) << n << ' ' << density;
-      const double determinant = s.value_of({kanexpr::symbolic::determinant(s.g, s.entries())})(0);
-      EXPECT_NEAR(determinant, lu.determinant(), 1e-12 * (1 + std::abs(determinant)));
-    }
+Eigen::VectorXd column_of(const linear_system& s, const matrix& x, int column) {
+  sequence<expression> entries;
+  for (int i = 0; i < x.rows; ++i) entries.push(x(i, column));
+  return s.value_of(entries);
 }
 
-TEST(solve_by_cofactors, needs_no_pivot) {
-  Eigen::MatrixXd a(3, 3);
-  a << 0, 2, 0, 0, 0, 3, 4, 0, 0;
-  linear_system s(a, Eigen::Vector3d(2, 6, 12), false);
-  EXPECT_TRUE(s.value_of(solve_by_cofactors(s.g, s.entries(), s.right())).isApprox(Eigen::Vector3d(3, 1, 2)));
+matrix column(graph& g, const sequence<expression>& entries) {
+  matrix m(g, entries.size(), 1);
+  m.entries = entries;
+  return m;
+}
+
+/// Rows and columns in an order that hides a block triangular form.
+Eigen::MatrixXd shuffled(std::mt19937& engine, const Eigen::MatrixXd& a) {
+  Eigen::PermutationMatrix<Eigen::Dynamic> rows(a.rows()), columns(a.cols());
+  rows.setIdentity(), columns.setIdentity();
+  std::ranges::shuffle(rows.indices(), engine);
+  std::ranges::shuffle(columns.indices(), engine);
+  return rows * a * columns;
+}
+
+TEST(solve_linear, agrees_with_lu_for_any_sparsity) {
+  std::mt19937 engine(6);
+  int singular = 0;
+  for (int n = 1; n <= 8; ++n)
+    for (int repeat = 0; repeat < 12; ++repeat)
+      for (const double density : {0.2, 0.4, 0.7, 1.0}) {
+        Eigen::MatrixXd a = random_matrix(engine, n, density);
+        a.diagonal().setZero(); // nothing to pivot on
+        for (int i = 0; i < n; ++i) a(i, (i + 1) % n) += 2;
+        a = shuffled(engine, a);
+        const Eigen::VectorXd b = random_matrix(engine, n, 0.8).col(0);
+        linear_system s(a, b, false);
+        const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+        EXPECT_TRUE(solved.structurally_regular);
+        const Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
+        if (lu.rcond() < 1e-4) {
+          ++singular;
+          continue;
+        }
+        const Eigen::VectorXd expected = lu.solve(b);
+        EXPECT_LE((column_of(s, solved.x, 0) - expected).norm(), 1e-12 * (1 + expected.norm()))
+            << n << ' ' << density;
+        for (const solved_block& block : solved.blocks) {
+          EXPECT_EQ(block.rows.size(), block.columns.size());
+          EXPECT_GT(s.value_of({block.regularity})(0), 0);
+          EXPECT_LE(s.value_of({block.regularity})(0), 1 + 1e-15);
+        }
+      }
+  EXPECT_LT(singular, 100);
+}
+
+TEST(solve_linear, finds_the_blocks) {
+  std::mt19937 engine(7);
+  for (int repeat = 0; repeat < 30; ++repeat) {
+    const int sizes[]{1, 3, 1, 2, 1};
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(8, 8);
+    for (int block = 0, at = 0; block < 5; at += sizes[block++]) {
+      const int n = sizes[block];
+      a.block(at, at, n, n).setRandom();
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < at; ++j)
+          if (engine() % 3 == 0) a(at + i, j) = 0.5;
+    }
+    a = shuffled(engine, a);
+    const Eigen::VectorXd b = Eigen::VectorXd::Random(8);
+    linear_system s(a, b, false);
+    const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+    std::vector<int> found;
+    for (const solved_block& block : solved.blocks) found.push_back(block.rows.size());
+    std::ranges::sort(found);
+    EXPECT_EQ(found, (std::vector<int>{1, 1, 1, 2, 3}));
+    const Eigen::VectorXd expected = a.fullPivLu().solve(b);
+    EXPECT_LE((column_of(s, solved.x, 0) - expected).norm(), 1e-12 * expected.norm() / a.fullPivLu().rcond());
+  }
+}
+
+TEST(solve_linear, divides_where_one_unknown_is_left) {
+  graph g;
+  const auto symbol = [&g](const char* called) {
+    return variable(g, {symbol_kind::parameter, name(called), 0});
+  };
+  const expression a = symbol("a"), b = symbol("b"), c = symbol("c");
+  matrix m(g, 3, 3), one(g, 3, 1), two(g, 3, 2);
+  m(0, 2) = constant(g, exactly(2));
+  m(1, 0) = a, m(1, 2) = b;
+  m(2, 0) = c, m(2, 1) = -b;
+  for (int i = 0; i < 3; ++i) one(i, 0) = two(i, 0) = symbol("x"), two(i, 1) = symbol("y");
+  const linear_solution single = solve_linear(g, m, one, {});
+  EXPECT_EQ(single.x(2, 0), symbol("x") / 2);
+  EXPECT_EQ(single.x(0, 0), (symbol("x") - b * (symbol("x") / 2)) / a);
+  ASSERT_EQ(single.blocks.size(), 2); // what is divided by a number is always regular
+  EXPECT_EQ(single.blocks[0].key, a.node());
+  EXPECT_EQ(single.blocks[1].key, b.node());
+  const linear_solution both = solve_linear(g, m, two, {});
+  sequence<int> outputs = nodes_of(both.x.entries);
+  EXPECT_EQ(cost_of(g, outputs).divisions, 2);
+
+  const sequence<char> live = live_nodes(g, {single.x(0, 0).node()});
+  EXPECT_TRUE(rests_on(g, live, a.node()));
+  EXPECT_FALSE(rests_on(g, live, b.node())); // it is needed, but not to divide by
+}
+
+TEST(solve_linear, tells_a_structurally_singular_matrix_and_solves_the_rest) {
+  Eigen::Matrix4d a;
+  a << 2, 0, 0, 0, //
+      1, 0, 0, 3,  //
+      1, 0, 0, 1,  //
+      1, 1, 1, 1;
+  linear_system s(a, Eigen::Vector4d(4, 8, 3, 1), false);
+  const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+  EXPECT_FALSE(solved.structurally_regular);
+  EXPECT_TRUE(column_of(s, solved.x, 0).isApprox(Eigen::Vector4d(2, 0, 0, 2)));
+}
+
+TEST(solve_linear, measures_regularity_by_the_scales_of_the_rows) {
+  graph g;
+  const expression angle = variable(g, {symbol_kind::coordinate, name("q"), 0});
+  matrix a(g, 1, 1), b(g, 1, 1);
+  a(0, 0) = cos(angle);
+  b(0, 0) = constant(g, exactly(1));
+  const linear_solution solved = solve_linear(g, a, b, {constant(g, exactly(2))});
+  ASSERT_EQ(solved.blocks.size(), 1);
+  EXPECT_DOUBLE_EQ(evaluate(solved.blocks[0].regularity, std::vector<double>{1.2}), std::cos(1.2) / 2);
+  EXPECT_EQ(solved.blocks[0].key, a(0, 0).node());
 }
 
 } // namespace

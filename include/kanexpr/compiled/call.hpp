@@ -31,6 +31,16 @@ constexpr std::string_view result_name() {
     case quantity::linear_momentum: return "linear_momentum";
     case quantity::angular_momentum: return "angular_momentum";
     case quantity::center_of_mass: return "center_of_mass";
+    case quantity::configuration_residual: return "configuration_residual";
+    case quantity::configuration_jacobian: return "configuration_jacobian";
+    case quantity::velocity_residual: return "velocity_residual";
+    case quantity::constraint_residual: return "constraint_residual";
+    case quantity::constraint_jacobian: return "constraint_jacobian";
+    case quantity::dependent_speeds: return "dependent_speeds";
+    case quantity::dependency: return "dependency";
+    case quantity::acceleration_bias: return "acceleration_bias";
+    case quantity::multipliers: return "multipliers";
+    case quantity::auxiliary_forces: return "auxiliary_forces";
     }
   }
   return "the expression";

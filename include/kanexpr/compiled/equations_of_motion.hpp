@@ -15,13 +15,26 @@ struct equations_of_motion {
   static constexpr int coordinates = compiled::survey_of<System>.coordinates;
   static constexpr int speeds = compiled::survey_of<System>.speeds;
 
-  /// M in M u̇ = f.
+  /// Whether the constraints are solved for a coordinate or speed, by the choice of the model or of the
+  /// library: `eom::is_dependent(u4)`.
+  template <text called, int index>
+  static constexpr bool is_dependent(const coordinate<called, index>&) {
+    return compiled::survey_of<System>.dependent[compiled::placed<System, symbolic::symbol_kind::coordinate,
+                                                                  called, index>::place];
+  }
+  template <text called, int index>
+  static constexpr bool is_dependent(const speed<called, index>&) {
+    return compiled::survey_of<System>.dependent
+        [coordinates + compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place];
+  }
+
+  /// M in M u̇ = f of the independent speeds.
   static constexpr function<System, mechanics::quantity::mass_matrix> mass_matrix{};
-  /// f in M u̇ = f.
+  /// f in M u̇ = f of the independent speeds.
   static constexpr function<System, mechanics::quantity::forcing> forcing{};
-  /// blockdiag(E, M).
+  /// M_full in M_full [q̇; u̇] = f_full: E, M, and the differentiated constraints solved for the dependent u̇.
   static constexpr function<System, mechanics::quantity::mass_matrix_full> mass_matrix_full{};
-  /// [q̇; f].
+  /// [q̇; f; b], with b in u̇_d = A u̇_i + b.
   static constexpr function<System, mechanics::quantity::forcing_full> forcing_full{};
   static constexpr function<System, mechanics::quantity::qdot> qdot{};
   static constexpr function<System, mechanics::quantity::udot> udot{};
@@ -36,6 +49,27 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::linear_momentum> linear_momentum{};
   static constexpr function<System, mechanics::quantity::angular_momentum> angular_momentum{};
   static constexpr function<System, mechanics::quantity::center_of_mass> center_of_mass{};
+
+  /// What the configuration constraints leave, zero where they hold.
+  static constexpr function<System, mechanics::quantity::configuration_residual> configuration_residual{};
+  /// Its derivatives by the dependent coordinates.
+  static constexpr function<System, mechanics::quantity::configuration_jacobian> configuration_jacobian{};
+  /// What the velocity constraints and the rates of the configuration constraints leave.
+  static constexpr function<System, mechanics::quantity::velocity_residual> velocity_residual{};
+  /// Both residuals, those of configurations first.
+  static constexpr function<System, mechanics::quantity::constraint_residual> constraint_residual{};
+  /// J in J u + c = 0.
+  static constexpr function<System, mechanics::quantity::constraint_jacobian> constraint_jacobian{};
+  /// The dependent speeds as the constraints give them by the independent ones.
+  static constexpr function<System, mechanics::quantity::dependent_speeds> dependent_speeds{};
+  /// A in u̇_d = A u̇_i + b.
+  static constexpr function<System, mechanics::quantity::dependency> dependency{};
+  /// b in u̇_d = A u̇_i + b.
+  static constexpr function<System, mechanics::quantity::acceleration_bias> acceleration_bias{};
+  /// The forces of the constraints, each along the direction in which it holds a velocity zero.
+  static constexpr function<System, mechanics::quantity::multipliers> multipliers{};
+  /// The forces that keep the auxiliary speeds zero.
+  static constexpr function<System, mechanics::quantity::auxiliary_forces> auxiliary_forces{};
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

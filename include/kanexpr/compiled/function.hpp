@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derivation/derivation.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
@@ -23,6 +24,7 @@ struct code {
   }();
   static constexpr const auto& tape = outcome.tape;
   static constexpr mechanics::problem mistake = outcome.mistake;
+  static constexpr const derivation::guard_list& guards = outcome.guards;
   static_assert(derivation::tell<code>());
 };
 
@@ -143,13 +145,39 @@ private:
       return std::tuple(compiled::no_result_of<T, wanted>()...);
   }
 
+  static constexpr int guards = code::guards.count;
+  static constexpr int first_guard = code::tape.sizes.results - guards;
+
   template <class T>
   [[gnu::always_inline]] static auto collect_from(const lower::evaluation<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
-      return collect<T, 0, wanted...>(done);
+      return with_status_of<T>(done, collect<T, 0, wanted...>(done));
     } else {
       return collect_all<T>(done, std::make_index_sequence<sizeof...(wanted)>{});
     }
+  }
+
+  /// A result of which nothing had to be solved comes alone.
+  template <class T, class Result>
+  [[gnu::always_inline]] static auto with_status_of(const lower::evaluation<code, T>& done,
+                                                    const Result& result) noexcept {
+    if constexpr (guards == 0)
+      return result;
+    else
+      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, guards>{})};
+  }
+
+  template <class T, int... i>
+  [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
+                                                 std::integer_sequence<int, i...>) noexcept {
+    unsigned failed = 0;
+    const int order[]{(failed |= lower::scalar_math<T>::exceeds(done.template result<first_guard + i>(),
+                                                                mechanics::least_regularity<T>())
+                                     ? 0u
+                                     : 1u << i,
+                       0)...};
+    static_cast<void>(order);
+    return {code::guards.causes, failed};
   }
 
   template <class T, int first, auto one>
@@ -183,7 +211,7 @@ private:
   template <class T, std::size_t... i>
   [[gnu::always_inline]] static auto collect_all(const lower::evaluation<code, T>& done,
                                                  std::index_sequence<i...>) noexcept {
-    return std::tuple(collect<T, first_of(i), wanted>(done)...);
+    return std::tuple(with_status_of<T>(done, collect<T, first_of(i), wanted>(done))...);
   }
 };
 

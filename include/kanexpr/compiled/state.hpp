@@ -21,24 +21,17 @@ struct surveyed {
 template <class System>
 inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
 
-template <class System, symbolic::symbol_kind kind, text called, int index>
-constexpr int place_of() {
-  return survey_of<System>.place(kind, describe::symbol_storage<kind, called, index>::record.called);
-}
-
-template <class System, symbolic::symbol_kind kind, text called, int index>
+template <class System, symbolic::symbol_kind kind, text called, int index,
+          int order = describe::unprescribed>
 struct placed {
-  static constexpr int found = place_of<System, kind, called, index>();
+  static constexpr const describe::symbol_record& symbol =
+      describe::symbol_storage<kind, called, index, order>::record;
+  static constexpr int found = survey_of<System>.place(kind, symbol.called);
   static constexpr int place = found >= 0 ? found : 0;
   static constexpr mechanics::problem mistake = [] {
     if (found >= 0 || survey_of<System>.mistake) return mechanics::problem{};
-    using symbolic::symbol_kind;
-    const std::string_view what = kind == symbol_kind::coordinate  ? "coordinate "
-                                  : kind == symbol_kind::speed     ? "speed "
-                                  : kind == symbol_kind::parameter ? "parameter "
-                                                                   : "input ";
-    return mechanics::sentence({"the system ", type_name<System>(), " has no ", what,
-                                describe::symbol_storage<kind, called, index>::record.called.view()});
+    const std::string_view what = derivation::kind_of(symbol);
+    return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
   static_assert(derivation::tell<placed>());
 };
@@ -147,6 +140,15 @@ public:
   template <text called, int index>
   const Scalar& operator[](const input<called, index>&) const {
     return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index>::place);
+  }
+  /// Of a prescribed quantity or its derivatives: `r[theta]`, `r[dot(theta)]`.
+  template <text called, int index, int order>
+  Scalar& operator[](const prescribed<called, index, order>&) {
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index, order>::place);
+  }
+  template <text called, int index, int order>
+  const Scalar& operator[](const prescribed<called, index, order>&) const {
+    return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index, order>::place);
   }
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {

@@ -2,7 +2,7 @@
 
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
-#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/status.hpp>
 
 namespace kanexpr::derivation {
 
@@ -22,20 +22,30 @@ struct request;
 template <quantity wanted>
 struct request<wanted> {
   static constexpr extent of(const survey& s) {
-    const int n = s.coordinates, p = s.speeds;
+    const int n = s.coordinates, p = s.speeds, m = s.constraints, l = s.configuration_constraints;
     switch (wanted) {
-    case quantity::mass_matrix: return {p, p};
+    case quantity::mass_matrix: return {p - m, p - m};
     case quantity::mass_matrix_full: return {n + p, n + p};
     case quantity::forcing_full:
     case quantity::rhs: return {n + p, 1};
     case quantity::qdot: return {n, 1};
+    case quantity::udot: return {p, 1};
     case quantity::forcing:
-    case quantity::udot:
     case quantity::active_forces:
-    case quantity::inertia_forces: return {p, 1};
+    case quantity::inertia_forces: return {p - m, 1};
     case quantity::linear_momentum:
     case quantity::angular_momentum:
     case quantity::center_of_mass: return {3, 1};
+    case quantity::configuration_residual: return {l, 1};
+    case quantity::configuration_jacobian: return {l, l};
+    case quantity::constraint_residual: return {l + m, 1};
+    case quantity::constraint_jacobian: return {m, p};
+    case quantity::dependency: return {m, p - m};
+    case quantity::velocity_residual:
+    case quantity::dependent_speeds:
+    case quantity::acceleration_bias:
+    case quantity::multipliers: return {m, 1};
+    case quantity::auxiliary_forces: return {s.auxiliary_speeds, 1};
     default: return {1, 1, true};
     }
   }
@@ -90,31 +100,40 @@ struct request<wanted> {
   }
 };
 
+/// What may be singular at a state: the results that tell are behind all others.
+struct guard_list {
+  static constexpr int room = kanexpr::status::room;
+  int count = 0;
+  problem causes[room]{};
+};
+
 struct outcome {
   problem mistake;
+  guard_list guards;
   lower::roomy_tape tape;
 };
 
 /// One derivation from the types of a model to straight-line code for everything that is wanted.
 template <class System, auto... wanted>
 constexpr outcome derived() {
-  graph g;
-  mechanism m(g);
-  reader r(System::record, m);
-  r.read();
-  (request<wanted>::visit(r), ...);
-  if (r.mistake()) return {r.mistake(), lower::roomy_tape{}};
-  mechanics::equations e(m);
-  r.know(e);
+  derived_system system(System::record);
+  (request<wanted>::visit(system.reader()), ...);
+  system.derive();
+  if (system.mistake()) return {system.mistake(), {}, lower::roomy_tape{}};
   sequence<int> outputs;
   (
       [&] {
-        const symbolic::matrix result = request<wanted>::form(r, e);
+        const symbolic::matrix result = request<wanted>::form(system.reader(), system.equations());
         for (const expression& entry : result.entries) outputs.push(entry.node());
       }(),
       ...);
-  const problem mistake = r.mistake() ? r.mistake() : e.mistake();
-  return {mistake, lower::fixed(lower::tape_of(g, outputs))};
+  guard_list guards;
+  for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
+    if (guards.count == guard_list::room) break;
+    guards.causes[guards.count++] = g.cause;
+    outputs.push(g.regularity.node());
+  }
+  return {system.mistake(), guards, lower::fixed(lower::tape_of(system.graph(), outputs))};
 }
 
 } // namespace kanexpr::derivation

@@ -14,10 +14,10 @@ public:
   using phrase_reader::phrase_reader;
 
   /// Reads the entities that a phrase mentions, before the mechanism is taken as complete.
-  constexpr void visit(const describe::token* tokens, int size) {
+  constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
     for (int i = 0; i < size && !mistake_; ++i) {
-      if (tokens[i].frame != nullptr) frame(tokens[i].frame, "an expression");
-      if (tokens[i].point != nullptr) point(tokens[i].point, "an expression");
+      if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
+      if (tokens[i].point != nullptr) point(tokens[i].point, whom);
     }
   }
 

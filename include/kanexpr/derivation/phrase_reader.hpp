@@ -17,16 +17,24 @@ public:
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
-    sequence<value> stack;
-    for (int i = 0; i < p.size && !mistake_; ++i) step(p.tokens[i], stack, whom);
-    if (mistake_ || stack.empty()) return value::of(m_.zero());
-    return stack.back();
+    if (p.kind == shape::vanishing || p.kind == shape::turning)
+      fail({part_, whom, is_a(p.kind), "it must be an expression"});
+    const sequence<value> found = evaluate_each(p, whom);
+    if (mistake_ || found.empty()) return value::of(m_.zero());
+    return found.back();
   }
 
   /// From here on phrases may speak of positions, velocities and derivatives.
   constexpr void know(mechanics::equations& derived) { derived_ = &derived; }
 
 protected:
+  /// What a phrase of several expressions, one after another, stands for.
+  constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
+    sequence<value> stack;
+    for (int i = 0; i < p.size && !mistake_; ++i) step(p.tokens[i], stack, whom);
+    return stack;
+  }
+
   /// A phrase that is the part `what` of an entity: "the offset of point ".
   constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
     const std::string_view before = part_;
@@ -152,7 +160,7 @@ protected:
     }
     case word::normalized: {
       const value a = pop();
-      stack.push(value::of((1 / sqrt(dot(m_, a.vector, a.vector))) * a.vector));
+      stack.push(value::of(normalized(m_, a.vector)));
       break;
     }
     default: motion(t, stack, whom); break;
@@ -162,15 +170,14 @@ protected:
   /// What a point or frame does, which only a model that has been read knows.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::word;
-    if (derived_ == nullptr)
-      return fail(
-          {part_, whom,
-           " holds a position, velocity or derivative, which is not known yet while a model is read"});
+    if (t.what == word::position) {
+      const int at = entities().point(t.point, whom);
+      if (!mistake_) stack.push(value::of(mechanics::position_from_origin(m_, at)));
+      return;
+    }
+    if (derived_ == nullptr) return declared_motion(t, stack, whom);
     mechanics::motion& k = derived_->moving();
     switch (t.what) {
-    case word::position:
-      stack.push(value::of(mechanics::position_from_origin(m_, entities().point(t.point, whom))));
-      break;
     case word::velocity:
       stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
       break;
@@ -207,6 +214,22 @@ protected:
     }
     default: break;
     }
+  }
+
+  /// While a model is read only those velocities are known that it declares in the inertial frame.
+  constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    using describe::word;
+    if (t.what == word::velocity) {
+      const int at = entities().point(t.point, whom);
+      if (!mistake_ && m_.points[at].reference == mechanism::inertial)
+        return static_cast<void>(stack.push(value::of(m_.points[at].velocity)));
+    }
+    if (t.what == word::angular_velocity) {
+      const int of = entities().frame(t.frame, whom);
+      if (!mistake_ && m_.frames[of].reference == mechanism::inertial)
+        return static_cast<void>(stack.push(value::of(m_.frames[of].angular_velocity)));
+    }
+    fail({part_, whom, " holds a velocity or derivative, which is not known yet while a model is read"});
   }
 
   mechanics::equations* derived_ = nullptr;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <kanexpr/derivation/entity_reader.hpp>
+#include <kanexpr/derivation/constraint_reader.hpp>
+#include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/mechanics/orientation_kinematics.hpp>
 
 namespace kanexpr::derivation {
 
@@ -9,9 +11,9 @@ using describe::load_record;
 
 /// Reads the records of a model into a mechanism: once, by following them from bodies and loads to all that
 /// they use. The first mistake stops the reading and is kept as a sentence.
-class reader : public entity_reader {
+class reader : public constraint_reader {
 public:
-  using entity_reader::entity_reader;
+  using constraint_reader::constraint_reader;
 
   constexpr void read() {
     read_lists();
@@ -20,6 +22,7 @@ public:
     for (int i = 0; i < from_.bodies.size && !mistake_; ++i) read_body(from_.bodies[i]);
     for (int i = 0; i < from_.loads.size && !mistake_; ++i) read_load(from_.loads[i]);
     for (int i = 0; i < from_.kinematics.size && !mistake_; ++i) read_kinematics(from_.kinematics[i]);
+    visit_constraints();
   }
 
 private:
@@ -31,6 +34,10 @@ private:
     for (int i = 0; i < from_.speeds.size; ++i)
       if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, "speeds"))
         m_.speed(s->called);
+    for (int i = 0; i < from_.auxiliary.size; ++i)
+      if (const symbol_record* s =
+              listed_symbol(from_.auxiliary[i], symbolic::symbol_kind::speed, "auxiliary speeds"))
+        m_.auxiliary_speed(s->called);
     for (int i = 0; i < from_.values.size; ++i) read_value(from_.values[i]);
     for (int i = 0; i < from_.parameters.size; ++i)
       if (const symbol_record* s =
@@ -38,7 +45,10 @@ private:
         m_.parameter(s->called);
     for (int i = 0; i < from_.inputs.size; ++i)
       if (const symbol_record* s = listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, "inputs"))
-        m_.input(s->called);
+        place_input(*s);
+    for (int i = 0; i < from_.inputs.size && !mistake_; ++i)
+      check_derivative(*from_.inputs[i].tokens[0].symbol);
+    for (int i = 0; i < from_.dependent.size && !mistake_; ++i) read_dependent(from_.dependent[i]);
   }
 
   constexpr void read_value(const phrase& p) {
@@ -63,6 +73,7 @@ private:
 
   constexpr void read_kinematics(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
+    if (p.kind == shape::turning) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)
       return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
                    name_in(p), "; write dot(q) == u"});
@@ -70,6 +81,13 @@ private:
     if (!mistake_ && left_minus_right.kind != shape::scalar)
       fail({whom, " with ", name_in(p), " equates vectors; equate their dot products with basis vectors"});
     m_.kinematics.push(left_minus_right.scalar);
+  }
+
+  constexpr void read_kinematics_of(const frame_record* of, const frame_record* in) {
+    const int place = frame(of, "kinematics_of"), reference = frame(in, "kinematics_of");
+    if (!mistake_) mistake_ = mechanics::check_orientation_kinematics(m_, place, reference);
+    if (mistake_) return;
+    for (const expression& e : mechanics::orientation_kinematics(m_, place, reference)) m_.kinematics.push(e);
   }
 
   constexpr void read_body(const body_record& r) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/derivation/reader.hpp>
-#include <kanexpr/mechanics/check.hpp>
+#include <kanexpr/derivation/derived_system.hpp>
 
 namespace kanexpr::derivation {
 
@@ -14,7 +13,32 @@ struct survey {
   int speeds = 0;
   int parameters = 0;
   int inputs = 0;
+  int auxiliary_speeds = 0;
+  int constraints = 0; ///< on the speeds, the rates of configuration constraints among them
+  int configuration_constraints = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
+  bool dependent[room]{};       ///< by the same order
+
+  constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }
+
+  constexpr void take(derived_system& system) {
+    const mechanism& m = system.model();
+    coordinates = m.coordinates.size();
+    speeds = m.speeds.size();
+    parameters = m.parameters.size();
+    inputs = m.inputs.size();
+    auxiliary_speeds = m.auxiliary_speeds.size();
+    if (symbols() > room) return;
+    int next = 0;
+    for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
+      for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
+    if (!system.is_derived() || system.mistake()) return;
+    mechanics::equations& e = system.equations();
+    constraints = e.constraints_used().size();
+    configuration_constraints = m.configuration_constraints.size();
+    for (int i : e.coordinates().dependent) dependent[i] = true;
+    for (int i : e.speeds().dependent) dependent[coordinates + i] = true;
+  }
 
   constexpr int first_of(symbolic::symbol_kind kind) const {
     switch (kind) {
@@ -88,8 +112,10 @@ constexpr problem check_words() {
     for (std::string_view word : {"inertial", "coordinates", "speeds", "kinematics", "bodies"})
       if (System::times_told(word) == 0)
         return sentence({"the system ", called, " is told no ", word, "<...>"});
-    for (std::string_view word : {"inertial", "coordinates", "speeds", "kinematics", "bodies", "loads",
-                                  "parameters", "inputs", "values"})
+    for (std::string_view word :
+         {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
+          "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "loads", "parameters",
+          "inputs", "values"})
       if (System::times_told(word) > 1)
         return sentence({"the system ", called, " is told ", word, "<...> twice; write one list"});
     return {};
@@ -104,24 +130,17 @@ constexpr survey survey_of() {
   s.mistake = check_words<System>();
   if constexpr (requires { System::record; }) {
     if (s.mistake) return s;
-    graph g;
-    mechanism m(g);
-    reader r(System::record, m);
-    r.read();
-    s.mistake = r.mistake();
-    if (!s.mistake) s.mistake = mechanics::check(m);
-    int next = 0;
-    for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
-      for (const expression& e : *list) {
-        if (next < survey::room) s.names[next] = g.symbol_at(e.node()).called;
-        ++next;
-      }
-    if (next > survey::room && !s.mistake)
+    derived_system system(System::record);
+    system.check();
+    constexpr const system_record& told = System::record;
+    if (told.configuration_constraints.size + told.velocity_constraints.size + told.auxiliary.size +
+            told.acceleration_constraints.size + told.dependent.size !=
+        0)
+      system.derive();
+    s.mistake = system.mistake();
+    s.take(system);
+    if (s.symbols() > survey::room && !s.mistake)
       s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
-    s.coordinates = m.coordinates.size();
-    s.speeds = m.speeds.size();
-    s.parameters = m.parameters.size();
-    s.inputs = m.inputs.size();
   }
   return s;
 }

@@ -30,14 +30,22 @@ public:
     case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
     case symbol_kind::coordinate_rate:
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
-    case symbol_kind::speed: return listed(m_.speeds, m_.speeds, r, "speed", whom);
-    case symbol_kind::speed_rate: return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+    case symbol_kind::speed:
+      if (has(m_.auxiliary_speeds, r.called)) return find(m_.auxiliary_speeds, r.called);
+      return listed(m_.speeds, m_.speeds, r, "speed", whom);
+    case symbol_kind::speed_rate:
+      if (has(m_.auxiliary_speeds, r.called))
+        fail({part_, whom, " holds the rate of auxiliary speed ", r.called.view(),
+              ", which is zero at all times"});
+      return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::auxiliary_speed: break;
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) return bound_values_[i];
       return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
-    case symbol_kind::input: return mentioned(m_.inputs, r, from_.inputs.size != 0, "input", whom);
+    case symbol_kind::input:
+      if (from_.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
+      return mentioned(m_.inputs, r, from_.inputs.size != 0, "input", whom);
     }
     return m_.zero();
   }
@@ -63,6 +71,26 @@ protected:
     }
     claim_name(s->called, list);
     return s;
+  }
+
+  /// An input of the list. A prescribed quantity and its rate know each other, in whatever order they come.
+  constexpr void place_input(const symbol_record& r) {
+    const expression placed = m_.input(r.called);
+    if (r.order == describe::unprescribed) return;
+    const symbolic::name rate = derivative(r, r.order + 1);
+    if (has(m_.inputs, rate)) m_.prescribed_rates.push({placed, find(m_.inputs, rate)});
+    if (r.order == 0) return;
+    const symbolic::name below = derivative(r, r.order - 1);
+    if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
+  }
+
+  /// After the list of inputs: a derivative alone would be taken for the rate of nothing.
+  constexpr void check_derivative(const symbol_record& r) {
+    if (r.order <= 0) return;
+    const symbolic::name below = derivative(r, r.order - 1);
+    if (!has(m_.inputs, below))
+      fail({"the list of inputs holds ", r.called.view(), ", a derivative of a prescribed quantity, without ",
+            below.view()});
   }
 
   /// A name means one thing in a system.
@@ -95,6 +123,34 @@ protected:
   std::string_view part_; ///< of an entity, that is being read: "the offset of point "
 
 private:
+  constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
+    return !find(symbols, called).is_zero();
+  }
+  /// The symbol of a name, or zero.
+  constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
+    for (const expression& e : symbols)
+      if (m_.g->symbol_at(e.node()).called == called) return e;
+    return m_.zero();
+  }
+
+  /// theta, theta', theta'' by their order.
+  static constexpr symbolic::name derivative(const symbol_record& r, int order) {
+    const std::string_view own = r.called.view();
+    symbolic::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
+    for (int i = 0; i < order; ++i) called.append("'");
+    return called;
+  }
+
+  /// Without a list of inputs a prescribed quantity takes three places in a row: what an acceleration needs.
+  constexpr void place_with_derivatives(const symbol_record& r) {
+    for (int order = 0; order <= 2 || order <= r.order; ++order) {
+      const symbol_record one{r.kind, derivative(r, order), order};
+      if (has(m_.inputs, one.called)) continue;
+      claim_name(one.called, "inputs");
+      place_input(one);
+    }
+  }
+
   constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)

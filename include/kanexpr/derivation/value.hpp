@@ -92,10 +92,27 @@ constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics
   return t;
 }
 
+/// The part of a vector along a direction, which is mostly a basis vector: in its axes one number is left.
+constexpr expression along(const mechanics::mechanism& m, const mechanics::vector& v,
+                           const mechanics::vector& direction) {
+  const mechanics::vector::part& d = direction.parts[0];
+  return mechanics::dot(mechanics::express(m, v, d.frame), d.value);
+}
+
 constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector& a,
                          const mechanics::vector& b) {
+  if (a.parts.size() > 1 && b.parts.size() == 1) return along(m, a, b);
+  if (b.parts.size() > 1 && a.parts.size() == 1) return along(m, b, a);
   const together t = in_common_axes(m, a, b);
   return mechanics::dot(t.a, t.b);
+}
+
+/// In the axes of one frame, so that parts which cancel do so before they are divided.
+constexpr mechanics::vector normalized(const mechanics::mechanism& m, const mechanics::vector& v) {
+  const together t = in_common_axes(m, v, v);
+  mechanics::vector unit;
+  unit.add(t.frame, (1 / sqrt(mechanics::dot(t.a, t.a))) * t.a);
+  return unit;
 }
 
 constexpr mechanics::vector cross(const mechanics::mechanism& m, const mechanics::vector& a,

@@ -17,7 +17,7 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   case symbol_kind::coordinate: return "coordinate ";
   case symbol_kind::speed: return "speed ";
   case symbol_kind::parameter: return "parameter ";
-  case symbol_kind::input: return "input ";
+  case symbol_kind::input: return s.order == describe::unprescribed ? "input " : "prescribed quantity ";
   case symbol_kind::coordinate_rate: return "the rate of coordinate ";
   case symbol_kind::speed_rate: return "the rate of speed ";
   case symbol_kind::auxiliary_speed: return "auxiliary speed ";
@@ -25,10 +25,12 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   return "";
 }
 
-/// A symbol or frame of a phrase, to say which one is meant.
+/// A symbol, point or frame of a phrase, to say which one is meant.
 constexpr std::string_view name_in(const phrase& p) {
   for (int i = 0; i < p.size; ++i)
     if (p.tokens[i].symbol != nullptr) return p.tokens[i].symbol->called.view();
+  for (int i = 0; i < p.size; ++i)
+    if (p.tokens[i].point != nullptr) return p.tokens[i].point->called;
   for (int i = 0; i < p.size; ++i)
     if (p.tokens[i].frame != nullptr) return p.tokens[i].frame->called;
   return "";
@@ -79,6 +81,8 @@ constexpr std::string_view is_a(shape kind) {
   case shape::vector: return " is a vector; ";
   case shape::dyadic: return " is a dyadic; ";
   case shape::equation: return " is an equation; ";
+  case shape::vanishing: return " is a constraint; ";
+  case shape::turning: return " is a list of kinematic differential equations; ";
   default: return " is no expression; ";
   }
 }

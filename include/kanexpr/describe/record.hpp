@@ -6,8 +6,17 @@
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
 namespace kanexpr::describe {
 
-/// What an expression turns out to be; foreign: it is none.
-enum class shape : unsigned char { nothing, scalar, vector, dyadic, equation, foreign };
+/// What an expression turns out to be.
+enum class shape : unsigned char {
+  nothing,
+  scalar,
+  vector,
+  dyadic,
+  equation,
+  vanishing, ///< zero_along
+  turning,   ///< kinematics_of
+  foreign,   ///< it is none
+};
 
 /// An expression in static storage.
 struct phrase {

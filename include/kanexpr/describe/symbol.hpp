@@ -10,20 +10,21 @@ inline constexpr int unnumbered = -1;
 
 namespace describe {
 
-template <symbolic::symbol_kind kind, text called, int index>
+template <symbolic::symbol_kind kind, text called, int index, int order = unprescribed>
 struct symbol_storage {
   static constexpr symbol_record record = [] {
-    symbol_record r{kind, symbolic::name(called.view())};
+    symbol_record r{kind, symbolic::name(called.view()), order};
     if (index != unnumbered) r.called.append(index);
+    for (int i = 0; i < order; ++i) r.called.append("'");
     return r;
   }();
 };
 
-template <symbolic::symbol_kind kind, text called, int index>
+template <symbolic::symbol_kind kind, text called, int index, int order = unprescribed>
 constexpr scalar<1> symbol_token() {
   token t{};
   t.what = word::symbol;
-  t.symbol = &symbol_storage<kind, called, index>::record;
+  t.symbol = &symbol_storage<kind, called, index, order>::record;
   return {{t}};
 }
 
@@ -55,6 +56,14 @@ struct input : scalar<1> {
   constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
 };
 
+/// A quantity that is known as a function of time: `constexpr prescribed<"theta"> theta;` Its value and its
+/// derivatives `dot(theta)` and `dot(dot(theta))` are given with each evaluation, as inputs.
+template <text called, int index = unnumbered, int order = 0>
+struct prescribed : scalar<1> {
+  constexpr prescribed()
+      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index, order>()) {}
+};
+
 /// The time, for what depends on it explicitly.
 struct time_variable : scalar<1> {
   constexpr time_variable()
@@ -65,6 +74,12 @@ struct time_variable : scalar<1> {
 template <text called, int index>
 constexpr scalar<1> dot(const coordinate<called, index>&) {
   return describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>();
+}
+
+/// The derivative of a prescribed quantity.
+template <text called, int index, int order>
+constexpr prescribed<called, index, order + 1> dot(const prescribed<called, index, order>&) {
+  return {};
 }
 
 /// The rate du/dt of a speed.

@@ -24,6 +24,8 @@ struct system_record {
   const frame_record* inertial = nullptr;
   listing<phrase> coordinates, speeds, parameters, inputs;
   listing<phrase> kinematics;
+  listing<phrase> configuration_constraints, velocity_constraints, acceleration_constraints;
+  listing<phrase> dependent, auxiliary;
   listing<phrase> values;
   listing<body_record> bodies;
   listing<load_record> loads;

@@ -11,9 +11,13 @@ namespace kanexpr::describe {
 struct frame_record;
 struct point_record;
 
+/// Stands for "not prescribed" in place of the order of a derivative.
+inline constexpr int unprescribed = -1;
+
 struct symbol_record {
   symbolic::symbol_kind kind;
-  symbolic::name called;
+  symbolic::name called; ///< theta'' for the second derivative of a prescribed theta
+  int order = unprescribed;
 };
 
 enum class word : unsigned char {

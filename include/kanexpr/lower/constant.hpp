@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/fixed_tape.hpp>
-#include <kanexpr/symbolic/elementary.hpp>
+#include <kanexpr/symbolic/evaluate.hpp>
 
 #include <array>
 
@@ -23,29 +23,26 @@ struct constant_matrix {
   }
 };
 
-constexpr double constant_step(operation op, double a, double b) {
-  namespace f = symbolic::elementary;
-  switch (op) {
-  case operation::negate: return -a;
-  case operation::add: return a + b;
-  case operation::subtract: return a - b;
-  case operation::multiply: return a * b;
-  case operation::divide: return a / b;
-  case operation::power: return f::pow(a, b);
-  case operation::sqrt: return f::sqrt(a);
-  case operation::sin: return f::sin(a);
-  case operation::cos: return f::cos(a);
-  case operation::tan: return f::tan(a);
-  case operation::asin: return f::asin(a);
-  case operation::acos: return f::acos(a);
-  case operation::atan: return f::atan(a);
-  case operation::atan2: return f::atan2(a, b);
-  case operation::exp: return f::exp(a);
-  case operation::log: return f::log(a);
-  case operation::abs: return f::abs(a);
-  case operation::sign: return f::sign(a);
-  default: return a;
+/// A step of an elimination; the solution of a singular system is not-a-number.
+constexpr void constant_elimination(const elimination& e, const int* operands, const double* slot,
+                                    double* out) {
+  using math = symbolic::constant_elimination;
+  const double* const factors = slot + e.factors;
+  sequence<double> inputs;
+  for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
+  if (e.op == operation::regularity) {
+    *out = symbolic::regularity_of<math>(e.order, factors, inputs.begin());
+    return;
   }
+  for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];
+  if (e.op == operation::factorization)
+    symbolic::factorize<math>(e.order, out);
+  else if (factors[symbolic::factors{e.order}.least_pivot()] == 0)
+    for (int i = 0; i < e.order; ++i) out[i] = symbolic::elementary::detail::not_a_number;
+  else if (e.op == operation::solve)
+    symbolic::solve_factorized<math>(e.order, factors, out);
+  else
+    symbolic::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
 /// All slots of a tape, one after another; `value_of(load)` gives the arguments.
@@ -55,9 +52,17 @@ constexpr auto constant_slots(ValueOf value_of) {
   std::size_t next = 0;
   for (int i = 0; i < tape.sizes.numbers; ++i) slot[next++] = tape.numbers[i].value();
   for (int i = 0; i < tape.sizes.loads; ++i) slot[next++] = value_of(tape.loads[i]);
-  for (int i = 0; i < tape.sizes.steps; ++i)
-    slot[next++] = constant_step(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
-                                 slot[static_cast<std::size_t>(tape.b[i])]);
+  for (int i = 0, e = 0; i < tape.sizes.steps;) {
+    if (e < tape.sizes.eliminations && tape.eliminations[e].step == i) {
+      constant_elimination(tape.eliminations[e], tape.operands, slot.data(), slot.data() + next);
+      i += tape.eliminations[e].outputs();
+      next += static_cast<std::size_t>(tape.eliminations[e++].outputs());
+    } else {
+      slot[next++] = symbolic::value_of(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
+                                        slot[static_cast<std::size_t>(tape.b[i])]);
+      ++i;
+    }
+  }
   return slot;
 }
 

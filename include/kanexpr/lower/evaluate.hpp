@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/lower/eliminate.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
@@ -25,7 +26,7 @@ public:
     load_arguments(arguments, std::make_integer_sequence<int, tape.sizes.loads>{});
     run<0, tape.sizes.first_angle>();
     turn(std::make_integer_sequence<int, tape.sizes.angles>{});
-    run<tape.sizes.first_angle + 2 * tape.sizes.angles, tape.sizes.steps>();
+    run_rest(std::make_integer_sequence<int, tape.sizes.eliminations>{});
   }
 
   template <int i>
@@ -67,6 +68,43 @@ private:
     }
   }
 
+  /// The steps after the angles, with the eliminations between them.
+  template <int... i>
+  [[gnu::always_inline]] void run_rest(std::integer_sequence<int, i...>) noexcept {
+    const int order[]{0, (run<end_of(i - 1), tape.eliminations[i].step>(), eliminate<i>(), 0)...};
+    static_cast<void>(order);
+    run<end_of(static_cast<int>(sizeof...(i)) - 1), tape.sizes.steps>();
+  }
+  static constexpr int end_of(int i) {
+    if (i < 0) return tape.sizes.first_angle + 2 * tape.sizes.angles;
+    return tape.eliminations[i].step + tape.eliminations[i].outputs();
+  }
+
+  template <int i>
+  [[gnu::always_inline]] void eliminate() noexcept {
+    constexpr elimination e = tape.eliminations[i];
+    T* const out = slot_ + first + e.step;
+    if constexpr (e.op == operation::regularity) {
+      T scales[e.order];
+      gather<e.operands>(scales, std::make_integer_sequence<int, e.inputs()>{});
+      *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, scales);
+    } else {
+      gather<e.operands>(out, std::make_integer_sequence<int, e.inputs()>{});
+      if constexpr (e.op == operation::factorization)
+        unrolled_elimination<e.order, T>::factorize(out);
+      else if constexpr (e.op == operation::solve)
+        unrolled_elimination<e.order, T>::solve(slot_ + e.factors, out);
+      else
+        unrolled_elimination<e.order, T>::solve_transposed(slot_ + e.factors, out);
+    }
+  }
+
+  template <int begin, int... i>
+  [[gnu::always_inline]] void gather(T* out, std::integer_sequence<int, i...>) noexcept {
+    const int order[]{(out[i] = slot_[tape.operands[begin + i]], 0)...};
+    static_cast<void>(order);
+  }
+
   template <int begin, int end>
   [[gnu::always_inline]] void run() noexcept {
     run_blocks<begin, end>(
@@ -101,7 +139,7 @@ private:
       scalar_math<T>::sincos(a, slot[0], slot[1]);
   }
 
-  T slot_[tape.slots()];
+  T slot_[tape.slots() > 0 ? tape.slots() : 1];
 };
 
 } // namespace kanexpr::lower

@@ -47,11 +47,24 @@ struct scalar_math<T> {
   [[gnu::always_inline]] static T by_name(const T& x) {
     return each([&](int i) { return of_element::template by_name<op>(x[i]); });
   }
+  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
+    const auto exchanged = d > 0;
+    const T upper = exchanged ? b : a, lower = exchanged ? a : b;
+    a = upper;
+    b = lower;
+  }
   [[gnu::always_inline]] static T power(const T& x, const T& y) {
     return each([&](int i) { return of_element::power(x[i], y[i]); });
   }
   [[gnu::always_inline]] static T atan2(const T& y, const T& x) {
     return each([&](int i) { return of_element::atan2(y[i], x[i]); });
+  }
+
+  /// In all lanes.
+  [[gnu::always_inline]] static bool exceeds(const T& x, double bound) {
+    bool all = true;
+    for (int i = 0; i < lanes; ++i) all = all && of_element::exceeds(x[i], bound);
+    return all;
   }
 
 private:

@@ -79,11 +79,21 @@ struct default_scalar_math {
       return sign(x);
   }
 
+  /// Not-a-number exceeds nothing.
+  static bool exceeds(const T& x, double bound) { return x > from(bound); }
+
   static T sign(const T& x) {
     if constexpr (std::is_arithmetic_v<T>)
       return static_cast<T>((T(0) < x) - (x < T(0)));
     else
       return T((T(0) < x) - (x < T(0)));
+  }
+  /// What elimination exchanges rows with: by selection, since a branch would depend on the data.
+  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
+    const bool exchanged = T(0) < d;
+    const T upper = exchanged ? b : a, lower = exchanged ? a : b;
+    a = upper;
+    b = lower;
   }
   static T power(const T& x, const T& y) {
     using std::pow;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/elimination.hpp>
 
 namespace kanexpr::lower {
 
@@ -14,6 +15,22 @@ struct instruction {
   int a = 0;
   int b = 0;
   bool paired = false; ///< a sine that brings the cosine of its angle in the next slot, or that cosine
+};
+
+/// A step on many slots, on the way to solve a linear system: it fills slots from `step` on, as many as its
+/// operation asks for; in the list of steps they are marked as components of it.
+struct elimination {
+  operation op = operation::factorization;
+  int order = 0;
+  int step = 0;
+  int factors = 0;  ///< first slot of the factorization that it uses
+  int operands = 0; ///< where its operands begin among those of all eliminations
+
+  constexpr int inputs() const { return op == operation::factorization ? order * order : order; }
+  constexpr int outputs() const {
+    if (op == operation::factorization) return symbolic::factors{order}.size();
+    return op == operation::regularity ? 1 : order;
+  }
 };
 
 /// Where the value of a slot comes from before the first step.
@@ -32,6 +49,8 @@ struct tape {
   sequence<symbolic::number> numbers;
   sequence<load> loads;
   sequence<int> results; ///< slots
+  sequence<elimination> eliminations;
+  sequence<int> operands; ///< slots
   int first_angle = 0;
   int angle_count = 0;
 
@@ -44,8 +63,8 @@ namespace detail {
 /// Puts the live nodes of a graph in order.
 class scheduling {
 public:
-  constexpr scheduling(const graph& g, const sequence<int>& outputs)
-      : g_(g), live_(symbolic::live_nodes(g, outputs)), slot_(g.size(), none), outputs_(outputs) {
+  constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
+      : g_(g), live_(static_cast<sequence<char>&&>(live)), slot_(g.size(), none), outputs_(outputs) {
     for (int id = 0; id < g.size(); ++id)
       if (g[id].op == operation::tan && live_[id] != 0 && has_either(id))
         live_[sine_of(id)] = live_[cosine_of(id)] = 1;
@@ -114,6 +133,7 @@ private:
   constexpr void put(int id) {
     const symbolic::node& n = g_[id];
     if (slot_[id] != none) return;
+    if (n.op >= operation::pair) return put_solving(id, n);
     if (is_circular(n.op) && has_both(id)) {
       const int s = sine_of(id), c = cosine_of(id);
       if (slot_[s] == none) {
@@ -127,6 +147,26 @@ private:
     slot_[id] = step({n.op, slot_[n.a], b, false});
   }
 
+  constexpr void put_solving(int id, const symbolic::node& n) {
+    if (n.op == operation::pair) return;
+    if (n.op == operation::component) {
+      slot_[id] = slot_[n.a] + symbolic::integer_at(g_, n.b);
+      return;
+    }
+    const bool factorizes = n.op == operation::factorization;
+    const elimination added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
+                            factorizes ? 0 : slot_[n.a], tape_.operands.size()};
+    sequence<int> inputs;
+    if (factorizes)
+      inputs = symbolic::entries_of(g_, id);
+    else
+      inputs = symbolic::elements_of(g_, n.b);
+    for (int input : inputs) tape_.operands.push(slot_[input]);
+    tape_.eliminations.push(added);
+    slot_[id] = tape_.first_step() + added.step;
+    for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
+  }
+
   constexpr int step(const instruction& added) { return tape_.first_step() + tape_.steps.push(added); }
 
   const graph& g_;
@@ -138,15 +178,29 @@ private:
 
 } // namespace detail
 
-/// Sorts what some outputs need of a graph into a tape.
+/// Sorts what some outputs need of a graph into a tape. Small linear systems are written out before.
 constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
-  return detail::scheduling(g, outputs).run();
+  sequence<char> live = symbolic::live_nodes(g, outputs);
+  if (!symbolic::holds_solves(g, live))
+    return detail::scheduling(g, static_cast<sequence<char>&&>(live), outputs).run();
+  graph copy = g;
+  const sequence<int> expanded = symbolic::expand_solves(copy, outputs);
+  return detail::scheduling(copy, symbolic::live_nodes(copy, expanded), expanded).run();
 }
 
 /// What one evaluation of a tape does.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
+  for (const elimination& e : t.eliminations) {
+    if (e.op == operation::factorization)
+      total.count_factorization(e.order);
+    else if (e.op == operation::regularity)
+      total.count_regularity(e.order);
+    else
+      total.count_substitution(e.order);
+  }
   for (const instruction& step : t.steps) {
+    if (step.op == operation::component) continue;
     total.count(step.op);
     if (step.op == operation::cos && step.paired) --total.trigonometric;
   }

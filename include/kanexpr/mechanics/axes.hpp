@@ -20,7 +20,7 @@ constexpr sequence<int> described_in(const skeleton& s, int f) {
     if (b.frame != none && s.rigid_with[b.frame] == f)
       for (const dyadic::part& p : b.inertia.parts) note(p.left), note(p.right);
   for (const node& n : s.nodes)
-    if (n.frame == f && !n.absolute && !n.r.is_zero()) note(n.offset_frame);
+    if (n.frame == f && n.rigid && !n.absolute && !n.r.is_zero()) note(n.offset_frame);
   return used;
 }
 
@@ -44,9 +44,12 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   return true;
 }
 
-/// Whether every turn of the mechanism is about one axis of the ground.
+/// Whether every turn of the mechanism is about one axis of the ground, and what slides is told in its axes.
 constexpr bool planar(const skeleton& s) {
   int axis = none;
+  for (const node& n : s.nodes)
+    for (const vector::part& p : n.slide.parts)
+      if (s.rigid_with[p.frame] != mechanism::inertial) return false;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     const frame& own = s.model->frames[f];
     if (own.kind == orientation::about_basis) {

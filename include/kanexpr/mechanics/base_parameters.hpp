@@ -52,15 +52,16 @@ private:
     return found;
   }
 
-  /// Whatever a frame does about a point that is fixed in the frame below it, its mass acts on that frame as
-  /// a particle at the point. A joint about axis a does not feel the part {m, h_a, I_dd about both other
-  /// axes} of what it carries either. These parts move to the frame below (base inertial parameters: Gautier
-  /// & Khalil 1990): numbers fold there, and of symbols the mass alone moves, which never costs more than it
-  /// saves.
+  /// Whatever a frame does about a point that is fixed in the frame below it, or about a point at which that
+  /// frame has mass as well, its mass acts on that frame as a particle at the point. A joint about axis a
+  /// does not feel the part {m, h_a, I_dd about both other axes} of what it carries either. These parts move
+  /// to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there, and of symbols
+  /// the mass alone moves, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
     const node& at = s_.nodes[l.node];
     const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
-    if (!stands || l.frame == at.frame) return l;
+    const int below = l.frame == at.frame ? s_.turns_in[l.frame] : at.frame;
+    if (l.frame == at.frame ? !carries(l.node, below) : !stands) return l;
     const mechanism& m = *s_.model;
     rigid_mass moved(*m.g);
     link left = l;
@@ -81,8 +82,38 @@ private:
       left.mass.inertia(b, b) -= l.mass.inertia(d, d);
       left.mass.inertia(d, d) = m.zero();
     }
-    put({l.node, at.frame, moved});
+    const int spin = spin_axis(l.frame, below);
+    if (spin != none && is_round(l.mass.inertia, spin)) {
+      symmetric across = l.mass.inertia; // what is left to the spinning body is its inertia about the axis
+      across(spin, spin) = m.zero();
+      left.mass.inertia = symmetric(*m.g);
+      left.mass.inertia(spin, spin) = l.mass.inertia(spin, spin);
+      moved.inertia = path(m, s_.body_axes[l.frame], s_.body_axes[below]).turn(across);
+    }
+    put({l.node, below, moved});
     return left;
+  }
+
+  /// Whether there is a mass at a node that moves with a frame which is not the ground.
+  constexpr bool carries(int node, int frame) const {
+    for (const link& l : links_)
+      if (l.node == node && l.frame == frame) return frame != mechanism::inertial;
+    return false;
+  }
+
+  /// Whether an inertia looks the same from all sides of axis `a`.
+  static constexpr bool is_round(const symmetric& i, int a) {
+    const int b = (a + 1) % 3, d = (a + 2) % 3;
+    return i(b, b) == i(d, d) && i(a, b).is_zero() && i(a, d).is_zero() && i(b, d).is_zero();
+  }
+
+  /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
+  constexpr int spin_axis(int f, int below) const {
+    if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
+    const components w = express(*s_.model, s_.turning[f], s_.body_axes[f]);
+    for (int a = 0; a < 3; ++a)
+      if (w[(a + 1) % 3].is_zero() && w[(a + 2) % 3].is_zero()) return a;
+    return none;
   }
 
   const skeleton& s_;

@@ -12,13 +12,23 @@ constexpr vector position_from_origin(const mechanism& m, int p) {
   return sum;
 }
 
+/// An inertia dyadic in the axes of `frame`. In the axes of a single frame it is symmetric from the start and
+/// turns at half the cost.
+constexpr symmetric inertia_in(const mechanism& m, const dyadic& d, int frame) {
+  const auto symmetric_of = [&](const matrix3& a) {
+    symmetric i(*m.g);
+    i.xx = a(0, 0), i.yy = a(1, 1), i.zz = a(2, 2);
+    i.xy = a(0, 1), i.yz = a(1, 2), i.zx = a(2, 0);
+    return i;
+  };
+  if (d.parts.size() != 1 || d.parts[0].left != d.parts[0].right) return symmetric_of(express(m, d, frame));
+  return path(m, d.parts[0].left, frame).turn(symmetric_of(d.parts[0].value));
+}
+
 /// A body's inertia about its mass centre, in the axes of `frame`; the parallel-axis theorem is applied where
 /// the model gives it about another point.
 constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame) {
-  const matrix3 given = express(m, b.inertia, frame);
-  symmetric i(*m.g);
-  i.xx = given(0, 0), i.yy = given(1, 1), i.zz = given(2, 2);
-  i.xy = given(0, 1), i.yz = given(1, 2), i.zx = given(2, 0);
+  symmetric i = inertia_in(m, b.inertia, frame);
   if (b.about == none || b.about == b.center) return i;
   vector r = position_from_origin(m, b.about);
   r.subtract(position_from_origin(m, b.center));

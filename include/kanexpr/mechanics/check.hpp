@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/mechanics/check_kinematics.hpp>
+#include <kanexpr/mechanics/partition.hpp>
+#include <kanexpr/mechanics/prescribed.hpp>
 
 /// Mistakes that a mechanism can hold, found before anything is derived from it.
 namespace kanexpr::mechanics {
@@ -34,18 +36,27 @@ private:
 
   /// Geometry may hold coordinates, parameters and time, nothing whose rate is not known.
   constexpr void geometry(expression e, std::string_view of, const name& whose) {
-    if (found_ || !held_.holds_any(e, {kind::speed, kind::input, kind::coordinate_rate, kind::speed_rate}))
+    if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
+                                       kind::speed_rate}))
       return;
     if (held_.holds(e, kind::speed))
       fail({of, whose.view(), " holds the speed ", held_.name_of(e, kind::speed),
             "; it may hold coordinates only"});
-    else if (held_.holds(e, kind::input))
-      fail({of, whose.view(), " holds the input ", held_.name_of(e, kind::input),
-            ", whose rate is not known"});
+    else if (held_.holds(e, kind::auxiliary_speed))
+      fail({of, whose.view(), " holds the auxiliary speed ", held_.name_of(e, kind::auxiliary_speed),
+            "; it may hold coordinates only"});
     else if (held_.holds(e, kind::coordinate_rate))
       fail({of, whose.view(), " holds the rate of coordinate ", held_.name_of(e, kind::coordinate_rate)});
-    else
+    else if (held_.holds(e, kind::speed_rate))
       fail({of, whose.view(), " holds the rate of speed ", held_.name_of(e, kind::speed_rate)});
+    else
+      inputs(e, 2, of, whose.view());
+  }
+
+  /// Where a quantity is differentiated, its inputs must be prescribed with their derivatives.
+  constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
+    if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
+      fail({of, whose, " holds the input ", u.input, ", whose ", u.what, " is not known"});
   }
 
   constexpr void check_frame(int place) {
@@ -77,18 +88,10 @@ private:
     for (const vector::part& part : v.parts)
       for (int i = 0; i < 3 && !found_; ++i) {
         const expression e = part.value[i];
-        if (held_.holds(e, kind::input))
-          fail({of, whose.view(), " holds the input ", held_.name_of(e, kind::input),
-                ", whose rate is not known"});
+        inputs(e, 1, of, whose.view());
         if (held_.holds(e, kind::speed_rate))
           fail({of, whose.view(), " holds the rate of speed ", held_.name_of(e, kind::speed_rate)});
-        if (held_.looks_linear(e)) continue;
-        for (const sequence<expression>* list : {&m_.speeds, &m_.coordinate_rates})
-          for (const expression& s : *list)
-            if (!is_linear(e, s))
-              fail({of, whose.view(), " is not linear in ",
-                    list == &m_.speeds ? "speed " : "the rate of coordinate ",
-                    m_.g->symbol_at(s.node()).called.view()});
+        if (!found_) found_ = check_linear(m_, held_, e, sentence({of, whose.view()}).view());
       }
   }
 
@@ -105,9 +108,9 @@ private:
     if (b.mass.is_zero()) fail({"body ", called, " has no mass"});
     if (b.mass.is_constant() && m_.g->number_at(b.mass.node()).negative())
       fail({"the mass of ", called, " is negative"});
-    constant(b.mass, "the mass of ", called);
+    mass(b.mass, "the mass of ", called);
     for (const dyadic::part& p : b.inertia.parts) {
-      for (int i = 0; i < 9; ++i) constant(p.value(i / 3, i % 3), "the inertia of ", called);
+      for (int i = 0; i < 9; ++i) mass(p.value(i / 3, i % 3), "the inertia of ", called);
       for (int i = 0; i < 3; ++i)
         if (p.left == p.right && p.value(i, i).is_constant() &&
             m_.g->number_at(p.value(i, i).node()).negative())
@@ -121,19 +124,18 @@ private:
     }
   }
 
-  /// Masses and inertias stay as they are while the system moves.
-  constexpr void constant(expression e, std::string_view of, std::string_view whose) {
-    if (found_) return;
+  /// Masses and inertias may change in a known way: with the time, coordinates and prescribed quantities.
+  constexpr void mass(expression e, std::string_view of, std::string_view whose) {
     struct word {
       kind what;
       std::string_view called;
     };
-    for (const word& w :
-         {word{kind::coordinate, " changes with coordinate "}, word{kind::speed, " changes with speed "},
-          word{kind::input, " changes with input "}, word{kind::time, " changes with time "},
-          word{kind::coordinate_rate, " changes with the rate of coordinate "},
-          word{kind::speed_rate, " changes with the rate of speed "}})
+    for (const word& w : {word{kind::speed, " changes with speed "},
+                          word{kind::auxiliary_speed, " changes with auxiliary speed "},
+                          word{kind::coordinate_rate, " changes with the rate of coordinate "},
+                          word{kind::speed_rate, " changes with the rate of speed "}})
       if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
+    inputs(e, 1, of, whose);
   }
 
   const mechanism& m_;
@@ -147,10 +149,12 @@ private:
 constexpr problem check(const mechanism& m) { return detail::checking(m).run(); }
 
 /// A mistake that shows only in the mass matrix.
-constexpr problem check_mass_matrix(const mechanism& m, const symbolic::matrix& mass) {
+constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,
+                                    const symbolic::matrix& mass) {
   for (int i = 0; i < mass.rows; ++i)
     if (mass(i, i).is_zero())
-      return sentence({"speed ", m.g->symbol_at(m.speeds[i].node()).called.view(), " moves no mass"});
+      return sentence(
+          {"speed ", m.g->symbol_at(m.speeds[speeds.independent[i]].node()).called.view(), " moves no mass"});
   return {};
 }
 

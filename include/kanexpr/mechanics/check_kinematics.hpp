@@ -1,18 +1,13 @@
 #pragma once
 
-#include <kanexpr/mechanics/contents.hpp>
+#include <kanexpr/mechanics/generic_states.hpp>
 #include <kanexpr/mechanics/kinematic_equations.hpp>
-#include <kanexpr/mechanics/problem.hpp>
+#include <kanexpr/mechanics/linearity.hpp>
+#include <kanexpr/mechanics/prescribed.hpp>
 
 namespace kanexpr::mechanics {
 
 namespace detail {
-
-/// Whether the coefficient of a speed or rate holds no other: exact where `contents` only looks.
-constexpr bool is_linear(expression e, expression symbol) {
-  const expression slope = symbolic::differentiate(e, symbol);
-  return !contents(e.owner()).holds_any(slope, {contents::kind::speed, contents::kind::coordinate_rate});
-}
 
 /// The checks of the kinematic differential equations. The coordinate rates that an equation holds are
 /// collected once; coefficients are formed only for equations that are truly coupled, or that do not look
@@ -46,10 +41,19 @@ private:
     return m_.g->symbol_at(symbol.node()).called.view();
   }
 
+  /// A speed need not be made of coordinate rates: the spin of a wheel whose angle matters to nothing is said
+  /// by an angular velocity alone.
+  constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
+    for (const vector::part& p : declared.parts)
+      for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);
+  }
+
   constexpr void each_symbol_appears() {
     sequence<char> seen(m_.g->size(), 0);
     sequence<int> speeds;
     for (const expression& e : m_.kinematics) c_.collect(e, kind::speed, speeds);
+    for (const frame& f : m_.frames) collect_speeds(f.angular_velocity, speeds);
+    for (const point& p : m_.points) collect_speeds(p.velocity, speeds);
     for (int id : speeds) seen[id] = 1;
     for (const sequence<int>& held : rates_)
       for (int id : held) seen[id] = 1;
@@ -74,21 +78,16 @@ private:
     if (c_.holds(e, kind::speed_rate))
       return fail(
           {"a kinematic differential equation holds the rate of speed ", c_.name_of(e, kind::speed_rate)});
-    if (c_.holds(e, kind::input))
-      return fail({"a kinematic differential equation holds the input ", c_.name_of(e, kind::input),
-                   ", whose rate is not known"});
-    if (c_.looks_linear(e)) return;
-    for (const expression& q : m_.coordinate_rates)
-      if (!is_linear(e, q))
-        return fail(
-            {"a kinematic differential equation is not linear in the rate of coordinate ", called(q)});
-    for (const expression& u : m_.speeds)
-      if (!is_linear(e, u))
-        return fail({"a kinematic differential equation is not linear in speed ", called(u)});
+    if (c_.holds(e, kind::auxiliary_speed))
+      return fail({"a kinematic differential equation holds the auxiliary speed ",
+                   c_.name_of(e, kind::auxiliary_speed)});
+    if (const unknown_derivative u = find_unknown_derivative(m_, c_, e, 1))
+      return fail({"a kinematic differential equation holds the input ", u.input, ", whose ", u.what,
+                   " is not known"});
+    found_ = check_linear(m_, c_, e, "a kinematic differential equation");
   }
 
-  /// Equations with one unknown rate are solved one after another; what is left hangs together and needs a
-  /// determinant.
+  /// Equations with one unknown rate are solved one after another; what is left hangs together.
   constexpr void solvable() {
     const int n = m_.coordinates.size();
     sequence<int> solved;
@@ -107,32 +106,33 @@ private:
     }
     if (solved.size() == n) return;
     const linear_kinematics k = linear_in_rates(m_);
-    sequence<int> equation_done, rate_done;
+    sequence<sequence<int>> rates_of_equation;
     for (int i = 0; i < n; ++i) {
-      equation_done.push(done[i]);
-      rate_done.push(solved.contains(m_.coordinate_rates[i].node()) ? 1 : 0);
+      sequence<int> held;
+      for (int j = 0; j < n; ++j)
+        if (!k.k_rates(i, j).is_zero()) held.push(j);
+      rates_of_equation.push(held);
     }
-    for (int first = 0; first < n; ++first) {
-      if (equation_done[first] != 0) continue;
-      const coupled_block block = block_of(k, first, equation_done, rate_done);
-      if (!regular(k, block)) return cannot_solve(block, rate_done);
-      for (int i : block.equations) equation_done[i] = 1;
-      for (int j : block.rates) rate_done[j] = 1;
+    const symbolic::block_triangular_form form(rates_of_equation);
+    sequence<char> has_equation(n, 0);
+    for (const symbolic::coupled_part& part : form.parts()) {
+      if (!is_regular(k, part)) return cannot_solve(part.columns[0]);
+      for (int j : part.columns) has_equation[j] = 1;
     }
+    if (!form.is_regular()) cannot_solve(has_equation.find(0));
   }
 
-  constexpr bool regular(const linear_kinematics& k, const coupled_block& block) const {
-    const int size = block.rates.size();
-    if (block.equations.size() != size) return false;
-    if (size > 8) return true; // too many minors to form
+  /// In some configuration at least.
+  constexpr bool is_regular(const linear_kinematics& k, const symbolic::coupled_part& part) const {
+    const int size = part.rows.size();
+    if (size == 1) return true;
     symbolic::matrix a(*m_.g, size, size);
     for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j) a(i, j) = k.k_rates(block.equations[i], block.rates[j]);
-    return !symbolic::determinant(*m_.g, a).is_zero();
+      for (int j = 0; j < size; ++j) a(i, j) = k.k_rates(part.rows[i], part.columns[j]);
+    return !independent_rows(a).contains(0);
   }
 
-  constexpr void cannot_solve(const coupled_block& block, const sequence<int>& rate_done) {
-    int rate = block.rates.empty() ? rate_done.find(0) : block.rates[0];
+  constexpr void cannot_solve(int rate) {
     fail({"the kinematic differential equations cannot be solved for the rate of coordinate ",
           called(m_.coordinates[rate])});
   }

@@ -36,6 +36,49 @@ struct components {
   constexpr components& operator-=(const components& b) { return *this = *this - b; }
 };
 
+namespace detail {
+
+/// `factor · rest`, where an expression is that product up to its sign.
+struct factored {
+  expression rest;
+  bool found = false;
+};
+
+constexpr factored without_factor(expression e, int factor) {
+  graph& g = e.owner();
+  const bool negative = g[e.node()].op == symbolic::operation::negate;
+  const symbolic::node n = g[negative ? g[e.node()].a : e.node()];
+  if (n.op != symbolic::operation::multiply || (n.a != factor && n.b != factor)) return {};
+  const expression rest{g, n.a == factor ? n.b : n.a};
+  return {negative ? -rest : rest, true};
+}
+
+} // namespace detail
+
+/// s v; a factor that all of v has is taken together with s.
+constexpr components scaled(expression s, const components& v) {
+  graph& g = s.owner();
+  const expression& first = !v.x.is_zero() ? v.x : v.y;
+  const symbolic::node n =
+      g[g[first.node()].op == symbolic::operation::negate ? g[first.node()].a : first.node()];
+  if (n.op != symbolic::operation::multiply) return s * v;
+  for (int factor : {n.a, n.b}) {
+    if (g.is_constant(factor)) continue;
+    components rest = v;
+    int shared = 0, others = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (v[i].is_zero()) continue;
+      const detail::factored f = detail::without_factor(v[i], factor);
+      if (f.found)
+        rest[i] = f.rest, ++shared;
+      else
+        ++others;
+    }
+    if (shared > 1 && others == 0) return (s * expression{g, factor}) * rest;
+  }
+  return s * v;
+}
+
 constexpr expression dot(const components& a, const components& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }

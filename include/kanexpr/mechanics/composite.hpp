@@ -10,7 +10,7 @@ namespace kanexpr::mechanics {
 struct composite {
   struct column {
     int speed = none;
-    components force;
+    vector force;      ///< turned to no other axes before it has to be
     components moment; ///< about the node, on the frame
   };
   int frame = mechanism::inertial;
@@ -25,7 +25,7 @@ struct composite {
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
-      : s_(s), m_(*s.model), at_(s_.nodes.size()), result_(*m_.g, m_.speeds.size(), m_.speeds.size()) {
+      : s_(s), m_(*s.model), at_(s_.nodes.size()), result_(*m_.g, m_.ways(), m_.ways()) {
     for (const mechanics::link& l : s_.base_links) {
       composite& c = composite_of(l.node, l.frame);
       const path to_working(m_, s_.body_axes[l.frame], s_.working_axes[l.frame]);
@@ -71,7 +71,7 @@ private:
   static constexpr composite::column& column_of(composite& c, int speed, graph& g) {
     for (composite::column& present : c.columns)
       if (present.speed == speed) return present;
-    c.columns.push({speed, components(g), components(g)});
+    c.columns.push({speed, vector(), components(g)});
     return c.columns.back();
   }
 
@@ -93,8 +93,9 @@ private:
     const sequence<direction>& turning = s_.partial_turning[f];
     sequence<composite::column> entering;
     for (const direction& w : turning)
-      entering.push({w.speed, cross(w.value, c.mass.first_moment), c.mass.inertia * w.value});
-    enter(c, turning, entering, &composite::column::moment);
+      entering.push({w.speed, in_axes(s_.working_axes[f], cross(w.value, c.mass.first_moment)),
+                     c.mass.inertia * w.value});
+    enter(c, turning, entering, none);
 
     const int into = below == mechanism::inertial ? s_.nodes[n].axes : below;
     const path way(m_, s_.working_axes[f], s_.working_axes[into]);
@@ -106,7 +107,7 @@ private:
     }
     for (const composite::column& k : c.columns) {
       composite::column& sum = column_of(to, k.speed, *m_.g);
-      sum.force += way.turn(k.force);
+      sum.force.add(k.force);
       if (below != mechanism::inertial) sum.moment += way.turn(k.moment);
     }
     return true;
@@ -120,46 +121,57 @@ private:
         mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
       const composite& fixed = composite_of(n, mechanism::inertial);
       c.mass.mass += fixed.mass.mass;
-      for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force += k.force;
+      for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force.add(k.force);
     }
     if (c.mass.is_zero() && c.columns.empty()) return;
     if (!at.slide.parts.empty()) {
       const sequence<direction>& slide = s_.partial_slide[n];
       sequence<composite::column> entering;
+      const int axes = s_.working_axes[at.axes];
       for (const direction& v : slide)
-        entering.push({v.speed, c.mass.mass * v.value, cross(c.mass.first_moment, v.value)});
-      enter(c, slide, entering, &composite::column::force);
+        entering.push({v.speed, in_axes(axes, c.mass.mass * v.value), cross(c.mass.first_moment, v.value)});
+      enter(c, slide, entering, axes);
     }
     if (at.absolute || at.parent == none) return;
 
     const components r = s_.offset_in_working_axes(n);
-    const int parent_axes = s_.nodes[at.parent].axes;
-    const bool on_ground = at.frame == mechanism::inertial;
     composite& to = composite_of(at.parent, at.frame);
-    if (on_ground) { // forces go on in the parent's axes
+    if (at.frame == mechanism::inertial) {
       to.mass.mass += c.mass.mass;
-      const path way(m_, s_.working_axes[at.axes], s_.working_axes[parent_axes]);
-      for (const composite::column& k : c.columns) column_of(to, k.speed, *m_.g).force += way.turn(k.force);
+      for (const composite::column& k : c.columns) column_of(to, k.speed, *m_.g).force.add(k.force);
       return;
     }
     to.mass += shifted(c.mass, r);
+    const int axes = s_.working_axes[at.frame];
     for (const composite::column& k : c.columns) {
+      const components force = express(m_, k.force, axes);
       composite::column& sum = column_of(to, k.speed, *m_.g);
-      sum.force += k.force;
-      sum.moment += k.moment + cross(r, k.force);
+      sum.force.add(in_axes(axes, force));
+      sum.moment += k.moment + cross(r, force);
     }
   }
 
-  /// New columns meet each other and those that are there already.
+  static constexpr vector in_axes(int axes, const components& value) {
+    vector v;
+    v.add(axes, value);
+    return v;
+  }
+
+  /// New columns meet each other and those that are there already: turns meet moments, and slides, in `axes`,
+  /// meet forces.
   constexpr void enter(composite& c, const sequence<direction>& ways,
-                       const sequence<composite::column>& entering, components composite::column::* felt) {
+                       const sequence<composite::column>& entering, int axes) {
+    const auto felt = [&](const composite::column& k) {
+      if (axes == none) return k.moment;
+      return express(m_, k.force, axes);
+    };
     for (int i = 0; i < ways.size(); ++i) {
-      for (int j = 0; j <= i; ++j) add(ways[i].speed, ways[j].speed, dot(ways[j].value, entering[i].*felt));
-      for (const composite::column& k : c.columns) meet(ways[i].speed, k, dot(ways[i].value, k.*felt));
+      for (int j = 0; j <= i; ++j) add(ways[i].speed, ways[j].speed, dot(ways[j].value, felt(entering[i])));
+      for (const composite::column& k : c.columns) meet(ways[i].speed, k, dot(ways[i].value, felt(k)));
     }
     for (const composite::column& k : entering) {
       composite::column& sum = column_of(c, k.speed, *m_.g);
-      sum.force += k.force;
+      sum.force.add(k.force);
       sum.moment += k.moment;
     }
   }

@@ -41,8 +41,9 @@ public:
 
 private:
   static constexpr unsigned nonlinear = 1u << 31;
-  static constexpr unsigned moving =
-      1u << static_cast<int>(kind::speed) | 1u << static_cast<int>(kind::coordinate_rate);
+  static constexpr unsigned moving = 1u << static_cast<int>(kind::speed) |
+                                     1u << static_cast<int>(kind::coordinate_rate) |
+                                     1u << static_cast<int>(kind::auxiliary_speed);
   static constexpr unsigned bit(kind k) { return 1u << static_cast<int>(k); }
 
   constexpr unsigned of(const symbolic::node& n, int id) const {

@@ -1,82 +1,113 @@
 #pragma once
 
 #include <kanexpr/mechanics/check.hpp>
+#include <kanexpr/mechanics/check_constraints.hpp>
+#include <kanexpr/mechanics/dynamics.hpp>
 #include <kanexpr/mechanics/energy.hpp>
-#include <kanexpr/mechanics/kane.hpp>
-#include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/singular.hpp>
 
 namespace kanexpr::mechanics {
 
-/// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
-/// speeds.
-enum class quantity {
-  mass_matrix,      ///< M, p×p
-  forcing,          ///< f with M u̇ = f, p
-  mass_matrix_full, ///< blockdiag(E, M), (n+p)×(n+p)
-  forcing_full,     ///< [q̇; f], n+p
-  qdot,             ///< n
-  udot,             ///< p
-  rhs,              ///< [q̇; u̇], n+p
-  active_forces,    ///< F_r, p
-  inertia_forces,   ///< F_r*, p, with the symbols u̇
-  kinetic_energy,
-  potential_energy, ///< of gravity on every body
-  linear_momentum,  ///< 3, inertial axes
-  angular_momentum, ///< 3, inertial axes, about the origin
-  center_of_mass,   ///< 3, inertial axes, from the origin
-};
-
 /// The equations of one system. Nothing is formed before it is asked for, and nothing twice.
+///
+/// Velocities are there from the start, so that constraints can speak of them. The constraints are taken up
+/// by `constrain`, or when the first result is asked for.
 class equations {
 public:
   constexpr explicit equations(const mechanism& m) : s_(skeleton_of(m)), m_(&m) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
 
+  /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
+  constexpr void constrain() {
+    is_constrained_ = true;
+    mistake_ = check_contents_of_constraints(*m_);
+    if (mistake_) return;
+    constraints_ = no_constraints(*m_);
+    if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
+      constraints_ = form_constraints(moving());
+    configuration_ = mechanics::configuration_jacobian(*m_);
+    mistake_ = check_constraints(*m_, constraints_, configuration_);
+    if (!mistake_) mistake_ = check_choice(*m_, constraints_, configuration_);
+    if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_);
+    if (mistake_) return;
+    coordinates_ =
+        partition_of(configuration_, m_->dependent_coordinates, sequence<char>(m_->coordinates.size(), 0));
+    speeds_ = partition_of(constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
+    if (m_->auxiliary_speeds.empty()) return;
+    drop_auxiliary_speeds(s_);
+    has_motion_ = false;
+  }
+
   constexpr const skeleton& skeleton_used() const { return s_; }
+  constexpr const constraints& constraints_used() const { return constraints_; }
+  constexpr const partition& speeds() const { return speeds_; }
+  constexpr const partition& coordinates() const { return coordinates_; }
 
   /// A mistake that only the derivation could find.
   constexpr const problem& mistake() const { return mistake_; }
 
   constexpr symbolic::matrix get(quantity wanted) {
-    const int n = m_->coordinates.size(), p = m_->speeds.size();
+    if (!is_constrained_) constrain();
     switch (wanted) {
     case quantity::mass_matrix: return mass();
-    case quantity::forcing: return column(force());
-    case quantity::mass_matrix_full: {
-      symbolic::matrix full(*m_->g, n + p, n + p);
-      for (int i = 0; i < n; ++i) full(i, i) = m_->one();
-      for (int i = 0; i < p; ++i)
-        for (int j = 0; j < p; ++j) full(n + i, n + j) = mass()(i, j);
-      return full;
-    }
-    case quantity::forcing_full: return column(s_.coordinate_rates, force());
+    case quantity::forcing: return column(dynamics_.force());
+    case quantity::mass_matrix_full: return mass_matrix_full();
+    case quantity::forcing_full: return column(s_.coordinate_rates, forcing_full());
     case quantity::qdot: return column(s_.coordinate_rates);
     case quantity::udot: return column(accelerations());
     case quantity::rhs: return column(s_.coordinate_rates, accelerations());
-    case quantity::active_forces: return column(mechanics::active_forces(s_));
-    case quantity::inertia_forces: return column(mechanics::inertia_forces(s_));
+    case quantity::active_forces: return column(dynamics_.active_forces());
+    case quantity::inertia_forces: return column(dynamics_.inertia_forces());
     case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
     case quantity::potential_energy: return column({mechanics::potential_energy(s_)});
     case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
     case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
+    case quantity::configuration_residual: return column(m_->configuration_constraints);
+    case quantity::configuration_jacobian:
+      return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
+    case quantity::velocity_residual: return column(velocity_residual());
+    case quantity::constraint_residual: return column(m_->configuration_constraints, velocity_residual());
+    case quantity::constraint_jacobian: return constraints_.jacobian;
+    case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
+    case quantity::dependency: return dynamics_.dependent().on_independent;
+    case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
+    case quantity::multipliers: return dynamics_.lambda();
+    case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
     }
     return {};
   }
 
   /// An expression with the rates q̇ and u̇ as the equations of motion give them.
   constexpr expression in_motion(expression e) {
-    e = known_rates(*m_, s_.coordinate_rates).in(e);
+    e = without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e));
     if (!holds_speed_rate(e.node())) return e;
     symbolic::substitution accelerated(*m_->g);
     for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);
     return accelerated.in(e);
   }
 
+  /// An expression with the dependent speeds as the constraints give them.
+  constexpr expression imposed(expression e) {
+    symbolic::substitution bound(*m_->g);
+    const sequence<expression> given = dynamics_.speeds_by_constraints();
+    for (int d = 0; d < given.size(); ++d) bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
+    return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
+  }
+
+  /// What may be singular at a state in the way to some results.
+  constexpr sequence<guard> guards_of(const sequence<int>& outputs) {
+    sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
+    if (dynamics_.has_dependent())
+      for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
+    return live_guards(*m_->g, all, outputs);
+  }
+
   /// Velocities and accelerations as they are, with the symbols u̇.
   constexpr motion& moving() {
-    if (!has_motion_) motion_ = motion(s_, speed_rates::as_symbols);
+    if (!has_motion_) motion_ = motion(s_, m_->speed_rates);
     has_motion_ = true;
     return motion_;
   }
@@ -89,22 +120,50 @@ private:
     return false;
   }
 
-  constexpr const symbolic::matrix& mass() {
-    if (mass_.rows == 0) {
-      mass_ = mechanics::mass_matrix(s_);
-      mistake_ = check_mass_matrix(*m_, mass_);
-    }
-    return mass_;
-  }
-  constexpr const sequence<expression>& force() {
-    if (force_.empty()) force_ = mechanics::forcing(s_);
-    return force_;
-  }
-  constexpr const sequence<expression>& accelerations() {
-    if (udot_.empty()) udot_ = symbolic::solve_symmetric(*m_->g, mass(), force());
-    return udot_;
+  /// Speeds that are the rate of a dependent coordinate are dependent themselves if that serves.
+  constexpr sequence<char> moving_dependent_coordinates() const {
+    sequence<char> favoured(m_->speeds.size(), 0);
+    for (int j : coordinates_.dependent)
+      for (int i = 0; i < m_->speeds.size(); ++i)
+        if (s_.coordinate_rates[j] == m_->speeds[i]) favoured[i] = 1;
+    return favoured;
   }
 
+  constexpr const symbolic::matrix& mass() {
+    const symbolic::matrix& formed = dynamics_.mass();
+    if (!mistake_) mistake_ = check_mass_matrix(*m_, speeds_, formed);
+    return formed;
+  }
+  constexpr const sequence<expression>& accelerations() {
+    mass(); // which may be a mistake
+    return dynamics_.accelerations();
+  }
+
+  constexpr symbolic::matrix mass_matrix_full() {
+    const int n = m_->coordinates.size(), p = m_->speeds.size();
+    symbolic::matrix full(*m_->g, n + p, n + p);
+    for (int i = 0; i < n; ++i) full(i, i) = m_->one();
+    int row = n;
+    for (int i = 0; i < mass().rows; ++i, ++row)
+      for (int j = 0; j < mass().columns; ++j) full(row, n + speeds_.independent[j]) = mass()(i, j);
+    for (int d = 0; d < speeds_.dependent.size(); ++d, ++row) {
+      full(row, n + speeds_.dependent[d]) = m_->one();
+      for (int j = 0; j < speeds_.independent.size(); ++j)
+        full(row, n + speeds_.independent[j]) = -dynamics_.dependent().on_independent(d, j);
+    }
+    return full;
+  }
+  constexpr sequence<expression> forcing_full() {
+    sequence<expression> full = dynamics_.force();
+    for (const expression& b : dynamics_.dependent().acceleration_bias) full.push(b);
+    return full;
+  }
+
+  constexpr sequence<expression> velocity_residual() const {
+    sequence<expression> residual;
+    for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
+    return residual;
+  }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {
     symbolic::matrix m(*m_->g, above.size() + below.size(), 1);
@@ -119,9 +178,11 @@ private:
   skeleton s_;
   const mechanism* m_;
   problem mistake_;
-  symbolic::matrix mass_;
-  sequence<expression> force_, udot_;
-  bool has_motion_ = false;
+  constraints constraints_;
+  symbolic::matrix configuration_; ///< the derivatives of the configuration constraints by the coordinates
+  partition speeds_, coordinates_;
+  dynamics dynamics_{s_, constraints_, speeds_};
+  bool is_constrained_ = false, has_motion_ = false;
   motion motion_;
 };
 

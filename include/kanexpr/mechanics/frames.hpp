@@ -96,7 +96,9 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
   r.row[0] = {1 - 2 * (yy + zz), 2 * (xy - wz), 2 * (zx + wy)};
   r.row[1] = {2 * (xy + wz), 1 - 2 * (zz + xx), 2 * (yz - wx)};
   r.row[2] = {2 * (zx - wy), 2 * (yz + wx), 1 - 2 * (xx + yy)};
-  return add_frame_by_matrix(m, called, parent, r);
+  const int place = add_frame_by_matrix(m, called, parent, r);
+  m.frames[place].quaternion = {e0, e1, e2, e3};
+  return place;
 }
 
 /// The angular velocity of a frame in `reference`, given by hand; it is used in place of the derived one.

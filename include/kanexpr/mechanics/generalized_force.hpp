@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/mechanics/auxiliary.hpp>
+#include <kanexpr/mechanics/central_inertia.hpp>
 #include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/motion.hpp>
 
@@ -11,14 +13,19 @@ namespace kanexpr::mechanics {
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
-      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), force_(s.nodes.size(), components(*m_.g)),
-        moment_(m_.frames.size(), components(*m_.g)),
-        share_(m_.speeds.size(), expression{*m_.g, graph::zero}) {}
+      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), drop_(m_),
+        force_(s.nodes.size(), components(*m_.g)), moment_(m_.frames.size(), components(*m_.g)),
+        share_(m_.ways(), expression{*m_.g, graph::zero}) {}
+
+  /// A force at a node.
+  constexpr void add_force(int n, const vector& value) {
+    force_[n] += express(m_, value, s_.working_axes[s_.nodes[n].axes]);
+  }
 
   /// Forces and torques of the model; gravity on every body only if it is not taken as an acceleration.
   constexpr void add_loads(bool gravity) {
-    for (const torque& t : m_.torques) add_moment(s_.rigid_with[t.frame], known_.in(t.value));
-    for (const force& f : m_.forces) add_force(s_.node_of_point[f.point], known_.in(f.value));
+    for (const torque& t : m_.torques) add_moment(s_.rigid_with[t.frame], drop_.in(known_.in(t.value)));
+    for (const force& f : m_.forces) add_force(s_.node_of_point[f.point], drop_.in(known_.in(f.value)));
     if (!gravity || !m_.has_gravity) return;
     for (const body& b : m_.bodies) add_force(s_.node_of_point[b.center], b.mass * known_.in(m_.gravity));
   }
@@ -37,7 +44,22 @@ public:
     }
   }
 
-  /// The generalized force of each speed.
+  /// What the change of masses and inertias asks for, F = d(mv)/dt: −ṁ v at the mass centre and −İ·ω.
+  constexpr void add_changes_of_mass(motion& k) {
+    for (const body& b : m_.bodies) {
+      const int n = s_.node_of_point[b.center];
+      const expression rate = k.rate(known_.in(b.mass));
+      if (!rate.is_zero()) force_[n] -= rate * k.velocity(n);
+      if (b.frame == none || (rate.is_zero() && has_fixed_inertia(k, b))) continue;
+      const int f = s_.rigid_with[b.frame], axes = s_.body_axes[f];
+      const components w = express(m_, k.angular_velocity(f), s_.working_axes[f], axes);
+      const symmetric change = rate_in_body(k, central_inertia(m_, b, axes), axes, f, w);
+      if (change.is_zero()) continue;
+      moment_[f] -= express(m_, change * w, axes, s_.working_axes[f]);
+    }
+  }
+
+  /// The generalized force of each speed, then of each auxiliary speed.
   constexpr const sequence<expression>& run() {
     for (int n = s_.nodes.size() - 1; n >= 0; --n) {
       const node& at = s_.nodes[n];
@@ -48,7 +70,7 @@ public:
       const int parent_axes = s_.nodes[at.parent].axes;
       force_[at.parent] += turn(force_[n], at.axes, parent_axes);
     }
-    for (int f : tips_first()) {
+    for (int f : s_.frames_tips_first()) {
       if (moment_[f].is_zero()) continue;
       for (const direction& w : s_.partial_turning[f]) share_[w.speed] += dot(w.value, moment_[f]);
       const int below = s_.turns_in[f];
@@ -62,11 +84,37 @@ private:
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
   }
 
-  constexpr void add_force(int n, const vector& value) {
-    force_[n] += express(m_, value, s_.working_axes[s_.nodes[n].axes]);
-  }
   constexpr void add_moment(int f, const vector& value) {
     if (f != mechanism::inertial) moment_[f] += express(m_, value, s_.working_axes[f]);
+  }
+
+  /// Whether a body's inertia is plainly given by constants in its own axes.
+  constexpr bool has_fixed_inertia(motion& k, const body& b) {
+    if (b.about != none && b.about != b.center) return false;
+    for (const dyadic::part& p : b.inertia.parts) {
+      if (s_.rigid_with[p.left] != s_.rigid_with[b.frame] || s_.rigid_with[p.right] != s_.rigid_with[b.frame])
+        return false;
+      for (int i = 0; i < 9; ++i)
+        if (!k.rate(p.value(i / 3, i % 3)).is_zero()) return false;
+    }
+    return true;
+  }
+
+  /// The rate of an inertia in the axes of frame `axes`, as the body sees it that moves with frame `f` at
+  /// `w`: İ + W I + (W I)ᵀ with W = [ω_axes − ω]×, which vanishes where the body looks the same from all
+  /// sides of the axis about which it turns there.
+  constexpr symmetric rate_in_body(motion& k, const symmetric& inertia, int axes, int f,
+                                   const components& w) {
+    symmetric change(*m_.g);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) change(i, j) = k.rate(known_.in(inertia(i, j)));
+    if (s_.rigid_with[axes] == f) return change;
+    const components turning = express(m_, k.angular_velocity(axes), s_.working_axes[axes], axes) - w;
+    components column[3];
+    for (int j = 0; j < 3; ++j) column[j] = cross(turning, {inertia(0, j), inertia(1, j), inertia(2, j)});
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) change(i, j) += column[j][i] + column[i][j];
+    return change;
   }
 
   /// I·α + ω×(I·ω) about the link's node, from the matrix U that its forces use as well: with the products of
@@ -84,24 +132,10 @@ private:
     return moment;
   }
 
-  /// Frames that turn, those farther from the ground before those that they turn in.
-  constexpr sequence<int> tips_first() const {
-    sequence<int> order;
-    sequence<int> waiting(m_.frames.size(), 0); // how many frames turn in this one and are not listed yet
-    for (int f = 1; f < m_.frames.size(); ++f)
-      if (s_.rigid_with[f] == f) ++waiting[s_.turns_in[f]];
-    for (int f = 1; f < m_.frames.size(); ++f)
-      if (s_.rigid_with[f] == f && waiting[f] == 0) order.push(f);
-    for (int i = 0; i < order.size(); ++i) {
-      const int below = s_.turns_in[order[i]];
-      if (--waiting[below] == 0 && below != mechanism::inertial) order.push(below);
-    }
-    return order;
-  }
-
   const skeleton& s_;
   const mechanism& m_;
   known_rates known_;
+  without_auxiliary_speeds drop_;
   sequence<components> force_;
   sequence<components> moment_;
   sequence<expression> share_;

@@ -39,9 +39,9 @@ struct vector {
 };
 
 constexpr vector operator*(expression s, const vector& v) {
-  vector scaled;
-  for (const vector::part& p : v.parts) scaled.parts.push({p.frame, s * p.value});
-  return scaled;
+  vector out;
+  for (const vector::part& p : v.parts) out.parts.push({p.frame, scaled(s, p.value)});
+  return out;
 }
 
 constexpr vector operator+(vector a, const vector& b) {
@@ -111,7 +111,8 @@ struct frame {
   expression angle;
   components direction; ///< in the parent's axes
   matrix3 to_parent;    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
-  int reference = none; ///< the frame that a declared angular velocity is measured in
+  sequence<expression> quaternion; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
+  int reference = none;            ///< the frame that a declared angular velocity is measured in
   vector angular_velocity;
 
   constexpr bool turns_by_declaration() const { return reference != none; }
@@ -171,7 +172,7 @@ struct mechanism {
   sequence<expression> coordinate_rates, speed_rates; ///< the symbols dq/dt and du/dt
   expression time;
   sequence<prescribed_rate> prescribed_rates;
-  sequence<expression> kinematics; ///< expressions that vanish, linear in the coordinate rates
+  sequence<expression> kinematics;                ///< expressions that vanish, linear in the coordinate rates
   sequence<expression> configuration_constraints; ///< of coordinates, parameters and time, that vanish
   sequence<velocity_constraint> velocity_constraints;
   sequence<expression> acceleration_constraints; ///< linear in u̇, that vanish; empty: derived from the others
@@ -213,6 +214,12 @@ struct mechanism {
     parameters.push(symbolic::variable(*g, {symbolic::symbol_kind::parameter, called, i}));
     return parameters[i];
   }
+  /// The ways in which the system can be thought to move: its speeds, then its auxiliary speeds.
+  constexpr int ways() const { return speeds.size() + auxiliary_speeds.size(); }
+  constexpr expression way(int i) const {
+    return i < speeds.size() ? speeds[i] : auxiliary_speeds[i - speeds.size()];
+  }
+
   /// A speed that is zero at all times and stands in no state.
   constexpr expression auxiliary_speed(const name& called) {
     const int i = auxiliary_speeds.size();

@@ -3,7 +3,7 @@
 #include <kanexpr/mechanics/axes.hpp>
 #include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton.hpp>
-#include <kanexpr/symbolic/differentiate.hpp>
+#include <kanexpr/mechanics/time_derivative.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -18,19 +18,18 @@ struct remembered {
   }
 };
 
-/// Whether accelerations hold the symbols u̇ or are taken at u̇ = 0 (the bias of Kane's equations).
-enum class speed_rates { as_symbols, zero };
-
 /// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all
 /// in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
 /// ground, and kept.
 class motion {
 public:
   constexpr motion() = default;
-  constexpr motion(const skeleton& s, speed_rates rates)
-      : s_(&s), m_(s.model), along_time_(along_time(s, rates)), omega_(s.model->frames.size()),
-        alpha_(s.model->frames.size()), carry_(s.model->frames.size()), velocity_(s.nodes.size()),
-        acceleration_(s.nodes.size()) {}
+  /// `udot`: the rates of the speeds; without them all accelerations are taken at u̇ = 0, the bias of Kane's
+  /// equations.
+  constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
+      : s_(&s), m_(s.model), along_time_(time_derivative(*s.model, s.coordinate_rates, udot)),
+        omega_(s.model->frames.size()), alpha_(s.model->frames.size()), carry_(s.model->frames.size()),
+        velocity_(s.nodes.size()), acceleration_(s.nodes.size()) {}
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
@@ -44,6 +43,8 @@ public:
   constexpr void accelerate_ground(const vector& acceleration) {
     ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
   }
+
+  constexpr const vector& ground_acceleration() const { return ground_; }
 
   /// Angular velocity of frame `f`, in its working axes.
   constexpr components angular_velocity(int f) {
@@ -120,6 +121,13 @@ public:
     return acceleration_[n].keep(a);
   }
 
+  /// The node that has the velocity `v`, given in the axes of frame `axes`; or none.
+  constexpr int node_with_velocity(const components& v, int axes) {
+    for (int n = 0; n < velocity_.size(); ++n)
+      if (s_->working_axes[s_->nodes[n].axes] == axes && velocity(n) == v) return n;
+    return none;
+  }
+
   constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->nodes[n].axes, frame); }
   constexpr components acceleration(int n, int frame) {
     return turn(acceleration(n), s_->nodes[n].axes, frame);
@@ -143,16 +151,6 @@ public:
   }
 
 private:
-  static constexpr symbolic::derivation along_time(const skeleton& s, speed_rates rates) {
-    const mechanism& m = *s.model;
-    symbolic::derivation d(*m.g);
-    d.set_rate(m.time, m.one());
-    for (int i = 0; i < m.coordinates.size(); ++i) d.set_rate(m.coordinates[i], s.coordinate_rates[i]);
-    if (rates == speed_rates::as_symbols)
-      for (int i = 0; i < m.speeds.size(); ++i) d.set_rate(m.speeds[i], m.speed_rates[i]);
-    return d;
-  }
-
   const skeleton* s_ = nullptr;
   const mechanism* m_ = nullptr;
   symbolic::derivation along_time_;

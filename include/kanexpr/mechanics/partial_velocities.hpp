@@ -13,9 +13,9 @@ constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivatio
   const mechanism& m = *s.model;
   sequence<direction> out;
   if (v.is_zero()) return out;
-  for (int i = 0; i < m.speeds.size(); ++i) {
+  for (int i = 0; i < m.ways(); ++i) {
     by_speed.restart();
-    by_speed.set_rate(m.speeds[i], m.one());
+    by_speed.set_rate(m.way(i), m.one());
     vector partial;
     for (const vector::part& p : v.parts)
       partial.add(p.frame, {by_speed.of(p.value.x), by_speed.of(p.value.y), by_speed.of(p.value.z)});

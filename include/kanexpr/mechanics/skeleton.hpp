@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/inertia.hpp>
 #include <kanexpr/mechanics/orientation.hpp>
+#include <kanexpr/symbolic/solve_linear.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -43,11 +44,12 @@ struct direction {
 /// are cheapest to form.
 struct skeleton {
   const mechanism* model = nullptr;
-  sequence<expression> coordinate_rates; ///< q̇ as expressions of q, u and t
-  sequence<int> rigid_with;              ///< by frame: the frame that stands for all that turn with it
-  sequence<int> turns_in;                ///< by such frame: the one that its angular velocity is measured in
-  sequence<vector> turning;              ///< by such frame: that angular velocity
-  sequence<int> body_axes; ///< by such frame: the axes in which its masses and offsets are given
+  sequence<expression> coordinate_rates;        ///< q̇ as expressions of q, u and t
+  sequence<symbolic::solved_block> rate_blocks; ///< the coupled parts of the equations that gave them
+  sequence<int> rigid_with;                     ///< by frame: the frame that stands for all that turn with it
+  sequence<int> turns_in;   ///< by such frame: the one that its angular velocity is measured in
+  sequence<vector> turning; ///< by such frame: that angular velocity
+  sequence<int> body_axes;  ///< by such frame: the axes in which its masses and offsets are given
   sequence<int>
       working_axes; ///< by such frame: the axes in which its motion, forces and composites are formed
   sequence<sequence<direction>>
@@ -63,6 +65,21 @@ struct skeleton {
   constexpr components offset_in_working_axes(int n) const {
     const node& at = nodes[n];
     return express(*model, at.r, at.offset_frame, working_axes[at.frame]);
+  }
+
+  /// Frames that turn, those farther from the ground before those that they turn in.
+  constexpr sequence<int> frames_tips_first() const {
+    sequence<int> order;
+    sequence<int> waiting(model->frames.size(), 0); // how many frames turn in this one and are not listed yet
+    for (int f = 1; f < model->frames.size(); ++f)
+      if (rigid_with[f] == f) ++waiting[turns_in[f]];
+    for (int f = 1; f < model->frames.size(); ++f)
+      if (rigid_with[f] == f && waiting[f] == 0) order.push(f);
+    for (int i = 0; i < order.size(); ++i) {
+      const int below = turns_in[order[i]];
+      if (--waiting[below] == 0 && below != mechanism::inertial) order.push(below);
+    }
+    return order;
   }
 
   /// The basis axis that frame `f` turns about in the frame below it, or none: no single one.

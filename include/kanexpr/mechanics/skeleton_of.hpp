@@ -7,6 +7,8 @@
 #include <kanexpr/mechanics/kinematic_equations.hpp>
 #include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/partial_velocities.hpp>
+#include <kanexpr/mechanics/time_derivative.hpp>
+#include <kanexpr/mechanics/turning.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -17,11 +19,8 @@ namespace detail {
 class skeleton_builder {
 public:
   constexpr skeleton_builder(const mechanism& m, skeleton& s)
-      : m_(m), s_(s), known_(m, s.coordinate_rates = solve_for_rates(m)), along_time_(*m.g) {
+      : m_(m), s_(s), known_(m, take_rates(m, s)), along_time_(time_derivative(m, s.coordinate_rates)) {
     s.model = &m;
-    along_time_.set_rate(m.time, m.one());
-    for (int i = 0; i < m.coordinates.size(); ++i)
-      along_time_.set_rate(m.coordinates[i], s.coordinate_rates[i]);
   }
 
   constexpr void frames() {
@@ -71,28 +70,17 @@ public:
   }
 
 private:
+  static constexpr const sequence<expression>& take_rates(const mechanism& m, skeleton& s) {
+    const solved_rates solved = solve_kinematics(m);
+    s.coordinate_rates = solved.rates;
+    s.rate_blocks = solved.blocks;
+    return s.coordinate_rates;
+  }
+
   constexpr vector turning_of(int f) {
     const frame& own = m_.frames[f];
     if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
-    vector w;
-    switch (own.kind) {
-    case orientation::inertial: break;
-    case orientation::about_basis:
-      w.add(own.parent, along_time_.of(own.angle) * unit(*m_.g, own.axis));
-      break;
-    case orientation::about_axis: w.add(own.parent, along_time_.of(own.angle) * own.direction); break;
-    case orientation::matrix: { // ω in the frame's own axes from RᵀṘ
-      components sum(*m_.g);
-      for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) {
-          const int j = (i + 1) % 3, l = (i + 2) % 3;
-          sum[i] += own.to_parent(k, l) * along_time_.of(own.to_parent(k, j));
-        }
-      w.add(f, sum);
-      break;
-    }
-    }
-    return w;
+    return turning_of_orientation(m_, f, along_time_);
   }
 
   constexpr int ground_node() {
@@ -125,13 +113,9 @@ private:
 
   constexpr int offset_nodes(const point& at) {
     int last = s_.node_of_point[at.parent];
+    if (at.fixed_in != none) return fixed_node(at, last);
     for (const vector::part& p : at.offset.parts) {
       if (p.value.is_zero()) continue;
-      if (at.fixed_in != none) {
-        const int in = s_.rigid_with[at.fixed_in];
-        last = push_step(last, in, p, s_.rigid_with[p.frame] == in);
-        continue;
-      }
       last = push_step(last, s_.rigid_with[p.frame], p, true);
       const components growth{along_time_.of(p.value.x), along_time_.of(p.value.y),
                               along_time_.of(p.value.z)};
@@ -140,6 +124,23 @@ private:
       s_.nodes[last].rigid = false;
     }
     return last;
+  }
+
+  /// The two-point theorem, with the whole offset in the axes of one frame: what its parts have in common
+  /// may cancel.
+  constexpr int fixed_node(const point& at, int parent) {
+    const int in = s_.rigid_with[at.fixed_in];
+    vector::part whole{in, components(*m_.g)};
+    int deepest = -1;
+    bool rigid = true;
+    for (const vector::part& p : at.offset.parts) {
+      const int depth = path::depth(m_, p.frame);
+      if (depth > deepest) whole.frame = p.frame, deepest = depth;
+      rigid = rigid && s_.rigid_with[p.frame] == in;
+    }
+    whole.value = express(m_, at.offset, whole.frame);
+    for (int i = 0; i < 3; ++i) rigid = rigid && along_time_.of(whole.value[i]).is_zero();
+    return whole.value.is_zero() ? parent : push_step(parent, in, whole, rigid);
   }
 
   constexpr int push_step(int parent, int in, const vector::part& offset, bool carried) {

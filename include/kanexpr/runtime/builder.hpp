@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
 #include <kanexpr/mechanics/orientation.hpp>
+#include <kanexpr/mechanics/orientation_kinematics.hpp>
 #include <kanexpr/mechanics/points.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 
@@ -14,7 +15,8 @@ namespace kanexpr::runtime {
 /// made.
 ///
 /// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
-/// Ask `check()` before deriving anything: `mechanics::equations derived(b.mechanism());`
+/// Ask `check()` before deriving anything. `mechanics::equations derived(b.mechanism());` then knows the
+/// velocities of which constraints may speak, and `derived.constrain();` takes the constraints up.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame) : m_(graph_), inspect_(m_) {
@@ -37,20 +39,51 @@ public:
   expression speed(std::string_view u) { return inspect_.fresh_symbol(u), m_.speed(u); }
   expression parameter(std::string_view p) { return inspect_.fresh_symbol(p), m_.parameter(p); }
   expression input(std::string_view r) { return inspect_.fresh_symbol(r), m_.input(r); }
+  /// A quantity that is known as a function of time: three inputs in a row, r, dot(r) and dot(dot(r)).
+  expression prescribed(std::string_view r) {
+    mechanics::name called = r;
+    const expression value = input(called.view());
+    expression last = value;
+    for (int order = 1; order <= 2; ++order) {
+      called.append("'");
+      const expression rate = input(called.view());
+      m_.prescribed_rates.push({last, rate});
+      last = rate;
+    }
+    return value;
+  }
+  /// A speed that is zero at all times and brings out a force that does no work.
+  expression auxiliary_speed(std::string_view u) { return inspect_.fresh_symbol(u), m_.auxiliary_speed(u); }
   expression time() const { return m_.time; }
   expression number(double value) const { return m_.number(value); }
 
-  /// The rate of a coordinate.
-  expression dot(expression q) {
-    for (int i = 0; i < m_.coordinates.size(); ++i)
-      if (q.lives_in(graph_) && m_.coordinates[i] == q) return m_.coordinate_rates[i];
-    inspect_.fail({"the rate of something that is not a coordinate is asked for"});
+  /// The rate of a coordinate, speed or prescribed quantity.
+  expression dot(expression e) {
+    if (e.lives_in(graph_)) {
+      if (const int q = m_.coordinates.find(e); q >= 0) return m_.coordinate_rates[q];
+      if (const int u = m_.speeds.find(e); u >= 0) return m_.speed_rates[u];
+      for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
+        if (p.quantity == e) return p.rate;
+    }
+    inspect_.fail({"the rate of something is asked for that is no coordinate, speed or prescribed quantity"});
     return m_.zero();
   }
 
   /// An expression that vanishes, linear in the rates of the coordinates: `dot(q) - u`.
   void kinematic_equation(expression vanishes) {
     if (inspect_.own(vanishes, "a kinematic differential equation")) m_.kinematics.push(vanishes);
+  }
+  /// The equations that say that the angular velocity of a frame which follows from its orientation is the
+  /// one that was declared.
+  void kinematics_of(frame_id frame, frame_id reference) {
+    constexpr std::string_view whose = "kinematics_of";
+    if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
+    if (const problem found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
+      inspect_.fail({found.view()});
+      return;
+    }
+    for (const expression& e : mechanics::orientation_kinematics(m_, place(frame), place(reference)))
+      m_.kinematics.push(e);
   }
 
   // ---- vectors and dyadics
@@ -183,6 +216,47 @@ public:
       inspect_.fail({"gravity is given twice"});
     else if (inspect_.own(acceleration, "gravity"))
       mechanics::set_gravity(m_, acceleration);
+  }
+
+  // ---- constraints; what vanishes may hold velocities that `mechanics::equations` knew before
+
+  /// An expression of the coordinates that vanishes.
+  void configuration_constraint(expression vanishes) {
+    if (inspect_.own(vanishes, "a configuration constraint")) m_.configuration_constraints.push(vanishes);
+  }
+  /// An expression that vanishes, linear in speeds or rates of coordinates.
+  void velocity_constraint(expression vanishes) {
+    if (inspect_.own(vanishes, "a velocity constraint")) m_.velocity_constraints.push({vanishes, {}, {}});
+  }
+  /// A velocity that vanishes along a direction.
+  void velocity_constraint(const vector& vanishing, const vector& direction) {
+    constexpr std::string_view whose = "a velocity constraint";
+    if (!inspect_.own(vanishing, whose) || !inspect_.own(direction, whose)) return;
+    if (direction.is_zero()) {
+      inspect_.fail({whose, " is given a direction of no length"});
+      return;
+    }
+    const int axes = direction.parts[0].frame;
+    const expression value =
+        mechanics::dot(mechanics::express(m_, vanishing, axes), mechanics::express(m_, direction, axes));
+    m_.velocity_constraints.push({value, vanishing, direction});
+  }
+  /// An expression that vanishes, linear in the rates of the speeds: `dot(u1) + dot(u2)`.
+  void acceleration_constraint(expression vanishes) {
+    if (inspect_.own(vanishes, "an acceleration constraint")) m_.acceleration_constraints.push(vanishes);
+  }
+  /// A coordinate or speed that the constraints are to be solved for.
+  void dependent(expression e) {
+    if (!inspect_.own(e, "what is dependent")) return;
+    const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
+    symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
+    const int at = q >= 0 ? q : u;
+    if (at < 0)
+      inspect_.fail({"something is said to be dependent that is neither a coordinate nor a speed"});
+    else if (places.contains(at))
+      inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is said to be dependent twice"});
+    else
+      places.push(at);
   }
 
 private:

@@ -77,7 +77,7 @@ public:
   }
   bool fresh_symbol(std::string_view called) {
     if (!tellable("symbols", called)) return false;
-    for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs})
+    for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs, &m_.auxiliary_speeds})
       for (const expression& e : *list)
         if (m_.g->symbol_at(e.node()).called.view() == called)
           return fail({"the name ", called, " is used twice"});

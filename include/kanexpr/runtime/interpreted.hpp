@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/mechanics/singular.hpp>
+#include <kanexpr/mechanics/status.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/solve.hpp>
 
@@ -16,12 +18,26 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  interpreted(const symbolic::graph& g, const symbolic::matrix& wanted, int coordinates)
-      : code_(lower::tape_of(g, nodes(wanted))), coordinates_(coordinates),
-        result_(wanted.rows, wanted.columns) {}
+  /// `guards`: what may be singular on the way to the results.
+  interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
+              const symbolic::sequence<mechanics::guard>& guards = {})
+      : code_(lower::tape_of(g, nodes(wanted, guards))), coordinates_(coordinates),
+        result_(wanted.rows, wanted.columns), found_(code_.size()) {
+    for (const mechanics::guard& each : guards) causes_.push(each.cause);
+  }
 
   /// Operations of one call.
   symbolic::cost cost() const { return lower::cost_of(code_.code()); }
+
+  /// Whether all that the last call had to solve could be solved at its state.
+  kanexpr::status status() const {
+    unsigned failed = 0;
+    for (int i = 0; i < causes_.size() && i < kanexpr::status::room; ++i)
+      if (!lower::scalar_math<Scalar>::exceeds(found_[result_.size() + i],
+                                               mechanics::least_regularity<Scalar>()))
+        failed |= 1u << i;
+    return {causes_.begin(), failed};
+  }
 
   template <class X>
   const matrix& operator()(const X& x) {
@@ -53,7 +69,8 @@ public:
           default: return t;
           }
         },
-        result_.data());
+        found_.data());
+    result_ = Eigen::Map<const matrix>(found_.data(), result_.rows(), result_.cols());
     return result_;
   }
 
@@ -63,15 +80,19 @@ private:
     Scalar operator[](Eigen::Index) const { return std::numeric_limits<Scalar>::quiet_NaN(); }
   };
 
-  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted) {
+  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted,
+                                       const symbolic::sequence<mechanics::guard>& guards) {
     symbolic::sequence<int> ids;
     for (const symbolic::expression& e : wanted.entries) ids.push(e.node());
+    for (const mechanics::guard& each : guards) ids.push(each.regularity.node());
     return ids;
   }
 
   interpreter<Scalar> code_;
   int coordinates_;
   matrix result_;
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it rests on is
+  symbolic::sequence<mechanics::problem> causes_;
 };
 
 } // namespace kanexpr::runtime

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/eliminate.hpp>
 #include <kanexpr/lower/tape.hpp>
 
 namespace kanexpr::runtime {
@@ -13,6 +13,8 @@ class interpreter {
 public:
   explicit interpreter(const lower::tape& code)
       : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
+    for (const lower::elimination& e : code_.eliminations)
+      if (e.order > scales_.size()) scales_.resize(e.order, lower::scalar_math<T>::from(0));
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 
@@ -25,12 +27,39 @@ public:
   void evaluate(const Arguments& value_of, Results&& results) {
     const int first_load = code_.numbers.size();
     for (int i = 0; i < code_.loads.size(); ++i) slots_[first_load + i] = value_of(code_.loads[i]);
-    T* next = slots_.begin() + code_.first_step();
-    for (const lower::instruction& step : code_.steps) run(step, next++);
+    int next = 0;
+    for (const lower::elimination& e : code_.eliminations) {
+      run(next, e.step);
+      eliminate(e);
+      next = e.step + e.outputs();
+    }
+    run(next, code_.steps.size());
     for (int i = 0; i < size(); ++i) results[i] = slots_[code_.results[i]];
   }
 
 private:
+  void run(int begin, int end) {
+    T* out = slots_.begin() + code_.first_step() + begin;
+    for (int i = begin; i < end; ++i) run(code_.steps[i], out++);
+  }
+
+  void eliminate(const lower::elimination& e) {
+    using symbolic::operation;
+    using math = lower::elimination_math<T>;
+    T* const out = slots_.begin() + code_.first_step() + e.step;
+    T* const into = e.op == operation::regularity ? scales_.begin() : out;
+    const T* const factors = slots_.begin() + e.factors;
+    for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
+    if (e.op == operation::factorization)
+      symbolic::factorize<math>(e.order, out);
+    else if (e.op == operation::regularity)
+      *out = symbolic::regularity_of<math>(e.order, factors, into);
+    else if (e.op == operation::solve)
+      symbolic::solve_factorized<math>(e.order, factors, out);
+    else
+      symbolic::solve_transposed_factorized<math>(e.order, factors, out);
+  }
+
   void run(const lower::instruction& step, T* out) {
     using symbolic::operation;
     const T& a = slots_[step.a];
@@ -40,8 +69,6 @@ private:
       return;
     }
     switch (step.op) {
-    case operation::constant:
-    case operation::symbol: return;
     case operation::negate: *out = lower::apply<operation::negate>(a, b); return;
     case operation::add: *out = lower::apply<operation::add>(a, b); return;
     case operation::subtract: *out = lower::apply<operation::subtract>(a, b); return;
@@ -60,11 +87,13 @@ private:
     case operation::log: *out = lower::apply<operation::log>(a, b); return;
     case operation::abs: *out = lower::apply<operation::abs>(a, b); return;
     case operation::sign: *out = lower::apply<operation::sign>(a, b); return;
+    default: return;
     }
   }
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
+  symbolic::sequence<T> scales_; ///< of rows, while their largest is found
 };
 
 } // namespace kanexpr::runtime

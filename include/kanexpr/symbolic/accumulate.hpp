@@ -18,6 +18,15 @@ public:
     for (int id = adjoints_.size() - 1; id >= 0; --id) {
       const node n = (*graph_)[id];
       if (adjoints_[id] == graph::zero || is_leaf(n.op)) continue;
+      if (n.op == operation::component) {
+        adjoints_[n.a] = graph::one; // all of a solution at once, when its turn comes
+        continue;
+      }
+      if (n.op == operation::solve || n.op == operation::transposed_solve) {
+        back_through(id, n);
+        continue;
+      }
+      if (n.op == operation::regularity) continue;
       const expression adjoint{*graph_, adjoints_[id]};
       const partials p = local_partials(*graph_, id);
       collect(n.a, p.by_a * adjoint);
@@ -30,6 +39,28 @@ public:
 private:
   constexpr void collect(int id, expression part) {
     adjoints_[id] = (expression{*graph_, adjoints_[id]} + part).node();
+  }
+
+  /// The adjoint of b is λ in Aᵀ λ = x̄, and that of A is -λ xᵀ.
+  constexpr void back_through(int id, const node& n) {
+    const expression factors{*graph_, n.a};
+    const bool is_transposed = n.op == operation::transposed_solve;
+    const sequence<int> entries = entries_of(*graph_, n.a), right = elements_of(*graph_, n.b);
+    const int order = right.size();
+    sequence<expression> x, weights;
+    for (int i = 0; i < order; ++i) {
+      x.push({*graph_, component(*graph_, id, i)});
+      const int place = x[i].node();
+      weights.push({*graph_, place < adjoints_.size() ? adjoints_[place] : graph::zero});
+    }
+    const operation transposed = is_transposed ? operation::solve : operation::transposed_solve;
+    const sequence<expression> lambda = solve(transposed, factors, weights);
+    for (int i = 0; i < order; ++i) {
+      collect(right[i], lambda[i]);
+      for (int j = 0; j < order; ++j)
+        if (entries[i * order + j] != graph::zero)
+          collect(entries[i * order + j], is_transposed ? -(lambda[j] * x[i]) : -(lambda[i] * x[j]));
+    }
   }
 
   graph* graph_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/graph.hpp>
+#include <kanexpr/symbolic/expand_solves.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -36,33 +36,61 @@ struct cost {
     default: ++other; break;
     }
   }
+
+  /// What is done by elimination: signs and selections are free, a comparison is a subtraction.
+  constexpr void count_factorization(int order) {
+    const int comparisons = order * (order - 1) / 2, updates = (order - 1) * order * (2 * order - 1) / 6;
+    count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
+  }
+  constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
+  /// The least pivot and the largest scale are found by comparisons, and divided.
+  constexpr void count_regularity(int order) {
+    count(0, 2 * (order - 1), 1);
+    count(operation::sign);
+    count(0, 2, 0);
+  }
+
+private:
+  constexpr void count(int products, int sums, int quotients) {
+    multiplications += products;
+    additions += sums;
+    divisions += quotients;
+    nodes += products + sums + quotients;
+  }
 };
 
-/// Marks the nodes that `outputs` need.
-constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
-  sequence<char> live(g.size(), 0);
-  for (int id : outputs) live[id] = 1;
-  for (int id = g.size() - 1; id >= 0; --id) {
-    const node& n = g[id];
-    if (live[id] == 0 || is_leaf(n.op)) continue;
-    live[n.a] = 1;
-    if (is_binary(n.op)) live[n.b] = 1;
-  }
-  return live;
-}
+namespace detail {
 
-constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
   const sequence<char> live = live_nodes(g, outputs);
   cost total;
   for (int id = 0; id < g.size(); ++id) {
     const node& n = g[id];
     if (live[id] == 0 || is_leaf(n.op)) continue;
-    total.count(n.op);
+    switch (n.op) {
+    case operation::pair:
+    case operation::component: break;
+    case operation::factorization: total.count_factorization(order_of(g, id)); break;
+    case operation::solve:
+    case operation::transposed_solve: total.count_substitution(order_of(g, n.a)); break;
+    case operation::regularity: total.count_regularity(order_of(g, n.a)); break;
+    default: total.count(n.op); break;
+    }
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
     if (sine >= 0 && live[sine] != 0) --total.trigonometric;
   }
   return total;
+}
+
+} // namespace detail
+
+/// What the outputs cost when they are lowered: small linear systems written out, large ones by elimination.
+constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
+  if (!holds_solves(g, live_nodes(g, outputs))) return detail::cost_of_written_out(g, outputs);
+  graph copy = g;
+  const sequence<int> expanded = expand_solves(copy, outputs);
+  return detail::cost_of_written_out(copy, expanded);
 }
 
 } // namespace kanexpr::symbolic

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/expression.hpp>
+#include <kanexpr/symbolic/linear_system.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -38,7 +38,7 @@ constexpr partials local_partials(graph& g, int id) {
   case operation::exp: return {f, zero};
   case operation::log: return {one / a, zero};
   case operation::abs: return {sign(a), zero};
-  default: return {zero, zero}; // leaves, and sign, whose derivative is zero wherever it has one
+  default: return {zero, zero}; // leaves; sign, whose derivative is zero wherever it has one; regularity
   }
 }
 
@@ -74,7 +74,9 @@ private:
     if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
     const node n = (*graph_)[id];
     int rate = graph::zero;
-    if (!is_leaf(n.op)) {
+    if (n.op == operation::component) {
+      rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
+    } else if (!is_leaf(n.op) && n.op != operation::regularity) {
       const expression a{*graph_, of(n.a)};
       const expression b{*graph_, is_binary(n.op) ? of(n.b) : graph::zero};
       if (n.op == operation::divide) {
@@ -85,6 +87,26 @@ private:
         rate = (p.by_a * a + p.by_b * b).node();
       }
     }
+    remember(id, rate);
+    return rate;
+  }
+
+  /// A ẋ = ḃ - Ȧ x, with the factors that A has already.
+  constexpr int of_solution(int id) {
+    if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
+    const node n = (*graph_)[id];
+    const bool is_transposed = n.op == operation::transposed_solve;
+    const int order = order_of(*graph_, n.a);
+    const sequence<int> entries = entries_of(*graph_, n.a);
+    sequence<int> right = elements_of(*graph_, n.b);
+    for (int& b : right) b = of(b);
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j) {
+        const int rate = of(entries[i * order + j]), row = is_transposed ? j : i, by = is_transposed ? i : j;
+        if (rate != graph::zero)
+          right[row] = subtract(*graph_, right[row], multiply(*graph_, rate, component(*graph_, id, by)));
+      }
+    const int rate = solution(*graph_, n.op, n.a, list_of(*graph_, right));
     remember(id, rate);
     return rate;
   }

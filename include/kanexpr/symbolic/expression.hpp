@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/rules.hpp>
+#include <kanexpr/symbolic/build.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -31,6 +31,8 @@ public:
   }
 
   constexpr int size() const { return nodes_.size(); }
+  /// Whether there is anything of a linear system, live or not.
+  constexpr bool holds_lists() const { return holds_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
 
   constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
@@ -39,14 +41,14 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
 
   constexpr int constant(const number& value) {
-    unsigned place = hash(value);
-    for (; table_[slot(place)] >= 0; ++place) {
-      const int id = table_[slot(place)];
-      if (nodes_[id].op == operation::constant && number_at(id) == value) return id;
-    }
-    table_[slot(place)] = nodes_.size();
+    const int place = slot(place_of(value));
+    if (table_[place] >= 0) return table_[place];
+    table_[place] = nodes_.size();
     return append({operation::constant, numbers_.push(value), 0});
   }
+
+  /// The node of an existing constant, or -1.
+  constexpr int find_constant(const number& value) const { return table_[slot(place_of(value))]; }
 
   /// The node of a symbol; two symbols are the same where kind and name are.
   constexpr int variable(const symbol& wanted) {
@@ -82,6 +84,14 @@ private:
   constexpr int slot(unsigned place) const {
     return static_cast<int>(place & (static_cast<unsigned>(table_.size()) - 1));
   }
+  constexpr unsigned place_of(const number& wanted) const {
+    unsigned place = hash(wanted);
+    for (; table_[slot(place)] >= 0; ++place) {
+      const int id = table_[slot(place)];
+      if (nodes_[id].op == operation::constant && number_at(id) == wanted) break;
+    }
+    return place;
+  }
   constexpr unsigned place_of(const node& wanted) const {
     unsigned place = hash(wanted.op, wanted.a, wanted.b);
     for (; table_[slot(place)] >= 0; ++place) {
@@ -92,6 +102,7 @@ private:
   }
   constexpr int append(const node& added) {
     const int id = nodes_.push(added);
+    if (added.op >= operation::pair) holds_lists_ = true;
     if (2 * nodes_.size() > table_.size()) rehash();
     return id;
   }
@@ -110,6 +121,7 @@ private:
   sequence<number> numbers_;
   sequence<symbol> symbols_;
   sequence<int> table_; ///< open addressing; -1 is free
+  bool holds_lists_ = false;
 };
 
 } // namespace kanexpr::symbolic

@@ -57,7 +57,8 @@ private:
   /// Whether a function is written as a word before its argument.
   bool is_named(int id) const {
     const operation op = at(id).op;
-    return is_function(op) && op != operation::sqrt && op != operation::abs && op != operation::exp;
+    return is_function(op) && op != operation::sqrt && op != operation::abs && op != operation::exp &&
+           op != operation::component;
   }
 
   static std::string exponent_mark(std::int64_t exponent) {
@@ -79,6 +80,9 @@ private:
   /// `ends_open`: nothing follows that a reader could take for a part of the argument.
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
+    if (n.op == operation::component) return component(n);
+    if (n.op == operation::regularity)
+      return "\\operatorname{regularity}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
     const std::string argument = write(n.a);
     if (n.op == operation::sqrt) return "\\sqrt{" + argument + "}";
     if (n.op == operation::abs) return "\\left|" + argument + "\\right|";
@@ -87,6 +91,22 @@ private:
     if (is_binary(n.op)) return word + in_parentheses(argument + ", " + write(n.b));
     if (at(n.a).op == operation::symbol && ends_open) return word + " " + argument;
     return word + in_parentheses(argument);
+  }
+
+  std::string component(const node& n) const {
+    const node& solution = at(n.a);
+    std::vector<std::vector<int>> right;
+    for (int id : elements(solution.b)) right.push_back({id});
+    const bool transposed = solution.op == operation::transposed_solve;
+    return in_parentheses(brackets(rows_of(solution.a, transposed)) + "^{-1} " + brackets(right)) + "_{" +
+           std::to_string(integer_at(owner(), n.b) + 1) + "}";
+  }
+  std::string brackets(const std::vector<std::vector<int>>& rows) const {
+    std::string text = "\\begin{bmatrix}";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        text += (j > 0 ? " & " : i > 0 ? " \\\\ " : " ") + write(rows[i][j]);
+    return text + " \\end{bmatrix}";
   }
 
   /// A side of a fraction: the bar already encloses it.

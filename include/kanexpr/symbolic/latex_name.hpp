@@ -47,10 +47,13 @@ inline std::string latex_word(const std::string& word) {
   return is_greek(word) ? "\\" + word : "\\mathrm{" + word + "}";
 }
 
+/// Primes at the end, as in `theta''`, are derivatives in time and become dots.
 inline std::string latex_name(std::string_view name, bool dotted = false) {
+  std::size_t dots = dotted ? 1 : 0;
+  for (; name.ends_with('\''); name.remove_suffix(1)) ++dots;
   const split_name parts(name);
   std::string text = latex_word(parts.head);
-  if (dotted) text = "\\dot{" + text + "}";
+  if (dots > 0) text = "\\" + std::string(dots, 'd') + "ot{" + text + "}";
   if (parts.subscript.empty()) return text;
   const bool is_number = std::ranges::all_of(parts.subscript, split_name::is_digit);
   const std::string below = is_number ? parts.subscript : latex_word(parts.subscript);

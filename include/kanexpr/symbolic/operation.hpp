@@ -24,13 +24,23 @@ enum class operation : unsigned char {
   log,
   abs,
   sign,
+  // linear systems; lists are no values, and stand only as operands of these
+  pair,             ///< a list: its first element and the list of the others, ended by the constant zero
+  factorization,    ///< of the matrix with a list of rows, each a list, and of the order in the constant b
+  solve,            ///< A x = b: a factorization and the list b
+  transposed_solve, ///< Aᵀ x = b
+  component,        ///< an element of a solution; the constant b counts from zero
+  regularity,       ///< how far a factorization is from a singular matrix, by the list of its row scales
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
 
 constexpr bool is_binary(operation op) {
-  return op == operation::add || op == operation::subtract || op == operation::multiply ||
-         op == operation::divide || op == operation::power || op == operation::atan2;
+  return (op >= operation::add && op <= operation::power) || op == operation::atan2 || op >= operation::pair;
+}
+/// Whether the second operand is a plain number that says how many or which, and no value.
+constexpr bool is_numbered(operation op) {
+  return op == operation::factorization || op == operation::component;
 }
 
 constexpr bool is_commutative(operation op) { return op == operation::add || op == operation::multiply; }
@@ -50,6 +60,8 @@ constexpr const char* function_name(operation op) {
   case operation::log: return "log";
   case operation::abs: return "abs";
   case operation::sign: return "sign";
+  case operation::component: return "solve";
+  case operation::regularity: return "regularity";
   default: return "";
   }
 }

@@ -21,6 +21,13 @@ public:
   }
   std::string function(int id) const {
     const node& n = at(id);
+    if (n.op == operation::component) {
+      const node& solution = at(n.a);
+      return "solve(" + matrix_of(solution.a, solution.op == operation::transposed_solve) + ", " +
+             list(elements(solution.b)) + ")[" + std::to_string(integer_at(owner(), n.b) + 1) + "]";
+    }
+    if (n.op == operation::regularity)
+      return "regularity(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";
@@ -36,6 +43,19 @@ public:
   }
   std::string raised(int base, const std::string& exponent) const { return power(operand(base), exponent); }
   std::string in_parentheses(const std::string& text) const { return "(" + text + ")"; }
+
+private:
+  std::string list(const std::vector<int>& nodes) const {
+    std::string text;
+    for (int id : nodes) text += (text.empty() ? "" : ", ") + write(id);
+    return "[" + text + "]";
+  }
+  std::string matrix_of(int factorization, bool transposed) const {
+    std::string text;
+    for (const std::vector<int>& row : rows_of(factorization, transposed))
+      text += (text.empty() ? "" : ", ") + list(row);
+    return "[" + text + "]";
+  }
 };
 
 } // namespace printing

@@ -34,6 +34,47 @@ constexpr int commutative(graph& g, operation op, int a, int b) {
   return a < b ? g.find_or_append({op, a, b}) : g.find_or_append({op, b, a});
 }
 
+/// The factors of nested products, in the order of their numbers; too many count as none.
+struct factors_of {
+  static constexpr int most = 8;
+  int factor[most]{};
+  int count = 0;
+
+  constexpr factors_of(const graph& g, int product) {
+    take(g, product);
+    if (count > most) count = 0;
+  }
+  constexpr bool operator==(const factors_of& other) const {
+    if (count != other.count || count == 0) return false;
+    for (int i = 0; i < count; ++i)
+      if (factor[i] != other.factor[i]) return false;
+    return true;
+  }
+
+private:
+  constexpr void take(const graph& g, int id) {
+    const node& n = g[id];
+    if (n.op == operation::multiply) {
+      take(g, n.a);
+      if (count <= most) take(g, n.b);
+    } else if (count++ < most) {
+      int place = count - 1;
+      for (; place > 0 && factor[place - 1] > id; --place) factor[place] = factor[place - 1];
+      factor[place] = id;
+    }
+  }
+};
+
+/// Whether a and b are products of the same factors in different groups.
+constexpr bool is_same_product(const graph& g, int a, int b) {
+  const node &x = g[a], &y = g[b];
+  if (x.op != operation::multiply || y.op != operation::multiply) return false;
+  const auto is_nested = [&](const node& n) {
+    return g[n.a].op == operation::multiply || g[n.b].op == operation::multiply;
+  };
+  return is_nested(x) && is_nested(y) && factors_of(g, a) == factors_of(g, b);
+}
+
 /// x for sin(x)*sin(x) or cos(x)*cos(x), else -1.
 constexpr int squared_angle(const graph& g, int a, operation function) {
   const node& n = g[a];
@@ -109,6 +150,7 @@ constexpr int subtract(graph& g, int a, int b) {
   } else {
     const detail::scaled p = detail::split_coefficient(g, a), q = detail::split_coefficient(g, b);
     if (p.rest == q.rest) return multiply(g, g.constant(p.coefficient - q.coefficient), p.rest);
+    if (detail::is_same_product(g, a, b)) return graph::zero;
   }
   const int turned = g.find({operation::subtract, b, a});
   if (turned >= 0) return negate(g, turned);
@@ -233,20 +275,6 @@ constexpr int power(graph& g, int base, int exponent) {
     if (g.is_constant(base)) return g.constant(real(elementary::pow(g.number_at(base).value(), n.value())));
   }
   return g.find_or_append({operation::power, base, exponent});
-}
-
-/// Any operation on nodes that exist, simplified.
-constexpr int build(graph& g, operation op, int a, int b) {
-  switch (op) {
-  case operation::negate: return negate(g, a);
-  case operation::add: return add(g, a, b);
-  case operation::subtract: return subtract(g, a, b);
-  case operation::multiply: return multiply(g, a, b);
-  case operation::divide: return divide(g, a, b);
-  case operation::power: return power(g, a, b);
-  case operation::atan2: return atan2(g, a, b);
-  default: return apply(g, op, a);
-  }
 }
 
 } // namespace kanexpr::symbolic

@@ -1,58 +1,9 @@
 #pragma once
 
-#include <kanexpr/symbolic/expression.hpp>
+#include <kanexpr/symbolic/matrix.hpp>
+#include <kanexpr/symbolic/solve_linear.hpp>
 
 namespace kanexpr::symbolic {
-
-/// A dense matrix of expressions by rows.
-struct matrix {
-  int rows = 0;
-  int columns = 0;
-  sequence<expression> entries;
-
-  constexpr matrix() = default;
-  constexpr matrix(graph& g, int rows_, int columns_)
-      : rows(rows_), columns(columns_), entries(rows_ * columns_, expression{g, graph::zero}) {}
-
-  constexpr expression& operator()(int i, int j) { return entries[i * columns + j]; }
-  constexpr const expression& operator()(int i, int j) const { return entries[i * columns + j]; }
-};
-
-/// The determinant by minors of the last rows, each formed once: n 2^(n-1) products, no division and no
-/// pivot, so it holds at every state at which the matrix has one. Meant for small n.
-constexpr expression determinant(graph& g, const matrix& a) {
-  const int n = a.rows;
-  sequence<expression> minors(1 << n, expression{g, graph::zero}); // by the set of columns they use
-  minors[0] = expression{g, graph::one};
-  for (int set = 1; set < (1 << n); ++set) {
-    int order = 0;
-    for (int j = 0; j < n; ++j) order += (set >> j) & 1;
-    const int row = n - order;
-    expression sum{g, graph::zero};
-    bool plus = true;
-    for (int j = 0; j < n; ++j) {
-      if (((set >> j) & 1) == 0) continue;
-      const expression term = a(row, j) * minors[set & ~(1 << j)];
-      sum = plus ? sum + term : sum - term;
-      plus = !plus;
-    }
-    minors[set] = sum;
-  }
-  return minors[(1 << n) - 1];
-}
-
-/// Solves A x = b by Cramer's rule; `b` and the result are of A's order. A vanishing determinant is left to
-/// the caller to find out beforehand.
-constexpr sequence<expression> solve_by_cofactors(graph& g, const matrix& a, const sequence<expression>& b) {
-  const expression below = determinant(g, a);
-  sequence<expression> x;
-  for (int j = 0; j < a.columns; ++j) {
-    matrix replaced = a;
-    for (int i = 0; i < a.rows; ++i) replaced(i, j) = b[i];
-    x.push(determinant(g, replaced) / below);
-  }
-  return x;
-}
 
 /// Solves the symmetric positive definite system M x = f by M = LᵀDL without square roots.
 ///

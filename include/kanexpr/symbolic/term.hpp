@@ -53,7 +53,8 @@ inline side denominator(const term& t) {
   return below;
 }
 
-inline bool is_function(operation op) { return *function_name(op) != '\0'; }
+/// What is written as one word with arguments, and the lists among those.
+inline bool is_function(operation op) { return *function_name(op) != '\0' || op >= operation::pair; }
 
 /// Breaks a node into weighted parts, which `expand` names; each node is met once, with all of its weight,
 /// since users come after their operands. Returns the parts that cannot be broken, by node.

@@ -89,6 +89,21 @@ protected:
     return f.exponent == 1 ? operand(f.base) : form().raised(f.base, std::to_string(f.exponent));
   }
 
+  /// The rows of a factorized matrix, or their transpose, as nodes.
+  std::vector<std::vector<int>> rows_of(int factorization, bool transposed) const {
+    const sequence<int> entries = entries_of(*graph_, factorization);
+    const int order = order_of(*graph_, factorization);
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(order));
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j)
+        rows[static_cast<std::size_t>(i)].push_back(entries[transposed ? j * order + i : i * order + j]);
+    return rows;
+  }
+  std::vector<int> elements(int list) const {
+    const sequence<int> all = elements_of(*graph_, list);
+    return {all.begin(), all.end()};
+  }
+
   const graph& owner() const { return *graph_; }
   const node& at(int id) const { return (*graph_)[id]; }
 

@@ -1,0 +1,37 @@
+// A sleigh whose blade does not slip sideways. The speeds obey an equation that leaves the position free.
+#include "report.hpp"
+
+#include <models/chaplygin_sleigh.hpp>
+
+int main() {
+  using namespace chaplygin_sleigh;
+  using eom = kanexpr::equations_of_motion<System>;
+
+  eom::state x;
+  x[q1] = -2.193815;
+  x[q2] = 2.084602;
+  x[q3] = 1.582648;
+  x[u1] = -1.469586;
+  x[u2] = 0;
+  x[u3] = -0.027389;
+
+  eom::parameters p;
+  p[m] = 1.7;
+  p[I] = 0.21;
+  p[a] = 0.33;
+
+  eom::inputs r;
+  r[F] = 1.51593;
+  r[T] = 1.154893;
+
+  // Two equations are left for three speeds; a multiplier is the force that keeps the blade on its track.
+  report check("chaplygin_sleigh", 1e-12);
+  check("M u' and f of the independent speeds",
+        eom::mass_matrix(x, p, r) * Eigen::Vector2d(0.8919710813276948, 2.865670727544874),
+        eom::forcing(x, p, r));
+  check("udot of u1, u3, u2", eom::udot(x, p, r),
+        Eigen::Vector3d{0.8919710813276948, 2.865670727544874, 0.0});
+  check("qdot", eom::qdot(x, p, r), Eigen::Vector3d{0.01741664528218392, -1.4694827905978058, -0.027389});
+  check("side force", eom::multipliers(x, p, r)(0), 1.7 * (0.33 * 2.865670727544874 + -1.469586 * -0.027389));
+  return check.exit_code();
+}

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// The Whipple bicycle: a frame with a rigid rider, a fork and two wheels that roll without slipping.
+/// Meijaard, Papadopoulos, Ruina & Schwab (2007); lengths and inertias as in SymPy's test of Kane's method.
+namespace bicycle {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q1"> q1; // yaw
+constexpr coordinate<"q2"> q2; // lean
+constexpr coordinate<"q4"> q4; // pitch
+constexpr coordinate<"q5"> q5; // steer
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr speed<"u3"> u3; // spin of the rear wheel
+constexpr speed<"u4"> u4;
+constexpr speed<"u5"> u5;
+constexpr speed<"u6"> u6; // spin of the front wheel
+
+constexpr parameter<"WFrad"> WFrad;
+constexpr parameter<"WRrad"> WRrad;
+constexpr parameter<"htangle"> htangle; // of the head tube, with the ground
+constexpr parameter<"forkoffset"> forkoffset;
+constexpr parameter<"forklength"> forklength;
+constexpr parameter<"framelength"> framelength;
+constexpr parameter<"forkcg1"> forkcg1;
+constexpr parameter<"forkcg3"> forkcg3;
+constexpr parameter<"framecg1"> framecg1;
+constexpr parameter<"framecg3"> framecg3;
+constexpr parameter<"Iwr11"> Iwr11;
+constexpr parameter<"Iwr22"> Iwr22;
+constexpr parameter<"Iwf11"> Iwf11;
+constexpr parameter<"Iwf22"> Iwf22;
+constexpr parameter<"Ifork11"> Ifork11;
+constexpr parameter<"Ifork22"> Ifork22;
+constexpr parameter<"Ifork33"> Ifork33;
+constexpr parameter<"Ifork31"> Ifork31;
+constexpr parameter<"Iframe11"> Iframe11;
+constexpr parameter<"Iframe22"> Iframe22;
+constexpr parameter<"Iframe33"> Iframe33;
+constexpr parameter<"Iframe31"> Iframe31;
+constexpr parameter<"mfork"> mfork;
+constexpr parameter<"mframe"> mframe;
+constexpr parameter<"mwf"> mwf;
+constexpr parameter<"mwr"> mwr;
+constexpr parameter<"g"> g;
+
+struct N : inertial_frame<N> {}; // z points up
+struct Y : rotated<Y, N, q1, N::z> {};
+struct R : rotated<R, Y, q2, Y::x> {};
+struct Frame : rotated<Frame, R, q4 + htangle, R::y> {}; // x along the steering axis, down
+struct Fork : rotated<Fork, Frame, q5, Frame::x> {};
+struct WR : rotated<WR, Frame, 0, Frame::y>, angular_velocity<Frame, u3 * Frame::y> {};
+struct WF : rotated<WF, Fork, 0, Fork::y>, angular_velocity<Fork, u6 * Fork::y> {};
+
+// Axes that are level in an upright bicycle, for the inertias.
+struct LevelFrame : rotated<LevelFrame, Frame, -htangle, Frame::y> {};
+struct LevelFork : rotated<LevelFork, Fork, -htangle, Fork::y> {};
+
+// From the front wheel's centre to its lowest point.
+constexpr auto down_front = normalized(dot(Fork::y, Y::z) * Fork::y - Y::z);
+
+struct WR_cont : origin<WR_cont, N> {}; // contact: no velocity in N
+struct WR_mc : offset<WR_mc, WR_cont, WRrad * R::z>, fixed_in<WR> {};
+struct Steer : offset<Steer, WR_mc, framelength * Frame::z> {};
+struct Frame_mc : offset<Frame_mc, WR_mc, -framecg1 * Frame::x + framecg3 * Frame::z> {};
+struct Fork_mc : offset<Fork_mc, Steer, -forkcg1 * Fork::x + forkcg3 * Fork::z> {};
+struct WF_mc : offset<WF_mc, Steer, forklength * Fork::x + forkoffset * Fork::z> {};
+struct WF_cont : offset<WF_cont, WF_mc, WFrad * down_front>, fixed_in<WF> {};
+
+struct BodyFrame : rigid_body<BodyFrame, Frame_mc, Frame, mframe,
+                              inertia<LevelFrame, Iframe11, Iframe22, Iframe33, 0, 0, Iframe31>> {};
+struct BodyFork : rigid_body<BodyFork, Fork_mc, Fork, mfork,
+                             inertia<LevelFork, Ifork11, Ifork22, Ifork33, 0, 0, Ifork31>> {};
+struct BodyWR : rigid_body<BodyWR, WR_mc, WR, mwr, inertia<Frame, Iwr11, Iwr22, Iwr11>> {};
+struct BodyWF : rigid_body<BodyWF, WF_mc, WF, mwf, inertia<Fork, Iwf11, Iwf22, Iwf11>> {};
+
+template <class... More>
+struct whipple : kane_system<inertial<N>, coordinates<q1, q2, q5, q4>, speeds<u2, u3, u5, u1, u4, u6>,
+                             kinematics<dot(q1) == u1, dot(q2) == u2, dot(q4) == u4, dot(q5) == u5>,
+                             configuration_constraints<dot(position_of<WF_cont, WR_cont>, Y::z) == 0>,
+                             velocity_constraints<zero_along<velocity_of<WF_cont>, Y::x, Y::y, Y::z>>,
+                             dependent<u1, u4, u6, q4>, bodies<BodyFrame, BodyFork, BodyWR, BodyWF>,
+                             loads<gravity<-g * N::z>>, More...> {};
+
+struct System : whipple<> {};
+
+/// The benchmark bicycle.
+struct BoundSystem
+    : whipple<values<WFrad == 0.35, WRrad == 0.3, htangle == 1.2566370614359172,
+                     forkoffset == 0.03207142672761931, forklength == 0.26764450844768867,
+                     framelength == 0.9534570696121847, forkcg1 == 0.10230731158060875,
+                     forkcg3 == 0.026100592803432483, framecg1 == 0.4779288114646079,
+                     framecg3 == 0.4707271515135145, Iwr11 == 0.0603, Iwr22 == 0.12, Iwf11 == 0.1405,
+                     Iwf22 == 0.28, Ifork11 == 0.05892, Ifork22 == 0.06, Ifork33 == 0.00708,
+                     Ifork31 == 0.00756, Iframe11 == 9.2, Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4,
+                     mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
+
+} // namespace bicycle

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// A rattleback: half an ellipsoid that rolls on a plane, with principal axes of inertia that are turned
+/// against those of its surface. Kane & Levinson (1982), Realistic mathematical modeling of the rattleback.
+namespace rattleback {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q1"> q1; // yaw
+constexpr coordinate<"q2"> q2; // roll
+constexpr coordinate<"q3"> q3; // pitch
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr speed<"u3"> u3;
+constexpr parameter<"a"> a; // half axes of the ellipsoid
+constexpr parameter<"b"> b;
+constexpr parameter<"c"> c;
+constexpr parameter<"h"> h; // from its centre down to the mass centre
+constexpr parameter<"m"> m;
+constexpr parameter<"Ixx"> Ixx;
+constexpr parameter<"Iyy"> Iyy;
+constexpr parameter<"Izz"> Izz;
+constexpr parameter<"Ixy"> Ixy;
+constexpr parameter<"g"> g;
+constexpr parameter<"sigma"> sigma; // friction: torque over angular velocity
+
+struct N : inertial_frame<N> {}; // z points up
+struct B : body_fixed<B, N, "zxy", q1, q2, q3>,
+           angular_velocity<N, u1 * own::x + u2 * own::y + u3 * own::z> {};
+
+// The lowest point of the ellipsoid, from its centre.
+constexpr auto stretched =
+    a * a * dot(N::z, B::x) * B::x + b * b * dot(N::z, B::y) * B::y + c * c * dot(N::z, B::z) * B::z;
+constexpr auto lowest = -stretched / sqrt(dot(stretched, N::z));
+
+constexpr auto friction = -sigma * (u1 * B::x + u2 * B::y + u3 * B::z);
+
+struct P : origin<P, N> {}; // contact: no velocity in N
+struct G : offset<G, P, -lowest - h * B::z>, fixed_in<B> {};
+
+struct Stone : rigid_body<Stone, G, B, m, inertia<B, Ixx, Iyy, Izz, Ixy>> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>, kinematics<kinematics_of<B, N>>,
+                  bodies<Stone>, loads<gravity<-g * N::z>, torque<B, friction>>> {};
+
+} // namespace rattleback

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// A rocket that climbs straight up while its mass burns away. Forces are rates of momentum, d(m v)/dt, so T
+/// counts what the gas takes along: the thrust and dot(m)*u.
+namespace rocket {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"g"> g;
+constexpr parameter<"cd"> cd; // drag over the square of the speed
+constexpr prescribed<"m"> m;  // mass, a known function of time
+constexpr input<"T"> T;
+
+struct N : inertial_frame<N> {}; // z points up
+
+struct O : origin<O, N> {};
+struct P : offset<P, O, q * N::z> {};
+
+struct Rocket : particle<Rocket, P, m> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, inputs<m, dot(m), T>,
+                  bodies<Rocket>, loads<force<P, (T - m * g - cd * u * u) * N::z>>> {};
+
+} // namespace rocket

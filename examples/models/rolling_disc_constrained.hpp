@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// The rolling disc once more, with the position of its centre among the coordinates and "the rim does not
+/// slip on the ground" as an equation.
+namespace rolling_disc_constrained {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q4"> q4;
+constexpr coordinate<"q5"> q5;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr speed<"u3"> u3;
+constexpr speed<"u4"> u4;
+constexpr speed<"u5"> u5;
+constexpr parameter<"r"> r;
+constexpr parameter<"m"> m;
+constexpr parameter<"g"> g;
+
+struct N : inertial_frame<N> {};
+struct Y : rotated<Y, N, q1, N::z> {}; // yaw
+struct L : rotated<L, Y, q2, Y::x> {}; // lean
+struct R : rotated<R, L, q3, L::y>,    // spin
+           angular_velocity<N, u1 * L::x + u2 * L::y + u3 * L::z> {};
+
+struct O : origin<O, N> {}; // in the ground
+struct Dmc : offset<Dmc, O, q4 * N::x + q5 * N::y + r * cos(q2) * N::z> {};
+struct Contact : offset<Contact, Dmc, -r * L::z>, fixed_in<R> {}; // the point of the rim that touches
+
+struct Disc : rigid_body<Disc, Dmc, R, m, inertia<L, m * r * r / 4, m * r * r / 2, m * r * r / 4>> {};
+
+struct System : kane_system<inertial<N>, coordinates<q1, q2, q3, q4, q5>, speeds<u1, u2, u3, u4, u5>,
+                            kinematics<kinematics_of<R, N>, dot(q4) == u4, dot(q5) == u5>,
+                            velocity_constraints<zero_along<velocity_of<Contact>, N::x, N::y>>,
+                            dependent<u4, u5>, bodies<Disc>, loads<gravity<-g * N::z>>> {};
+
+} // namespace rolling_disc_constrained

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+/// A bead on a spring in a smooth tube that turns in a vertical plane as it is told.
+namespace rotating_tube {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q; // along the tube
+constexpr speed<"u"> u;
+constexpr parameter<"m"> m;
+constexpr parameter<"k"> k;
+constexpr parameter<"q0"> q0; // where the spring is at rest
+constexpr parameter<"g"> g;
+constexpr parameter<"c"> c;
+constexpr prescribed<"theta"> theta; // angle of the tube, a known function of time
+
+struct N : inertial_frame<N> {}; // y points up
+struct A : rotated<A, N, theta, N::z> {};
+
+struct O : origin<O, N> {};
+struct P : offset<P, O, q * A::x> {};
+
+struct Bead : particle<Bead, P, m> {};
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>,
+                            inputs<theta, dot(theta), dot(dot(theta))>, bodies<Bead>,
+                            loads<gravity<-g * N::y>, force<P, -(k*(q - q0) + c * u) * A::x>>> {};
+
+} // namespace rotating_tube

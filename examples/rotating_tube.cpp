@@ -1,0 +1,33 @@
+// A bead in a tube that turns as it is told.
+#include "report.hpp"
+
+#include <models/rotating_tube.hpp>
+
+int main() {
+  using namespace rotating_tube;
+  using eom = kanexpr::equations_of_motion<System>;
+
+  eom::state x;
+  x[q] = -0.731272;
+  x[u] = 2.084602;
+
+  eom::parameters p;
+  p[m] = 0.8;
+  p[k] = 12.0;
+  p[q0] = 0.5;
+  p[g] = 9.81;
+  p[c] = 0.1;
+
+  eom::inputs r;
+  r[theta] = 1.582648;
+  r[dot(theta)] = -2.939172;
+  r[dot(dot(theta))] = -0.045649;
+
+  report check("rotating_tube", 1e-12);
+  check("udot", eom::udot(x, p, r)(0), 2.0819308483810675);
+
+  constexpr kanexpr::function<System, kanexpr::dot(kanexpr::acceleration_of<P>, A::y)> across;
+  check("acceleration across the tube", across(x, p, r),
+        x[q] * r[dot(dot(theta))] + 2 * x[u] * r[dot(theta)]);
+  return check.exit_code();
+}

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Find states that satisfy the constraints of a system, and say which do not.
+
+#include <kanexpr/compiled/assemble.hpp>

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/numeric/assembly.hpp>
+
+#include <array>
+
+namespace kanexpr {
+
+namespace compiled {
+
+/// The constraints of a system at given arguments, for the numerical methods that satisfy them.
+template <class System, class P, class R>
+class constraints_at {
+public:
+  static constexpr const derivation::survey& known = survey_of<System>;
+  using eom = equations_of_motion<System>;
+  using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
+  using square = Eigen::Matrix<double, known.configuration_constraints, known.configuration_constraints>;
+  using speed_vector = Eigen::Matrix<double, known.constraints, 1>;
+
+  constraints_at(double t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
+
+  static constexpr int coordinates() { return known.configuration_constraints; }
+  static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
+
+  coordinate_vector configuration_residual(const state<System>& x) const {
+    if constexpr (coordinates() == 0)
+      return {};
+    else
+      return eom::configuration_residual(t_, x, p_, r_);
+  }
+  square configuration_jacobian(const state<System>& x) const {
+    if constexpr (coordinates() == 0)
+      return {};
+    else
+      return eom::configuration_jacobian(t_, x, p_, r_);
+  }
+  speed_vector velocity_residual(const state<System>& x) const {
+    if constexpr (known.constraints == 0)
+      return {};
+    else
+      return eom::velocity_residual(t_, x, p_, r_);
+  }
+  /// Gives the state its dependent speeds, if they can be solved for.
+  kanexpr::status solve_speeds(state<System>& x) const {
+    if constexpr (known.constraints == 0) {
+      return {};
+    } else {
+      const auto u = eom::dependent_speeds(t_, x, p_, r_);
+      if (status_of(u))
+        for (int i = 0; i < known.constraints; ++i)
+          x(places[static_cast<std::size_t>(coordinates() + i)]) = u(i);
+      return status_of(u);
+    }
+  }
+
+private:
+  static constexpr auto places = [] {
+    std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
+        found{};
+    std::size_t next = 0;
+    for (int i = 0; i < known.coordinates + known.speeds; ++i)
+      if (known.dependent[i]) found[next++] = i;
+    return found;
+  }();
+
+  double t_;
+  const P& p_;
+  const R& r_;
+};
+
+} // namespace compiled
+
+/// Solves the configuration constraints for the dependent coordinates, by Newton's method from those of `x`,
+/// then the velocity constraints for the dependent speeds. Where that fails `x` is left as it was and the
+/// report says why. No memory is taken and nothing is thrown.
+template <class System, class P = parameter_values<System>, class R = input_values<System>>
+assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
+                  const assembly_options& options = {}) {
+  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+  return numeric::assemble(constraints, x, options);
+}
+
+/// Whether a state satisfies the constraints to within `tolerance`; if not, which one does not and by how
+/// much.
+template <class System, class P = parameter_values<System>, class R = input_values<System>>
+consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
+                              double tolerance = 1e-9) {
+  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+  return numeric::check_consistency(constraints, x, tolerance);
+}
+
+} // namespace kanexpr

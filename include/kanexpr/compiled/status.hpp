@@ -1,0 +1,37 @@
+#pragma once
+
+#include <kanexpr/mechanics/status.hpp>
+
+#include <type_traits>
+
+namespace kanexpr {
+
+/// A result with the status of its evaluation beside it: `if (!udot.status) …`.
+template <class Result>
+struct with_status : Result {
+  kanexpr::status status;
+};
+
+/// A number with the status of its evaluation beside it.
+template <class Result>
+  requires(!std::is_class_v<Result>)
+struct with_status<Result> {
+  Result value;
+  kanexpr::status status;
+  operator Result() const { return value; }
+};
+
+namespace compiled {
+
+template <class Result>
+constexpr kanexpr::status status_of(const with_status<Result>& result) {
+  return result.status;
+}
+template <class Result>
+constexpr kanexpr::status status_of(const Result&) {
+  return {};
+}
+
+} // namespace compiled
+
+} // namespace kanexpr

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/symbolic/elimination.hpp>
+
+namespace kanexpr::lower {
+
+/// What elimination needs of a scalar type.
+template <class T>
+struct elimination_math {
+  [[gnu::always_inline]] static T magnitude(const T& x) {
+    return scalar_math<T>::template by_name<symbolic::operation::abs>(x);
+  }
+  [[gnu::always_inline]] static T reciprocal(const T& x) { return T(scalar_math<T>::from(1) / x); }
+  [[gnu::always_inline]] static T positive_or_one(const T& x) {
+    return T(x + T(scalar_math<T>::from(1) - scalar_math<T>::template by_name<symbolic::operation::sign>(x)));
+  }
+  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
+    scalar_math<T>::exchange_if_positive(d, a, b);
+  }
+};
+
+/// The steps of symbolic/elimination.hpp one by one, with constant places only.
+template <int order, class T>
+class unrolled_elimination {
+  using math = elimination_math<T>;
+  static constexpr symbolic::factors place{order};
+  template <int count>
+  using numbers = std::make_integer_sequence<int, count>;
+
+public:
+  [[gnu::always_inline]] static void factorize(T* f) noexcept { factorize(f, numbers<order>{}); }
+  [[gnu::always_inline]] static void solve(const T* f, T* x) noexcept { solve(f, x, numbers<order>{}); }
+  [[gnu::always_inline]] static void solve_transposed(const T* f, T* x) noexcept {
+    solve_transposed(f, x, numbers<order>{});
+  }
+  [[gnu::always_inline]] static T regularity(const T* f, T* scales) noexcept {
+    return regularity(f, scales, numbers<order - 1>{});
+  }
+
+private:
+  template <int... k>
+  [[gnu::always_inline]] static void factorize(T* f, std::integer_sequence<int, k...>) noexcept {
+    T least = math::magnitude(f[0]); // overwritten by the first pivot
+    const int in_order[]{(pivot<k>(f, least, numbers<order - 1 - k>{}), 0)...};
+    static_cast<void>(in_order);
+    f[place.least_pivot()] = least;
+  }
+
+  template <int k, int... below>
+  [[gnu::always_inline]] static void pivot(T* f, T& least, std::integer_sequence<int, below...>) noexcept {
+    const int exchanged[]{0, (compare<k, k + 1 + below>(f, numbers<order - k>{}), 0)...};
+    T& pivot = f[place.at(k, k)];
+    T size = math::magnitude(pivot);
+    if constexpr (k == 0)
+      least = size;
+    else
+      math::exchange_if_positive(T(least - size), least, size);
+    pivot = math::reciprocal(pivot);
+    const int eliminated[]{0, (update<k, k + 1 + below>(f, numbers<order - 1 - k>{}), 0)...};
+    static_cast<void>(exchanged), static_cast<void>(eliminated);
+  }
+
+  template <int k, int i, int... right>
+  [[gnu::always_inline]] static void compare(T* f, std::integer_sequence<int, right...>) noexcept {
+    T& excess = f[place.excess(k, i)];
+    excess = T(math::magnitude(f[place.at(i, k)]) - math::magnitude(f[place.at(k, k)]));
+    const int exchanged[]{
+        (math::exchange_if_positive(excess, f[place.at(k, k + right)], f[place.at(i, k + right)]), 0)...};
+    static_cast<void>(exchanged);
+  }
+
+  template <int k, int i, int... right>
+  [[gnu::always_inline]] static void update(T* f, std::integer_sequence<int, right...>) noexcept {
+    T& multiplier = f[place.at(i, k)];
+    multiplier = T(multiplier * f[place.at(k, k)]);
+    const int updated[]{
+        (subtract(f[place.at(i, k + 1 + right)], multiplier, f[place.at(k, k + 1 + right)]), 0)...};
+    static_cast<void>(updated);
+  }
+
+  /// a -= b c
+  [[gnu::always_inline]] static void subtract(T& a, const T& b, const T& c) noexcept { a = T(a - T(b * c)); }
+
+  template <int... i>
+  [[gnu::always_inline]] static T regularity(const T* f, T* scales,
+                                             std::integer_sequence<int, i...>) noexcept {
+    const int largest[]{
+        0, (math::exchange_if_positive(T(scales[1 + i] - scales[0]), scales[0], scales[1 + i]), 0)...};
+    static_cast<void>(largest);
+    return T(f[place.least_pivot()] / math::positive_or_one(scales[0]));
+  }
+
+  template <int... k>
+  [[gnu::always_inline]] static void solve(const T* f, T* x, std::integer_sequence<int, k...>) noexcept {
+    const int down[]{(forward<k>(f, x, numbers<order - 1 - k>{}), 0)...};
+    const int up[]{(backward<order - 1 - k>(f, x, numbers<k>{}), 0)...};
+    static_cast<void>(down), static_cast<void>(up);
+  }
+  template <int k, int... below>
+  [[gnu::always_inline]] static void forward([[maybe_unused]] const T* f, [[maybe_unused]] T* x,
+                                             std::integer_sequence<int, below...>) noexcept {
+    const int done[]{
+        0, (math::exchange_if_positive(f[place.excess(k, k + 1 + below)], x[k], x[k + 1 + below]), 0)...,
+        (subtract(x[k + 1 + below], f[place.at(k + 1 + below, k)], x[k]), 0)...};
+    static_cast<void>(done);
+  }
+  template <int k, int... right>
+  [[gnu::always_inline]] static void backward(const T* f, T* x,
+                                              std::integer_sequence<int, right...>) noexcept {
+    const int done[]{0, (subtract(x[k], f[place.at(k, k + 1 + right)], x[k + 1 + right]), 0)...};
+    static_cast<void>(done);
+    x[k] = T(x[k] * f[place.at(k, k)]);
+  }
+
+  template <int... k>
+  [[gnu::always_inline]] static void solve_transposed(const T* f, T* x,
+                                                      std::integer_sequence<int, k...>) noexcept {
+    const int down[]{(forward_transposed<k>(f, x, numbers<order - 1 - k>{}), 0)...};
+    const int up[]{(backward_transposed<order - 1 - k>(f, x, numbers<k>{}), 0)...};
+    static_cast<void>(down), static_cast<void>(up);
+  }
+  template <int k, int... right>
+  [[gnu::always_inline]] static void forward_transposed(const T* f, T* x,
+                                                        std::integer_sequence<int, right...>) noexcept {
+    x[k] = T(x[k] * f[place.at(k, k)]);
+    const int done[]{0, (subtract(x[k + 1 + right], f[place.at(k, k + 1 + right)], x[k]), 0)...};
+    static_cast<void>(done);
+  }
+  template <int k, int... below>
+  [[gnu::always_inline]] static void backward_transposed([[maybe_unused]] const T* f, [[maybe_unused]] T* x,
+                                                         std::integer_sequence<int, below...>) noexcept {
+    const int done[]{
+        0, (subtract(x[k], f[place.at(k + 1 + below, k)], x[k + 1 + below]), 0)...,
+        (math::exchange_if_positive(f[place.excess(k, order - 1 - below)], x[k], x[order - 1 - below]),
+         0)...};
+    static_cast<void>(done);
+  }
+};
+
+} // namespace kanexpr::lower

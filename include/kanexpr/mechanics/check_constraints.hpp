@@ -1,0 +1,153 @@
+#pragma once
+
+#include <kanexpr/mechanics/dependent_speeds.hpp>
+#include <kanexpr/mechanics/linearity.hpp>
+#include <kanexpr/mechanics/prescribed.hpp>
+#include <kanexpr/mechanics/wording.hpp>
+
+/// Mistakes in constraints: in what they hold, in how many they are, and constraints that are singular in
+/// every configuration.
+namespace kanexpr::mechanics {
+
+/// The derivatives of the configuration constraints by all coordinates.
+constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
+  symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
+  for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
+    symbolic::derivation by_coordinate(*m.g);
+    by_coordinate.set_rate(m.coordinates[j], m.one());
+    for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(m.configuration_constraints[i]);
+  }
+  return jacobian;
+}
+
+/// What the constraints of a model hold.
+constexpr problem check_contents_of_constraints(const mechanism& m) {
+  using kind = symbolic::symbol_kind;
+  if (m.configuration_constraints.empty() && m.velocity_constraints.empty() &&
+      m.acceleration_constraints.empty())
+    return {};
+  const contents held(*m.g);
+  for (int i = 0; i < m.configuration_constraints.size(); ++i) {
+    const expression f = m.configuration_constraints[i];
+    const name which = counted(i + 1);
+    struct word {
+      kind what;
+      std::string_view called;
+    };
+    for (const word& w :
+         {word{kind::speed, " holds the speed "}, word{kind::auxiliary_speed, " holds the auxiliary speed "},
+          word{kind::coordinate_rate, " holds the rate of coordinate "},
+          word{kind::speed_rate, " holds the rate of speed "}})
+      if (held.holds(f, w.what))
+        return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
+                         "; it may hold coordinates only"});
+    if (const unknown_derivative u = find_unknown_derivative(m, held, f, 2))
+      return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
+                       u.what, " is not known"});
+    if (!held.holds(f, kind::coordinate))
+      return sentence({"configuration constraint ", which.view(), " holds no coordinate"});
+  }
+  for (int i = 0; i < m.velocity_constraints.size(); ++i) {
+    const expression v = m.velocity_constraints[i].value;
+    const name which = counted(i + 1);
+    if (held.holds(v, kind::speed_rate))
+      return sentence({"velocity constraint ", which.view(), " holds the rate of speed ",
+                       held.name_of(v, kind::speed_rate)});
+    if (const unknown_derivative u = find_unknown_derivative(m, held, v, 1))
+      return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
+                       " is not known"});
+    if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
+      return sentence({"velocity constraint ", which.view(), " holds no speed"});
+    const problem not_linear =
+        check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
+    if (not_linear) return not_linear;
+  }
+  return {};
+}
+
+/// Constraints that leave nothing to move, or that say nothing that those before them have not said.
+constexpr problem check_constraints(const mechanism& m, const constraints& c,
+                                    const symbolic::matrix& configuration) {
+  const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
+  if (configuration.rows > coordinates)
+    return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
+                     several(coordinates, "coordinate").view()});
+  const sequence<char> holds = independent_rows(configuration);
+  for (int i = 0; i < configuration.rows; ++i)
+    if (holds[i] == 0)
+      return sentence({"configuration constraint ", counted(i + 1).view(),
+                       i == 0 ? " binds no coordinate in any configuration"
+                              : " follows from those before it in every configuration"});
+  for (int i = 0; i < c.size(); ++i) {
+    bool moves = false;
+    for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
+    if (moves) continue;
+    if (c.of_configuration[i] == none)
+      return sentence({"velocity constraint ", counted(i + 1).view(), " holds no speed"});
+    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
+                     " holds no speed"});
+  }
+  if (c.size() > speeds)
+    return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
+                     several(speeds, "speed").view()});
+  const sequence<char> binds = independent_rows(c.jacobian);
+  for (int i = 0; i < c.size(); ++i) {
+    if (binds[i] != 0) continue;
+    if (c.of_configuration[i] == none)
+      return sentence({"velocity constraint ", counted(i + 1).view(),
+                       i == 0 ? " binds no speed in any configuration"
+                              : " follows from those before it in every configuration"});
+    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
+                     " follows from the other constraints in every configuration"});
+  }
+  if (c.size() == speeds && speeds > 0)
+    return sentence({"the constraints bind every speed: nothing is left that could move"});
+  return {};
+}
+
+namespace detail {
+
+/// Whether rows can be solved for some columns in any configuration at all.
+constexpr bool can_be_solved(graph& g, const symbolic::matrix& a, const sequence<int>& columns) {
+  for (char independent : independent_rows(columns_of(g, a, columns)))
+    if (independent == 0) return false;
+  return true;
+}
+
+} // namespace detail
+
+/// The dependent speeds and coordinates that the user chose.
+constexpr problem check_choice(const mechanism& m, const constraints& c,
+                               const symbolic::matrix& configuration) {
+  for (int j : m.dependent_speeds) {
+    bool appears = false;
+    for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();
+    if (!appears) return sentence({"dependent speed ", called(m, m.speeds[j]), " appears in no constraint"});
+  }
+  for (int j : m.dependent_coordinates) {
+    bool appears = false;
+    for (int i = 0; i < configuration.rows; ++i) appears = appears || !configuration(i, j).is_zero();
+    if (!appears)
+      return sentence(
+          {"dependent coordinate ", called(m, m.coordinates[j]), " appears in no configuration constraint"});
+  }
+  const int bound = m.dependent_speeds.size(), placed = m.dependent_coordinates.size();
+  if (bound != 0 && bound != c.size())
+    return sentence({several(bound, "dependent speed").view(), " for ",
+                     several(c.size(), "constraint", " on the velocities").view(),
+                     ": there must be as many"});
+  if (placed != 0 && placed != configuration.rows)
+    return sentence({several(placed, "dependent coordinate").view(), " for ",
+                     several(configuration.rows, "configuration constraint").view(),
+                     ": there must be as many"});
+  if (bound != 0 && !detail::can_be_solved(*m.g, c.jacobian, m.dependent_speeds))
+    return sentence({"the constraints cannot be solved for the dependent ",
+                     enumerated(m, m.speeds, m.dependent_speeds, "speed").view(), " in any configuration"});
+  if (placed != 0 && !detail::can_be_solved(*m.g, configuration, m.dependent_coordinates))
+    return sentence({"the configuration constraints cannot be solved for the dependent ",
+                     enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),
+                     " in any configuration"});
+  return {};
+}
+
+} // namespace kanexpr::mechanics

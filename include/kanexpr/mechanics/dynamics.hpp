@@ -1,0 +1,130 @@
+#pragma once
+
+#include <kanexpr/mechanics/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/kane.hpp>
+#include <kanexpr/mechanics/reactions.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Kane's equations of a system whose speeds may be bound, and what follows from them. Nothing is formed
+/// before it is asked for, and nothing twice.
+class dynamics {
+public:
+  constexpr dynamics(const skeleton& s, const constraints& c, const partition& speeds)
+      : s_(s), m_(*s.model), constraints_(c), speeds_(speeds) {}
+
+  constexpr bool has_dependent() const { return has_dependent_; }
+
+  /// How the dependent speeds and their rates follow from the independent ones.
+  constexpr const dependent_speeds& dependent() {
+    if (has_dependent_) return dependent_;
+    motion k = bias_motion(s_);
+    sequence<expression> bias;
+    for (int i = 0; i < constraints_.size(); ++i) bias.push(acceleration_bias(k, constraints_, i));
+    dependent_ = solve_for_dependent_speeds(*m_.g, constraints_, speeds_, bias);
+    if (!m_.acceleration_constraints.empty()) take_acceleration_constraints();
+    has_dependent_ = true;
+    return dependent_;
+  }
+
+  constexpr sequence<expression> speeds_by_constraints() {
+    sequence<expression> u = dependent().at_rest;
+    for (int d = 0; d < u.size(); ++d)
+      for (int i = 0; i < speeds_.independent.size(); ++i)
+        u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
+    return u;
+  }
+
+  /// M of the independent speeds.
+  constexpr const symbolic::matrix& mass() {
+    if (mass_.rows == 0)
+      mass_ = reduced_mass(*m_.g, free_mass(), speeds_, dependent().on_independent, coupling());
+    return mass_;
+  }
+
+  /// f in M u̇ = f of the independent speeds.
+  constexpr const sequence<expression>& force() {
+    if (force_.empty()) force_ = reduced_force(free_force(), speeds_, dependent(), coupling());
+    return force_;
+  }
+
+  /// u̇ of all speeds.
+  constexpr const sequence<expression>& accelerations() {
+    if (!udot_.empty()) return udot_;
+    const sequence<expression> independent = symbolic::solve_symmetric(*m_.g, mass(), force());
+    udot_.resize(m_.speeds.size(), m_.zero());
+    for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
+    for (int d = 0; d < speeds_.dependent.size(); ++d) {
+      expression& rate = udot_[speeds_.dependent[d]] = dependent().acceleration_bias[d];
+      for (int i = 0; i < independent.size(); ++i) rate += dependent().on_independent(d, i) * independent[i];
+    }
+    return udot_;
+  }
+
+  /// F_r of the independent speeds.
+  constexpr sequence<expression> active_forces() { return reduce(mechanics::active_forces(s_)); }
+
+  /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
+  constexpr sequence<expression> inertia_forces() {
+    sequence<expression> force = inertia_bias(s_);
+    for (int i = 0; i < m_.speeds.size(); ++i)
+      for (int j = 0; j < m_.speeds.size(); ++j) force[i] -= free_mass()(i, j) * m_.speed_rates[j];
+    return reduce(force);
+  }
+
+  /// λ, one for each constraint.
+  constexpr const symbolic::matrix& lambda() {
+    if (!has_lambda_) lambda_ = multipliers(*m_.g, constraints_, speeds_, imbalance_of(speeds_.dependent)).x;
+    has_lambda_ = true;
+    return lambda_;
+  }
+
+  /// The forces that keep the auxiliary speeds zero.
+  constexpr sequence<expression> auxiliary_forces() {
+    sequence<int> auxiliary;
+    for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
+    return mechanics::auxiliary_forces(constraints_, lambda(), imbalance_of(auxiliary));
+  }
+
+private:
+  constexpr void take_acceleration_constraints() {
+    const symbolic::linear_solution given =
+        solve_acceleration_constraints(*m_.g, linear_in_speed_rates(s_), speeds_);
+    for (int d = 0; d < speeds_.dependent.size(); ++d) dependent_.acceleration_bias[d] = given.x(d, 0);
+    for (const symbolic::solved_block& b : given.blocks) dependent_.blocks.push(b);
+  }
+
+  /// M and f of all ways of moving, as if nothing bound them.
+  constexpr const symbolic::matrix& free_mass() {
+    if (free_mass_.rows == 0) free_mass_ = mass_matrix(s_);
+    return free_mass_;
+  }
+  constexpr const sequence<expression>& free_force() {
+    if (free_force_.empty()) free_force_ = forcing(s_);
+    return free_force_;
+  }
+  constexpr const symbolic::matrix& coupling() {
+    if (!has_coupling_)
+      coupling_ = mechanics::coupling(*m_.g, free_mass(), speeds_, dependent().on_independent);
+    has_coupling_ = true;
+    return coupling_;
+  }
+
+  constexpr sequence<expression> reduce(const sequence<expression>& forces) {
+    return reduced(forces, speeds_, dependent().on_independent);
+  }
+  constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
+    return imbalance(free_mass(), free_force(), accelerations(), ways);
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  const constraints& constraints_;
+  const partition& speeds_;
+  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
+  dependent_speeds dependent_;
+  symbolic::matrix free_mass_, coupling_, mass_, lambda_;
+  sequence<expression> free_force_, force_, udot_;
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,34 @@
+#pragma once
+
+namespace kanexpr::mechanics {
+
+/// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
+/// speeds, m of constraints on the speeds, l of configuration constraints.
+enum class quantity {
+  mass_matrix,      ///< M of the independent speeds, (p−m)×(p−m)
+  forcing,          ///< f with M u̇ = f, p−m
+  mass_matrix_full, ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
+  forcing_full,     ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
+  qdot,             ///< n
+  udot,             ///< p
+  rhs,              ///< [q̇; u̇], n+p
+  active_forces,    ///< F_r of the independent speeds, p−m
+  inertia_forces,   ///< F_r* of the independent speeds, p−m, with the symbols u̇
+  kinetic_energy,
+  potential_energy,       ///< of gravity on every body
+  linear_momentum,        ///< 3, inertial axes
+  angular_momentum,       ///< 3, inertial axes, about the origin
+  center_of_mass,         ///< 3, inertial axes, from the origin
+  configuration_residual, ///< l
+  configuration_jacobian, ///< its derivatives by the dependent coordinates, l×l
+  velocity_residual,      ///< m: the velocity constraints, then the rates of configuration constraints
+  constraint_residual,    ///< both, l+m
+  constraint_jacobian,    ///< J in J u + c = 0, m×p
+  dependent_speeds,       ///< u_d as the constraints give them by the independent ones, m
+  dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
+  acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
+  multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
+  auxiliary_forces,       ///< the forces that keep the auxiliary speeds zero, one for each
+};
+
+} // namespace kanexpr::mechanics

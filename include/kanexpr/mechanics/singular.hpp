@@ -1,0 +1,52 @@
+#pragma once
+
+#include <kanexpr/mechanics/partition.hpp>
+#include <kanexpr/mechanics/wording.hpp>
+#include <kanexpr/symbolic/live_nodes.hpp>
+#include <kanexpr/symbolic/solve.hpp>
+
+/// Where a system of linear equations on the way to a result may have no solution at some states.
+namespace kanexpr::mechanics {
+
+/// One such system: how far from singular it is, from 1 down to 0, and what to say where it is singular.
+struct guard {
+  int key = 0; ///< the node that all results rest on which need the solution
+  expression regularity;
+  problem cause;
+};
+
+constexpr sequence<guard> guards_of_rates(const mechanism& m,
+                                          const sequence<symbolic::solved_block>& blocks) {
+  sequence<guard> guards;
+  for (const symbolic::solved_block& b : blocks)
+    guards.push({b.key, b.regularity,
+                 sentence({"the kinematic differential equations cannot be solved for the rate of ",
+                           enumerated(m, m.coordinates, b.columns, "coordinate").view(), " at this state"})});
+  return guards;
+}
+
+constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& speeds,
+                                           const sequence<symbolic::solved_block>& blocks) {
+  sequence<guard> guards;
+  for (const symbolic::solved_block& b : blocks) {
+    sequence<int> places;
+    for (int d : b.columns) places.push(speeds.dependent[d]);
+    guards.push({b.key, b.regularity,
+                 sentence({"the constraints cannot be solved for the dependent ",
+                           enumerated(m, m.speeds, places, "speed").view(), " at this state"})});
+  }
+  return guards;
+}
+
+/// Those that some outputs rest on.
+constexpr sequence<guard> live_guards(const graph& g, const sequence<guard>& all,
+                                      const sequence<int>& outputs) {
+  sequence<guard> live;
+  if (all.empty()) return live;
+  const sequence<char> needed = symbolic::live_nodes(g, outputs);
+  for (const guard& each : all)
+    if (symbolic::rests_on(g, needed, each.key)) live.push(each);
+  return live;
+}
+
+} // namespace kanexpr::mechanics

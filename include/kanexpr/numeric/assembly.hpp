@@ -1,0 +1,116 @@
+#pragma once
+
+#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/mechanics/wording.hpp>
+#include <kanexpr/numeric/newton.hpp>
+
+#include <cstdio>
+#include <limits>
+
+namespace kanexpr {
+
+/// How a state was made to satisfy the constraints, or why it could not be.
+struct assembly {
+  bool assembled = false;
+  int steps = 0;                     ///< of Newton's method
+  double configuration_residual = 0; ///< the largest magnitude at the end
+  double velocity_residual = 0;
+  mechanics::problem reason;
+
+  explicit operator bool() const { return assembled; }
+  /// Why it was not assembled, as a sentence; empty: it was.
+  std::string_view cause() const { return reason.view(); }
+};
+
+/// Whether a state satisfies the constraints.
+struct consistency {
+  double configuration_residual = 0; ///< the largest magnitude
+  double velocity_residual = 0;
+  mechanics::problem reason;
+
+  explicit operator bool() const { return !reason; }
+  /// Which constraint is off and by how much, as a sentence; empty: none.
+  std::string_view cause() const { return reason.view(); }
+};
+
+using assembly_options = numeric::newton_options;
+
+namespace numeric {
+
+/// A sentence that ends in a number.
+inline mechanics::problem with_number(std::string_view before, double number) {
+  char digits[32];
+  const int length = std::snprintf(digits, sizeof digits, "%.3g", number);
+  return mechanics::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
+}
+
+template <class Vector>
+double largest(const Vector& v) {
+  if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
+  return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
+}
+
+/// Solves the configuration constraints for the dependent coordinates, starting from those of `x`, then the
+/// velocity constraints for the dependent speeds. Where that fails `x` is left as it was.
+///
+/// `Constraints` gives the residuals, the Jacobian by the dependent coordinates, and the dependent speeds, at
+/// a state, and the places of what is dependent in it.
+template <class Constraints, class State>
+assembly assemble(Constraints& c, State& x, const newton_options& options) {
+  using vector = typename Constraints::coordinate_vector;
+  assembly report;
+  State placed = x;
+  vector q(c.coordinates());
+  for (int i = 0; i < c.coordinates(); ++i) q(i) = x(c.place_of_coordinate(i));
+  const auto at = [&](const vector& tried) -> const State& {
+    for (int i = 0; i < c.coordinates(); ++i) placed(c.place_of_coordinate(i)) = tried(i);
+    return placed;
+  };
+  newton_report found;
+  found.converged = true; // without configuration constraints
+  if constexpr (vector::RowsAtCompileTime != 0)
+    found = newton(
+        q, [&](const vector& tried) -> vector { return c.configuration_residual(at(tried)); },
+        [&](const vector& tried) { return c.configuration_jacobian(at(tried)); }, options);
+  report.steps = found.steps;
+  report.configuration_residual = found.residual;
+  if (!found.converged) {
+    report.reason =
+        with_number(found.singular ? "the configuration constraints are singular where the search for the "
+                                     "dependent coordinates ended, with a residual of "
+                                   : "the search for the dependent coordinates did not converge and ended "
+                                     "with a residual of ",
+                    found.residual);
+    return report;
+  }
+  at(q);
+  if (const status solved = c.solve_speeds(placed); !solved) {
+    report.reason = mechanics::sentence({solved.cause()});
+    return report;
+  }
+  report.velocity_residual = largest(c.velocity_residual(placed));
+  report.assembled = true;
+  x = placed;
+  return report;
+}
+
+/// Says whether a state satisfies the constraints to within `tolerance`, and which it does not.
+template <class Constraints, class State>
+consistency check_consistency(Constraints& c, const State& x, double tolerance) {
+  consistency report;
+  const auto look_at = [&](const auto& residual, std::string_view which) {
+    for (int i = 0; i < residual.size() && !report.reason; ++i)
+      if (!(std::abs(residual(i)) <= tolerance))
+        report.reason =
+            with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
+                        residual(i));
+    return largest(residual);
+  };
+  report.configuration_residual = look_at(c.configuration_residual(x), "configuration constraint ");
+  report.velocity_residual = look_at(c.velocity_residual(x), "velocity constraint ");
+  return report;
+}
+
+} // namespace numeric
+
+} // namespace kanexpr

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <kanexpr/symbolic/evaluate.hpp>
+
+#include <Eigen/Core>
+
+#include <limits>
+
+namespace kanexpr::numeric {
+
+/// A square matrix ready to solve with, by the elimination that the graph's solves are lowered to: next to
+/// nothing to compile beside Eigen's, and without a heap where `Vector` has a fixed size.
+template <class Vector>
+class factorized {
+public:
+  template <class Matrix>
+  explicit factorized(const Matrix& a)
+      : order_(static_cast<int>(a.rows())), f_(symbolic::factors{order_}.size()) {
+    const symbolic::factors place{order_};
+    for (int i = 0; i < order_; ++i)
+      for (int j = 0; j < order_; ++j) f_(place.at(i, j)) = a(i, j);
+    largest_ = a.cwiseAbs().maxCoeff();
+    symbolic::factorize<symbolic::constant_elimination>(order_, f_.data());
+  }
+
+  /// Whether rounding decides on the least pivot.
+  bool is_singular() const {
+    const double least = f_(symbolic::factors{order_}.least_pivot());
+    return !(least > order_ * std::numeric_limits<double>::epsilon() * largest_);
+  }
+
+  /// Turns b into the solution of A x = b.
+  void solve(Vector& b) const {
+    symbolic::solve_factorized<symbolic::constant_elimination>(order_, f_.data(), b.data());
+  }
+
+private:
+  static constexpr int fixed = Vector::RowsAtCompileTime;
+  static constexpr int room = fixed < 0 ? Eigen::Dynamic : symbolic::factors{fixed < 0 ? 0 : fixed}.size();
+
+  int order_;
+  Eigen::Matrix<double, room, 1> f_;
+  double largest_ = 0;
+};
+
+} // namespace kanexpr::numeric

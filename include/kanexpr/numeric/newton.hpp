@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kanexpr/numeric/factorized.hpp>
+
+#include <cmath>
+#include <limits>
+
+/// Numerical methods that work on plain functions of vectors.
+namespace kanexpr::numeric {
+
+struct newton_options {
+  int most_steps = 50;
+  double tolerance = 1e-10; ///< of the last step, beside 1 + |x|
+};
+
+struct newton_report {
+  bool converged = false;
+  bool singular = false; ///< the Jacobian at the end could not be solved
+  int steps = 0;
+  double residual = 0; ///< the largest magnitude at the end
+};
+
+/// Solves f(x) = 0 by Newton's method, each step halved until the residual falls; where the Jacobian is
+/// singular the step is that of least squares with damping (Levenberg). Goes on after convergence while that
+/// lowers the residual, so the result is as good as rounding allows. Takes no memory for vectors of fixed
+/// size.
+template <class Vector, class Function, class Jacobian>
+newton_report newton(Vector& x, const Function& function, const Jacobian& jacobian,
+                     const newton_options& options = {}) {
+  using Matrix = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
+  newton_report report;
+  Vector f = function(x);
+  const auto size = [](const Vector& v) {
+    if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
+    return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
+  };
+  report.residual = size(f);
+  if (x.size() == 0 || report.residual == 0) report.converged = true;
+  if (report.converged || !f.allFinite()) return report;
+
+  while (report.steps < options.most_steps) {
+    const Matrix slope = jacobian(x);
+    if (!slope.allFinite()) break;
+    factorized<Vector> factors(slope);
+    report.singular = factors.is_singular();
+    Vector step = -f;
+    if (report.singular) {
+      Matrix damped = slope.transpose() * slope;
+      damped.diagonal().array() += 1e-6 * (damped.trace() + 1e-12);
+      step = -(slope.transpose() * f);
+      factors = factorized<Vector>(damped);
+    }
+    factors.solve(step);
+    if (!step.allFinite()) break;
+
+    double part = 1;
+    bool fell = false;
+    for (int halvings = 0; halvings < 30 && !fell; ++halvings, part /= 2) {
+      const Vector tried = x + part * step;
+      const Vector left = function(tried);
+      if (!left.allFinite() || !(left.norm() < f.norm())) continue;
+      x = tried;
+      f = left;
+      fell = true;
+    }
+    ++report.steps;
+    report.residual = size(f);
+    report.converged = !report.singular && size(step) <= options.tolerance * (1 + size(x));
+    if (!fell || report.residual == 0) break;
+  }
+  if (report.residual == 0) report.converged = true;
+  return report;
+}
+
+} // namespace kanexpr::numeric

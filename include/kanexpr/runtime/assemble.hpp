@@ -1,0 +1,66 @@
+#pragma once
+
+#include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/runtime/model.hpp>
+
+namespace kanexpr {
+
+namespace runtime {
+
+/// The constraints of a system that was derived while the program runs, for the numerical methods that
+/// satisfy them.
+template <class Model, class P, class R>
+class constraints_at {
+public:
+  using coordinate_vector = Eigen::VectorXd;
+
+  constraints_at(Model& m, double t, const P& p, const R& r)
+      : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
+        residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
+        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian))),
+        velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
+        speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
+
+  int coordinates() const { return coordinates_.size(); }
+  int place_of_coordinate(int i) const { return coordinates_[i]; }
+
+  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) { return residual_(t_, x, p_, r_); }
+  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) { return jacobian_(t_, x, p_, r_); }
+  Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
+  kanexpr::status solve_speeds(Eigen::VectorXd& x) {
+    const Eigen::VectorXd u = speeds_solved_(t_, x, p_, r_);
+    if (speeds_solved_.status())
+      for (int i = 0; i < speeds_.size(); ++i) x(first_speed_ + speeds_[i]) = u(i);
+    return speeds_solved_.status();
+  }
+
+private:
+  symbolic::sequence<int> coordinates_, speeds_;
+  int first_speed_;
+  double t_;
+  const P& p_;
+  const R& r_;
+  interpreted<double> residual_, jacobian_, velocity_residual_, speeds_solved_;
+};
+
+} // namespace runtime
+
+/// As for a compiled system: solves the constraints for what is dependent in `x` = [q; u].
+template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
+assembly assemble(model<System, also...>& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {},
+                  double t = 0, const assembly_options& options = {}) {
+  runtime::constraints_at<model<System, also...>, P, R> constraints(m, t, p, r);
+  return numeric::assemble(constraints, x, options);
+}
+
+/// Whether a state satisfies the constraints to within `tolerance`; if not, which one does not and by how
+/// much.
+template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
+consistency check_consistency(model<System, also...>& m, const Eigen::VectorXd& x, const P& p, const R& r,
+                              double t = 0, double tolerance = 1e-9) {
+  runtime::constraints_at<model<System, also...>, P, R> constraints(m, t, p, r);
+  return numeric::check_consistency(constraints, x, tolerance);
+}
+
+} // namespace kanexpr

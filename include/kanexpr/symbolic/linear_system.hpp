@@ -1,0 +1,56 @@
+#pragma once
+
+#include <kanexpr/symbolic/matrix.hpp>
+
+/// Linear systems as nodes of the graph: one factorization serves any number of right sides, transposed
+/// systems, and all derivatives.
+namespace kanexpr::symbolic {
+
+constexpr sequence<int> nodes_of(const sequence<expression>& all) {
+  sequence<int> nodes;
+  for (const expression& e : all) nodes.push(e.node());
+  return nodes;
+}
+
+/// A square matrix made ready to solve with; no value, but what `solve` and `regularity` need.
+constexpr expression factorization(graph& g, const matrix& a) {
+  return {g, factorization(g, nodes_of(a.entries), a.rows)};
+}
+
+constexpr sequence<expression> solve(operation op, expression factorization, const sequence<expression>& b) {
+  graph& g = factorization.owner();
+  const int all = solution(g, op, factorization.node(), list_of(g, nodes_of(b)));
+  sequence<expression> x;
+  for (int i = 0; i < b.size(); ++i) x.push({g, component(g, all, i)});
+  return x;
+}
+
+/// x in A x = b.
+constexpr sequence<expression> solve(expression factorization, const sequence<expression>& b) {
+  return solve(operation::solve, factorization, b);
+}
+/// x in Aᵀ x = b.
+constexpr sequence<expression> solve_transposed(expression factorization, const sequence<expression>& b) {
+  return solve(operation::transposed_solve, factorization, b);
+}
+
+/// The sum of the magnitudes of each row's entries.
+constexpr sequence<expression> row_scales(const matrix& a) {
+  sequence<expression> scales;
+  for (int i = 0; i < a.rows; ++i) {
+    expression sum = abs(a(i, 0));
+    for (int j = 1; j < a.columns; ++j) sum += abs(a(i, j));
+    scales.push(sum);
+  }
+  return scales;
+}
+
+/// How far a matrix is from a singular one, beside the scales of its rows: of order 1 to 3 |det|/Π scale,
+/// beyond the least pivot of elimination over the largest scale. Zero, and a number, where it is singular.
+/// Derivatives take it as a constant.
+constexpr expression regularity(expression factorization, const sequence<expression>& row_scales) {
+  graph& g = factorization.owner();
+  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(row_scales)))};
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,13 @@
+// expect: the angle of frame D holds the input theta, whose second derivative is not known
+#include "pendulum.hpp"
+
+constexpr prescribed<"theta"> theta;
+
+struct D : rotated<D, N, theta, N::z> {};
+struct Q : offset<Q, P, l * D::x> {};
+struct Ball : particle<Ball, Q, m> {};
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Ball>,
+                            inputs<theta, dot(theta)>> {};
+
+int main() { use<System>(); }

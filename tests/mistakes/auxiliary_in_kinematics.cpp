@@ -1,0 +1,7 @@
+// expect: a kinematic differential equation holds the auxiliary speed v
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, auxiliary<v>, kinematics<dot(q) == u + v>,
+                            bodies<Bob>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,6 @@
+// expect: configuration constraint 1 binds no coordinate in any configuration
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<sign(q) == 1>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,6 @@
+// expect: configuration constraint 1 holds the speed u; it may hold coordinates only
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<s == l * u>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,6 @@
+// expect: configuration constraint 1 holds no coordinate
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<l == 1>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,6 @@
+// expect: the constraints bind every speed: nothing is left that could move
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<q == 0>, velocity_constraints<u == v>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: P, which kinematics_of uses as a frame, is not a frame, or is described only later
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<kinematics_of<P, N>>, bodies<Bob>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,9 @@
+// expect: an expression is a list of kinematic differential equations; it must be an expression
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
+
+int main() {
+  kanexpr::function<System, kinematics_of<A, N>> nothing;
+  static_cast<void>(nothing(equations_of_motion<System>::state(), equations_of_motion<System>::parameters()));
+}

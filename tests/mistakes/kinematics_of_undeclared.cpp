@@ -1,0 +1,7 @@
+// expect: kinematics_of<A, N> is asked for, and frame A has no declared angular velocity
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<kinematics_of<A, N>>, bodies<Bob>> {};
+
+int main() { use<System>(); }

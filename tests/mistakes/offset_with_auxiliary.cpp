@@ -1,0 +1,10 @@
+// expect: the offset of point Q holds the auxiliary speed v; it may hold coordinates only
+#include "pendulum.hpp"
+
+struct Q : offset<Q, O, v * A::x> {};
+struct Ball : particle<Ball, Q, m> {};
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, auxiliary<v>, kinematics<dot(q) == u>,
+                            bodies<Ball>> {};
+
+int main() { use<System>(); }

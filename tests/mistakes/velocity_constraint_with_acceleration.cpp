@@ -1,0 +1,6 @@
+// expect: velocity constraint 1 holds the rate of speed u
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<velocity_constraints<dot(u) == v>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,4 @@
+#include "models/bicycle.hpp"
+#include "runtime/agreement.hpp"
+
+TEST(agreement, bicycle) { agreement::check_rhs<bicycle::System>(); }

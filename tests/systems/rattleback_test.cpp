@@ -1,0 +1,38 @@
+// builds: sanitize no-exceptions
+#include "systems/check_constrained.hpp"
+
+#include <models/rattleback.hpp>
+
+namespace {
+
+using system = rattleback::System;
+using eom = kanexpr::equations_of_motion<system>;
+
+// Kane & Levinson's stone, with some friction or none; in SI units.
+check::numbers stone(double sigma) {
+  return {{"a", 0.2},      {"b", 0.03},     {"c", 0.02},     {"h", 0.01},      {"m", 1.0}, {"Ixx", 0.0002},
+          {"Iyy", 0.0016}, {"Izz", 0.0017}, {"Ixy", -2e-05}, {"sigma", sigma}, {"g", 9.81}};
+}
+
+// Yaw at will, roll and pitch far from where the angles are singular.
+check::feasible any_motion(const hand_written::system& hand, std::mt19937& random) {
+  return check::any_feasible(hand, check::VectorXd{{3, 1.2, 1.2, 0, 0}}, 5, random);
+}
+
+TEST(rattleback, agrees_with_newton_and_euler) {
+  std::mt19937 random(1);
+  const hand_written::system hand = hand_written::rattleback(stone(0.003));
+  const auto p = check::parameters_by_name<system>(stone(0.003));
+  for (int repeat = 0; repeat < 20; ++repeat)
+    check::against_hand_written<system>(hand, any_motion(hand, random), p, {}, 1e-12);
+}
+
+TEST(rattleback, friction_takes_its_energy) {
+  std::mt19937 random(2);
+  const hand_written::system hand = hand_written::rattleback(stone(0.003));
+  const auto p = check::parameters_by_name<system>(stone(0.003));
+  for (int repeat = 0; repeat < 20; ++repeat)
+    check::energy_rate_is_power_of<system>(hand, any_motion(hand, random), p, {});
+}
+
+} // namespace
