@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "models/andrews.hpp"
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"

@@ -1,4 +1,3 @@
-// builds: no-exceptions
 #include "systems/andrews_reference.hpp"
 #include "systems/check_constrained.hpp"
 

@@ -1,4 +1,3 @@
-// builds: no-exceptions
 #include "systems/check_constrained.hpp"
 
 #include <models/four_bar.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "systems/check_against_oracle.hpp"
 
 #include <models/n_pendulum_cart.hpp>

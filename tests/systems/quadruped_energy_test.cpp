@@ -1,4 +1,3 @@
-// builds: no-exceptions
 #include "systems/checked_system.hpp"
 #include "systems/robot_results.hpp"
 

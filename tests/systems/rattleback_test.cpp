@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "systems/check_constrained.hpp"
 
 #include <models/rattleback.hpp>
