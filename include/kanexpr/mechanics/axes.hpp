@@ -32,8 +32,7 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   for (const body& part : m.bodies) {
     if (part.frame == none || s.rigid_with[part.frame] != f) continue;
     if (part.about != none && part.about != part.center) return false;
-    const matrix3 i = express(m, part.inertia, f);
-    if (!(i(b, b) == i(d, d)) || !i(a, b).is_zero() || !i(a, d).is_zero() || !i(b, d).is_zero()) return false;
+    if (!is_round(express(m, part.inertia, f), a)) return false;
   }
   for (const node& n : s.nodes) {
     if (n.frame != f || n.absolute) continue;

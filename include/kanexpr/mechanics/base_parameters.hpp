@@ -101,12 +101,6 @@ private:
     return false;
   }
 
-  /// Whether an inertia looks the same from all sides of axis `a`.
-  static constexpr bool is_round(const symmetric& i, int a) {
-    const int b = (a + 1) % 3, d = (a + 2) % 3;
-    return i(b, b) == i(d, d) && i(a, b).is_zero() && i(a, d).is_zero() && i(b, d).is_zero();
-  }
-
   /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
   constexpr int spin_axis(int f, int below) const {
     if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;

@@ -40,6 +40,13 @@ constexpr components operator*(const symmetric& a, const components& v) {
           a.zx * v.x + a.yz * v.y + a.zz * v.z};
 }
 
+/// Whether an inertia, `symmetric` or a matrix, looks the same from all sides of axis `a`.
+template <class Inertia>
+constexpr bool is_round(const Inertia& i, int a) {
+  const int b = (a + 1) % 3, d = (a + 2) % 3;
+  return i(b, b) == i(d, d) && i(a, b).is_zero() && i(a, d).is_zero() && i(b, d).is_zero();
+}
+
 /// The rigid mass of a part seen from one of its points, in the axes of some frame:
 /// mass, first moment h = Σ m r and inertia about the point.
 struct rigid_mass {
