@@ -51,6 +51,14 @@ void constrained_lines(const char* system) {
                {quantity::mass_matrix, quantity::forcing, quantity::acceleration_bias});
 }
 
+template <class System>
+void linearization_line(const char* system) {
+  line<System>(system, "linearization", {quantity::state_matrix, quantity::input_matrix});
+  line<System>(system, "linearization M, A, B",
+               {quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
+                quantity::implicit_input_matrix});
+}
+
 } // namespace
 
 int main() {
@@ -77,4 +85,10 @@ int main() {
   lines<puma::System>("puma");
   lines<iiwa::System>("iiwa");
   lines<quadruped::System>("quadruped");
+  linearization_line<simple_pendulum::System>("simple_pendulum");
+  linearization_line<four_bar::System>("four_bar");
+  linearization_line<bicycle::System>("bicycle");
+  linearization_line<bicycle::BoundSystem>("bicycle_bound");
+  linearization_line<puma::System>("puma");
+  linearization_line<iiwa::System>("iiwa");
 }

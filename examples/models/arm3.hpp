@@ -74,4 +74,14 @@ struct System
                   loads<gravity<-g * N::z>, torque<B1, motor1>, torque<B2, motor2>, torque<B1, -motor2>,
                         torque<B3, motor3>, torque<B2, -motor3>>> {};
 
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q<1>, q<2>, q<3>>,
+                      parameters<g, m<1>, cx<1>, cy<1>, cz<1>, Ixx<1>, Iyy<1>, Izz<1>, Ixy<1>, Iyz<1>, Izx<1>,
+                                 lx<1>, ly<1>, lz<1>, m<2>, cx<2>, cy<2>, cz<2>, Ixx<2>, Iyy<2>, Izz<2>,
+                                 Ixy<2>, Iyz<2>, Izx<2>, lx<2>, ly<2>, lz<2>, m<3>, cx<3>, cy<3>, cz<3>,
+                                 Ixx<3>, Iyy<3>, Izz<3>, Ixy<3>, Iyz<3>, Izx<3>>,
+                      inputs<T<1>, T<2>, T<3>>, bodies<Link<1, J1, B1>, Link<2, J2, B2>, Link<3, J3, B3>>,
+                      loads<gravity<-g * N::z>, torque<B1, motor1>, torque<B2, motor2>, torque<B1, -motor2>,
+                            torque<B3, motor3>, torque<B2, -motor3>>> {};
+
 } // namespace arm3

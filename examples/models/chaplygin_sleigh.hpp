@@ -36,4 +36,19 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u3,
                             velocity_constraints<u2 == 0>, dependent<u2>, inputs<F, T>, bodies<Sleigh>,
                             loads<force<P, F * A::x>, torque<A, T * N::z>>> {};
 
+/// The same sleigh with the rates of the coordinates in place of speeds.
+namespace by_rates {
+
+struct P : offset<P, O, q1 * N::x + q2 * N::y> {};
+struct G : offset<G, P, a * A::x> {};
+
+struct Sleigh : rigid_body<Sleigh, G, A, m, inertia<A, 0, 0, I>> {};
+
+} // namespace by_rates
+
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q1, q2, q3>,
+                      velocity_constraints<zero_along<velocity_of<by_rates::P>, A::y>>, inputs<F, T>,
+                      bodies<by_rates::Sleigh>, loads<force<by_rates::P, F * A::x>, torque<A, T * N::z>>> {};
+
 } // namespace chaplygin_sleigh

@@ -46,4 +46,29 @@ struct System
           parameters<m1, m2, d1, d2, l1, I1, I2, g, c1, c2>, inputs<T1, T2>, bodies<Bar1, Bar2>,
           loads<gravity<-g * N::y>, torque<A, at_shoulder>, torque<A, -at_elbow>, torque<B, at_elbow>>> {};
 
+/// The same bars with the rates of the angles in place of speeds.
+namespace by_rates {
+
+struct A : rotated<A, N, q1, N::z> {};
+struct B : rotated<B, A, q2, A::z> {};
+
+struct G1 : offset<G1, O, d1 * A::x> {};
+struct J : offset<J, O, l1 * A::x> {};
+struct G2 : offset<G2, J, d2 * B::x> {};
+
+struct Bar1 : rigid_body<Bar1, G1, A, m1, inertia<A, 0, 0, I1>> {};
+struct Bar2 : rigid_body<Bar2, G2, B, m2, inertia<B, 0, 0, I2>> {};
+
+constexpr auto at_shoulder = (T1 - c1 * dot(q1)) * N::z;
+constexpr auto at_elbow = (T2 - c2 * dot(q2)) * N::z;
+
+} // namespace by_rates
+
+struct LagrangeSystem
+    : lagrange_system<
+          inertial<N>, coordinates<q1, q2>, parameters<m1, m2, d1, d2, l1, I1, I2, g, c1, c2>, inputs<T1, T2>,
+          bodies<by_rates::Bar1, by_rates::Bar2>,
+          loads<gravity<-g * N::y>, torque<by_rates::A, by_rates::at_shoulder>,
+                torque<by_rates::A, -by_rates::at_elbow>, torque<by_rates::B, by_rates::at_elbow>>> {};
+
 } // namespace double_pendulum

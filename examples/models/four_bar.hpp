@@ -55,4 +55,10 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2,
                             dependent<q2, q3, u2, u3>, inputs<T>, bodies<Crank, Coupler, Rocker>,
                             loads<gravity<-g * N::y>, torque<A, T * N::z>>> {};
 
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q1, q2, q3>,
+                      configuration_constraints<zero_along<position_of<P3, Bearing>, N::x, N::y>>,
+                      dependent<q2, q3, dot(q2), dot(q3)>, inputs<T>, bodies<Crank, Coupler, Rocker>,
+                      loads<gravity<-g * N::y>, torque<A, T * N::z>>> {};
+
 } // namespace four_bar

@@ -46,4 +46,15 @@ struct chain<std::integer_sequence<int, bob...>, std::integer_sequence<int, rod.
 template <int n>
 struct System : chain<std::make_integer_sequence<int, n + 1>, std::make_integer_sequence<int, n>> {};
 
+template <class Bobs, class Rods>
+struct lagrange_chain;
+template <int... bob, int... rod>
+struct lagrange_chain<std::integer_sequence<int, bob...>, std::integer_sequence<int, rod...>>
+    : lagrange_system<inertial<N>, coordinates<q<bob>...>, parameters<m<bob>..., l<rod>..., g>, inputs<F>,
+                      bodies<Bob<bob>...>, loads<gravity<-g * N::y>, force<P<0>, F * N::x>>> {};
+
+template <int n>
+struct LagrangeSystem
+    : lagrange_chain<std::make_integer_sequence<int, n + 1>, std::make_integer_sequence<int, n>> {};
+
 } // namespace n_pendulum_cart

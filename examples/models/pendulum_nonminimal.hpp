@@ -27,4 +27,8 @@ struct System
                   configuration_constraints<q1 * q1 + q2 * q2 == L * L>, dependent<q1, u1>, bodies<Bob>,
                   loads<gravity<g * N::x>>> {};
 
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q2, q1>, configuration_constraints<q1 * q1 + q2 * q2 == L * L>,
+                      dependent<q1, dot(q1)>, bodies<Bob>, loads<gravity<g * N::x>>> {};
+
 } // namespace pendulum_nonminimal

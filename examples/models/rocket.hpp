@@ -26,4 +26,7 @@ struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, inputs<m, dot(m), T>,
                   bodies<Rocket>, loads<force<P, (T - m * g - cd * u * u) * N::z>>> {};
 
+struct LagrangeSystem : lagrange_system<inertial<N>, coordinates<q>, inputs<m, dot(m), T>, bodies<Rocket>,
+                                        loads<force<P, (T - m * g - cd * dot(q) * dot(q)) * N::z>>> {};
+
 } // namespace rocket

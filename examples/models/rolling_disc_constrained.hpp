@@ -39,4 +39,19 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3, q4, q5>, speeds
                             velocity_constraints<zero_along<velocity_of<Contact>, N::x, N::y>>,
                             dependent<u4, u5>, bodies<Disc>, loads<gravity<-g * N::z>>> {};
 
+/// The same disc with the rates of the coordinates in place of speeds.
+namespace by_rates {
+
+struct R : rotated<R, L, q3, L::y> {};
+struct Contact : offset<Contact, Dmc, -r * L::z>, fixed_in<R> {};
+
+struct Disc : rigid_body<Disc, Dmc, R, m, inertia<L, m * r * r / 4, m * r * r / 2, m * r * r / 4>> {};
+
+} // namespace by_rates
+
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q1, q2, q3, q4, q5>,
+                      velocity_constraints<zero_along<velocity_of<by_rates::Contact>, N::x, N::y>>,
+                      dependent<dot(q4), dot(q5)>, bodies<by_rates::Disc>, loads<gravity<-g * N::z>>> {};
+
 } // namespace rolling_disc_constrained

@@ -37,4 +37,26 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2,
                             kinematics<dot(q1) == u3 / cos(q2), dot(q2) == u1, dot(q3) == u2 - u3 * tan(q2)>,
                             bodies<Torus>, loads<gravity<-g * N::z>>> {};
 
+/// The same torus with the place of its centre among the coordinates, and rolling as a constraint.
+namespace by_rates {
+
+constexpr coordinate<"q4"> q4;
+constexpr coordinate<"q5"> q5;
+
+struct B : rotated<B, L, q3, L::y> {};
+
+struct O : origin<O, N> {}; // in the ground
+struct G : offset<G, O, q4 * N::x + q5 * N::y + (a + R * cos(q2)) * N::z> {};
+struct Contact : offset<Contact, G, -a * N::z - R * L::z>, fixed_in<B> {};
+
+struct Torus : rigid_body<Torus, G, B, m, inertia<L, across_axis, along_axis, across_axis>> {};
+
+} // namespace by_rates
+
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q1, q2, q3, by_rates::q4, by_rates::q5>,
+                      velocity_constraints<zero_along<velocity_of<by_rates::Contact>, N::x, N::y>>,
+                      dependent<dot(by_rates::q4), dot(by_rates::q5)>, bodies<by_rates::Torus>,
+                      loads<gravity<-g * N::z>>> {};
+
 } // namespace rolling_torus

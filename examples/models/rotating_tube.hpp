@@ -28,4 +28,8 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<d
                             inputs<theta, dot(theta), dot(dot(theta))>, bodies<Bead>,
                             loads<gravity<-g * N::y>, force<P, -(k*(q - q0) + c * u) * A::x>>> {};
 
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q>, inputs<theta, dot(theta), dot(dot(theta))>, bodies<Bead>,
+                      loads<gravity<-g * N::y>, force<P, -(k*(q - q0) + c * dot(q)) * A::x>>> {};
+
 } // namespace rotating_tube

@@ -27,4 +27,8 @@ struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
                   inputs<T>, bodies<Bob>, loads<gravity<g * N::x>, torque<A, (T - c * u) * N::z>>> {};
 
+struct LagrangeSystem
+    : lagrange_system<inertial<N>, coordinates<q>, parameters<m, l, g, c>, inputs<T>, bodies<Bob>,
+                      loads<gravity<g * N::x>, torque<A, (T - c * dot(q)) * N::z>>> {};
+
 } // namespace simple_pendulum

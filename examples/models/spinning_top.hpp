@@ -36,4 +36,18 @@ struct System
                   kinematics<u1 == dot(q2), u2 == dot(q1) * sin(q2), u3 == dot(q3) + dot(q1) * cos(q2)>,
                   parameters<m, l, g, A, C>, bodies<Top>, loads<gravity<-g * N::z>>> {};
 
+/// The same top with the rates of the angles in place of speeds.
+namespace by_rates {
+
+struct B : rotated<B, F2, q3, F2::z> {};
+
+struct G : offset<G, O, l * F2::z> {};
+
+struct Top : rigid_body<Top, G, B, m, inertia<F2, A, A, C>> {};
+
+} // namespace by_rates
+
+struct LagrangeSystem : lagrange_system<inertial<N>, coordinates<q1, q2, q3>, parameters<m, l, g, A, C>,
+                                        bodies<by_rates::Top>, loads<gravity<-g * N::z>>> {};
+
 } // namespace spinning_top

@@ -4,7 +4,10 @@
 /// Needs Eigen and Boost.Hana only.
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/describe/lagrange_system.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/lower/complex_math.hpp>

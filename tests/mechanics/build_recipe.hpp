@@ -27,8 +27,12 @@ public:
     for (std::size_t i = 1; i < from.frames.size(); ++i) add(from.frames[i], "F" + std::to_string(i));
     for (std::size_t i = 0; i < from.points.size(); ++i) add(from.points[i], "P" + std::to_string(i));
     for (std::size_t i = 0; i < from.bodies.size(); ++i) add(from.bodies[i], "B" + std::to_string(i));
-    for (const load& f : from.forces) b_.force(points[at(f.on)], vector(f.value));
-    for (const load& t : from.torques) b_.torque(frames[at(t.on)], vector(t.value));
+    for (const load& f : from.forces) add_force(f);
+    for (const load& t : from.torques) add_torque(t);
+    for (const spring& s : from.springs) add(s);
+    for (const damper& c : from.dampers)
+      b_.torsional_damper(frames[at(c.frame)], frames[at(c.against)], now_(c.damping));
+    for (const twist& s : from.twists) b_.torsional_spring(now_(s.angle), now_(s.stiffness), now_(s.rest));
     if (from.has_gravity)
       b_.gravity(
           b_.along(b_.inertial_frame(), now_(from.gravity[0]), now_(from.gravity[1]), now_(from.gravity[2])));
@@ -121,6 +125,20 @@ private:
     b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total, points[at(b.about)]);
   }
 
+  void add_force(const load& f) {
+    if (f.against < 0) return b_.force(points[at(f.on)], vector(f.value));
+    b_.force_between(points[at(f.on)], points[at(f.against)], vector(f.value));
+  }
+  void add_torque(const load& t) {
+    if (t.against < 0) return b_.torque(frames[at(t.on)], vector(t.value));
+    b_.torque_between(frames[at(t.on)], frames[at(t.against)], vector(t.value));
+  }
+  void add(const spring& s) {
+    const point_id point = points[at(s.point)], other = points[at(s.other)];
+    if (s.stiffness.value != 0) b_.spring(point, other, now_(s.stiffness), now_(s.length));
+    if (s.damping.value != 0) b_.damper(other, point, now_(s.damping));
+  }
+
   void add(const rates& k) {
     const std::size_t n = k.speeds.size();
     const auto u = [&](std::size_t i) { return now_.u[at(k.speeds[i])]; };
@@ -192,7 +210,8 @@ inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::sym
         case symbol_kind::input: return m.r.at(at(l.position));
         case symbol_kind::speed_rate: return udot.at(at(l.position));
         case symbol_kind::coordinate_rate:
-        case symbol_kind::auxiliary_speed: break;
+        case symbol_kind::auxiliary_speed:
+        case symbol_kind::multiplier: break;
         }
         return std::numeric_limits<double>::quiet_NaN(); // nothing may be left in terms of q̇, or of auxiliary
                                                          // speeds

@@ -1,13 +1,13 @@
 // Random mechanisms under random constraints against Newton's and Euler's equations with Lagrange's
 // multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], with numbers alone.
-#include "build_recipe.hpp"
+#include "bound_mechanism.hpp"
 #include "elimination.hpp"
 #include "newton_euler_dynamics.hpp"
 #include "random_constraints.hpp"
 #include "random_mechanism.hpp"
+#include "random_springs.hpp"
 
 #include <gtest/gtest.h>
-#include <kanexpr/mechanics/observe.hpp>
 
 namespace {
 
@@ -17,11 +17,9 @@ using Eigen::VectorXd;
 using elimination::largest;
 using elimination::product;
 using elimination::transposed;
-using kanexpr::mechanics::equations;
 using kanexpr::mechanics::quantity;
 using recipe::at;
 using recipe::bound;
-using recipe::builder;
 using recipe::constraint;
 
 constexpr double tolerance = 1e-11;
@@ -41,6 +39,7 @@ struct problem {
 
   explicit problem(unsigned seed) : m(recipe::generator(seed, false).run()) {
     if (m.u.size() < 2) return;
+    recipe::random_springs(m, seed).hang();
     for (unsigned attempt = 0; attempt < 10 && !regular; ++attempt) {
       bounds = recipe::random_constraints(m, 1000 * seed + attempt).run();
       // configuration constraints are taken up after the others
@@ -108,17 +107,11 @@ double least_pivot(MatrixXd a) {
   return least;
 }
 
-struct comparison {
+struct comparison : recipe::bound_mechanism {
   problem& expected;
-  recipe::mechanism& m;
-  builder b{"N"};
-  recipe::building built;
-  equations derived;
   double conditioning = 1; // how large the dependent speeds are beside the independent ones
 
-  explicit comparison(problem& of) : expected(of), m(of.m), built(m, b), derived(b.mechanism()) {
-    for (const constraint& c : of.bounds) bind(c);
-  }
+  explicit comparison(problem& of) : bound_mechanism(of.m, of.bounds), expected(of) {}
 
   void run(const std::vector<int>& dependent = {}) {
     for (int u : dependent) b.dependent(built.speed(u));
@@ -129,37 +122,7 @@ struct comparison {
     ASSERT_EQ(derived.mistake().view(), "");
   }
 
-  MatrixXd found(quantity q) { return recipe::number(b, m, derived.get(q)); }
-
 private:
-  void bind(const constraint& c) {
-    namespace mechanics = kanexpr::mechanics;
-    switch (c.what) {
-    case bound::point: return b.velocity_constraint(velocity(c.one), built.vector(c.direction));
-    case bound::points:
-      return b.velocity_constraint(velocity(c.one) - velocity(c.other), built.vector(c.direction));
-    case bound::turning:
-      return b.velocity_constraint(turning(c.one) - turning(c.other), built.vector(c.direction));
-    case bound::speeds: {
-      recipe::expression total = built.scalar(c.rest);
-      for (std::size_t i = 0; i < m.u.size(); ++i)
-        total += built.scalar(c.on_speeds[i]) * built.speed(static_cast<int>(i));
-      for (std::size_t i = 0; i < m.q.size(); ++i)
-        total += built.scalar(c.on_rates[i]) * built.rate(static_cast<int>(i));
-      return b.velocity_constraint(total);
-    }
-    case bound::configuration:
-      return b.configuration_constraint(built.scalar(c.product[0]) * built.scalar(c.product[1]) +
-                                        built.scalar(c.rest));
-    }
-  }
-  kanexpr::runtime::vector velocity(int point) {
-    return kanexpr::mechanics::velocity_of_point(derived.moving(), place(built.points[at(point)]));
-  }
-  kanexpr::runtime::vector turning(int frame) {
-    return kanexpr::mechanics::angular_velocity_of_frame(derived.moving(), place(built.frames[at(frame)]));
-  }
-
   // Relative to the largest entry, or to what the entries are sums of.
   void expect_equal(const MatrixXd& value, const MatrixXd& wanted, double scale, const std::string& what) {
     ASSERT_EQ(value.rows(), wanted.rows()) << what;

@@ -29,6 +29,13 @@ public:
   columns velocity(std::size_t point) const { return difference(&motion::v, point); }
   columns angular(std::size_t frame) const { return difference(&motion::omega, frame); }
 
+  // ∂V̇/∂u of a function of coordinates and time, by its rate with one speed after another.
+  std::vector<double> rates(const std::function<jet(const jets&)>& energy) const {
+    std::vector<double> all;
+    for (const motion& k : one_) all.push_back(energy(k.now).c1 - energy(still_.now).c1);
+    return all;
+  }
+
 private:
   columns difference(const std::vector<Vector3d> motion::* of, std::size_t which) const {
     columns j;
@@ -147,8 +154,39 @@ inline dynamics evaluate(const recipe::mechanism& m) {
     d.angular_momentum += inertia * omega;
   }
   d.center_of_mass /= total_mass;
-  for (const recipe::load& f : m.forces) act(d.active_forces, partial.velocity(at(f.on)), in_ground(f.value));
-  for (const recipe::load& t : m.torques) act(d.active_forces, partial.angular(at(t.on)), in_ground(t.value));
+  for (const recipe::load& f : m.forces) {
+    act(d.active_forces, partial.velocity(at(f.on)), in_ground(f.value));
+    if (f.against >= 0) act(d.active_forces, partial.velocity(at(f.against)), -in_ground(f.value));
+  }
+  for (const recipe::load& t : m.torques) {
+    act(d.active_forces, partial.angular(at(t.on)), in_ground(t.value));
+    if (t.against >= 0) act(d.active_forces, partial.angular(at(t.against)), -in_ground(t.value));
+  }
+  for (const recipe::spring& s : m.springs) {
+    const Vector3d line = k.x[at(s.point)] - k.x[at(s.other)], along = line.normalized();
+    const double longer = line.norm() - s.length.value, rate = along.dot(k.v[at(s.point)] - k.v[at(s.other)]);
+    const Vector3d pull = (s.stiffness.value * longer + s.damping.value * rate) * along;
+    act(d.active_forces, partial.velocity(at(s.point)), -pull);
+    act(d.active_forces, partial.velocity(at(s.other)), pull);
+    d.potential_energy += s.stiffness.value * longer * longer / 2;
+  }
+  for (const recipe::damper& c : m.dampers) {
+    const Vector3d torque = -c.damping.value * (k.omega[at(c.frame)] - k.omega[at(c.against)]);
+    act(d.active_forces, partial.angular(at(c.frame)), torque);
+    act(d.active_forces, partial.angular(at(c.against)), -torque);
+  }
+  for (const recipe::twist& s : m.twists) {
+    const auto energy = [&](const jets& now) {
+      const jet angle = now(s.angle) - jet(s.rest.value);
+      return jet(s.stiffness.value / 2) * angle * angle;
+    };
+    d.potential_energy += energy(k.now).c0;
+    const std::vector<double> rates = partial.rates(energy);
+    for (Eigen::Index r = 0; r < size; ++r) {
+      d.active_forces(r) -= rates[static_cast<std::size_t>(r)];
+      d.force_scale += std::abs(rates[static_cast<std::size_t>(r)]);
+    }
+  }
   d.forcing = d.active_forces + d.inertia_bias;
   return d;
 }

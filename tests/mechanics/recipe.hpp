@@ -78,6 +78,22 @@ struct body {
 struct load {
   int on = 0; // a point or a frame
   sum value;
+  int against = -1; // that feels the opposite
+};
+
+struct spring {
+  int point = 0, other = 0;
+  constant stiffness, length, damping;
+};
+
+struct damper {
+  int frame = 0, against = 0;
+  constant damping;
+};
+
+struct twist { // of a torsional spring
+  formula angle;
+  constant stiffness, rest;
 };
 
 // How q̇ follows from u.
@@ -101,6 +117,9 @@ struct mechanism {
   std::vector<point> points{point{}};
   std::vector<body> bodies;
   std::vector<load> forces, torques;
+  std::vector<spring> springs;
+  std::vector<damper> dampers;
+  std::vector<twist> twists;
   bool has_gravity = false;
   std::array<constant, 3> gravity; // ground axes
   std::vector<rates> kinematics;

@@ -37,6 +37,23 @@ template <class... Words>
 using bound_pendulum = kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>,
                                    kinematics<dot(q) == u, dot(s) == v>, bodies<Bob, Block>, Words...>;
 
+// Both by Lagrange's method.
+template <class... Words>
+using rates_of_pendulum = lagrange_system<inertial<N>, coordinates<q>, Words...>;
+template <class... Words>
+using rates_of_both = lagrange_system<inertial<N>, coordinates<q, s>, Words...>;
+
+template <class System>
+void use_rates() {
+  using eom = equations_of_motion<System>;
+  typename eom::state x;
+  x[q] = 0.1;
+  x[dot(q)] = 0.2;
+  const auto [M, rhs] =
+      eom::together(eom::mass_matrix, eom::rhs)(x, typename eom::parameters(), typename eom::inputs());
+  static_cast<void>(M), static_cast<void>(rhs);
+}
+
 template <class System>
 void use() {
   using eom = equations_of_motion<System>;

@@ -44,7 +44,7 @@ TEST(derivatives, agree_with_an_imaginary_step_and_with_reverse_accumulation) {
     random_formulas random(s, seed, true);
     for (int i = 0; i < 40; ++i) {
       const expression e = random.make(1 + i % 4).e;
-      accumulation reverse(s.g);
+      accumulation reverse(s.g, {e});
       reverse.seed(e, s.number(1));
       reverse.run();
       for (const expression by : {s.a, s.b, s.q1, s.u1}) {
@@ -117,13 +117,18 @@ TEST_F(differentiate_each, is_simple) {
 
 TEST_F(differentiate_each, output_of_an_accumulation) {
   const expression first = x * y;
-  accumulation both(g);
+  accumulation both(g, {first, x});
   both.seed(first, a);
   both.seed(x, b);
   both.run();
   EXPECT_EQ(both.by(x), a * y + b);
   EXPECT_EQ(both.by(y), a * x);
   EXPECT_EQ(both.by(z), number(0));
+  both.restart();
+  both.seed(x, b);
+  both.run();
+  EXPECT_EQ(both.by(x), b);
+  EXPECT_EQ(both.by(y), number(0));
 }
 
 TEST_F(total_time_derivative, follows_every_rate) {

@@ -81,7 +81,7 @@ TEST(solutions, have_gradients_that_agree_with_derivatives) {
       // two components of one solution, which weigh differently, and one that another solution rests on
       const sequence<expression> next = solve(factors, x);
       const expression e = x[0] * s.q[1] + x[n - 1] * x[n - 1] + sin(next[0]);
-      accumulation reverse(s.g);
+      accumulation reverse(s.g, {e});
       reverse.seed(e, expression{s.g, graph::one});
       reverse.run();
       for (int k = 0; k < 3; ++k) {
@@ -171,7 +171,7 @@ constexpr bool compiled() {
   matrix a(g, 2, 2);
   a(0, 1) = q, a(1, 0) = q * q, a(1, 1) = sin(q);
   const sequence<expression> x = solve(factorization(g, a), {q, cos(q)});
-  accumulation reverse(g);
+  accumulation reverse(g, x);
   reverse.seed(x[1], constant(g, exactly(1)));
   reverse.run();
   return differentiate(x[0], q) != x[0] && !reverse.by(q).is_zero();

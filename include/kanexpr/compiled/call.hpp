@@ -41,8 +41,14 @@ constexpr std::string_view result_name() {
     case quantity::acceleration_bias: return "acceleration_bias";
     case quantity::multipliers: return "multipliers";
     case quantity::auxiliary_forces: return "auxiliary_forces";
+    case quantity::state_matrix:
+    case quantity::input_matrix: return "explicit_form";
+    case quantity::implicit_mass_matrix:
+    case quantity::implicit_state_matrix:
+    case quantity::implicit_input_matrix: return "implicit_form";
     }
   }
+  if constexpr (requires { wanted.result_name(); }) return wanted.result_name();
   return "the expression";
 }
 
@@ -69,12 +75,14 @@ template <class System, class Code>
 constexpr mechanics::problem lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
                                    std::string_view way) {
   constexpr const derivation::survey& s = survey_of<System>;
-  const bool rate = kind == symbolic::symbol_kind::speed_rate;
+  using symbolic::symbol_kind;
+  const bool rate = kind == symbol_kind::speed_rate, second = rate && s.takes_rates_as_speeds;
+  const symbol_kind named = second ? symbol_kind::coordinate : rate ? symbol_kind::speed : kind;
   for (int i = 0; i < Code::tape.sizes.loads; ++i) {
     if (Code::tape.loads[i].from != kind) continue;
-    const int place = s.first_of(rate ? symbolic::symbol_kind::speed : kind) + Code::tape.loads[i].position;
-    return mechanics::sentence(
-        {result, " needs the ", what, s.names[place].view(), ": call it as ", result, way});
+    const int place = s.first_of(named) + Code::tape.loads[i].position;
+    return mechanics::sentence({result, " needs the ", second ? "second derivative of coordinate " : what,
+                                s.names[place].view(), ": call it as ", result, way});
   }
   return {};
 }

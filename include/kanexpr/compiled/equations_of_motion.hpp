@@ -28,6 +28,13 @@ struct equations_of_motion {
         [coordinates + compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place];
   }
 
+  template <text called, int index>
+  static constexpr bool is_dependent(const coordinate_rate<called, index>&) {
+    return compiled::survey_of<System>.dependent
+        [coordinates +
+         compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place];
+  }
+
   /// M in M u̇ = f of the independent speeds.
   static constexpr function<System, mechanics::quantity::mass_matrix> mass_matrix{};
   /// f in M u̇ = f of the independent speeds.

@@ -30,6 +30,9 @@ struct placed {
   static constexpr int place = found >= 0 ? found : 0;
   static constexpr mechanics::problem mistake = [] {
     if (found >= 0 || survey_of<System>.mistake) return mechanics::problem{};
+    if (kind == symbolic::symbol_kind::coordinate_rate)
+      return mechanics::sentence(
+          {"the state of ", type_name<System>(), " holds no rate of coordinate ", symbol.called.view()});
     const std::string_view what = derivation::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
@@ -52,7 +55,8 @@ struct misplaced {
 
 } // namespace compiled
 
-/// The state [q; u] of a system: a fixed-size Eigen vector with access by name, `x[q1]`.
+/// The state [q; u] of a system, by Lagrange's method [q; dq/dt]: a fixed-size Eigen vector with access by
+/// name, `x[q1]`.
 template <class System, class Scalar = double>
 class state
     : public Eigen::Matrix<Scalar,
@@ -84,6 +88,17 @@ public:
   const Scalar& operator[](const speed<called, index>&) const {
     return (*this)(coordinates +
                    compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place);
+  }
+  /// By Lagrange's method the rates of the coordinates are in the state: `x[dot(q1)]`.
+  template <text called, int index>
+  Scalar& operator[](const coordinate_rate<called, index>&) {
+    return (*this)(coordinates +
+                   compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place);
+  }
+  template <text called, int index>
+  const Scalar& operator[](const coordinate_rate<called, index>&) const {
+    return (*this)(coordinates +
+                   compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place);
   }
 
   template <std::derived_from<scalar<1>> Symbol>

@@ -40,9 +40,12 @@ protected:
     const bool alone = p.size == 1 && p.tokens[0].what == describe::word::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     const bool coordinate = s != nullptr && s->kind == symbolic::symbol_kind::coordinate;
-    if (!coordinate && (s == nullptr || s->kind != symbolic::symbol_kind::speed))
-      return fail({whom, " holds something that is neither a coordinate nor a speed",
-                   p.size > 0 ? ", with " : "", name_in(p)});
+    const symbolic::symbol_kind rate =
+        takes_rates_as_speeds() ? symbolic::symbol_kind::coordinate_rate : symbolic::symbol_kind::speed;
+    if (!coordinate && (s == nullptr || s->kind != rate))
+      return fail({whom, " holds something that is neither a coordinate nor ",
+                   takes_rates_as_speeds() ? "the rate of one" : "a speed", p.size > 0 ? ", with " : "",
+                   name_in(p)});
     const expression e = symbol(*s, whom);
     if (mistake_) return;
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);

@@ -46,6 +46,11 @@ struct request<wanted> {
     case quantity::acceleration_bias:
     case quantity::multipliers: return {m, 1};
     case quantity::auxiliary_forces: return {s.auxiliary_speeds, 1};
+    case quantity::state_matrix: return {s.states(), s.states()};
+    case quantity::input_matrix: return {s.states(), s.inputs};
+    case quantity::implicit_mass_matrix: return {s.unknowns(), s.unknowns()};
+    case quantity::implicit_state_matrix: return {s.unknowns(), s.states()};
+    case quantity::implicit_input_matrix: return {s.unknowns(), s.inputs};
     default: return {1, 1, true};
     }
   }
@@ -64,17 +69,21 @@ struct request<wanted> {
   }
   static constexpr void visit(reader& r) { r.visit(words.tokens, words.size); }
   static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
+    return e.in_motion(with_rates(r, e));
+  }
+  /// The same with the symbols q̇ and u̇.
+  static constexpr symbolic::matrix with_rates(reader& r, mechanics::equations& e) {
     const mechanism& m = *e.skeleton_used().model;
     const value v = r.evaluate(words, "an expression");
     const bool own_axes =
         words.tokens[words.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
     symbolic::matrix result(*m.g, of({}).rows, 1);
     if (v.kind != shape::vector) {
-      result.entries[0] = e.in_motion(v.scalar);
+      result.entries[0] = v.scalar;
       return result;
     }
     components c = own_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
-    for (int i = 0; i < 3; ++i) result.entries[i] = e.in_motion(c[i]);
+    for (int i = 0; i < 3; ++i) result.entries[i] = c[i];
     return result;
   }
 };

@@ -23,13 +23,15 @@ public:
     if (!mistake()) mistake_ = mechanics::check(mechanism_);
   }
 
-  /// Forms what the equations start from, and takes up the constraints.
+  /// Forms what the equations start from, and takes up loads that speak of motion and the constraints.
   constexpr void derive() {
     if (mistake()) return;
     equations_.emplace(mechanism_);
     reader_.know(*equations_);
+    reader_.read_lagrangian();
+    if (reader_.read_moving_loads() && !mistake()) mistake_ = mechanics::check_loads(mechanism_);
     reader_.read_constraints();
-    if (!reader_.mistake()) equations_->constrain();
+    if (!mistake()) equations_->constrain();
   }
 
   constexpr const problem& mistake() const {

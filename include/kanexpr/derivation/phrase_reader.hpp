@@ -163,6 +163,21 @@ protected:
       stack.push(value::of(normalized(m_, a.vector)));
       break;
     }
+    case word::partial: {
+      const expression by = symbol(*t.symbol, whom);
+      value& of = stack.back();
+      if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
+      for (mechanics::vector::part& p : of.vector.parts)
+        for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
+      break;
+    }
+    case word::in_axes: {
+      const int axes = entities().frame(t.frame, whom);
+      mechanics::vector v;
+      v.add(axes, mechanics::express(m_, stack.back().vector, axes));
+      stack.back().vector = v;
+      break;
+    }
     default: motion(t, stack, whom); break;
     }
   }
@@ -197,39 +212,30 @@ protected:
         stack.back().vector =
             mechanics::derivative_in(k, stack.back().vector, entities().frame(t.frame, whom));
       break;
-    case word::partial: {
-      const expression by = symbol(*t.symbol, whom);
-      value& of = stack.back();
-      if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
-      for (mechanics::vector::part& p : of.vector.parts)
-        for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
-      break;
-    }
-    case word::in_axes: {
-      const int axes = entities().frame(t.frame, whom);
-      mechanics::vector v;
-      v.add(axes, mechanics::express(m_, stack.back().vector, axes));
-      stack.back().vector = v;
-      break;
-    }
     default: break;
     }
   }
 
-  /// While a model is read only those velocities are known that it declares in the inertial frame.
-  constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+  /// Whether a word is known while a model is read: of velocities, only those are that it declares in the
+  /// inertial frame.
+  constexpr bool is_declared(const describe::token& t) const {
     using describe::word;
-    if (t.what == word::velocity) {
+    if (t.what == word::velocity) return t.point->reference == from_.inertial;
+    if (t.what == word::angular_velocity) return t.frame->reference == from_.inertial;
+    return t.what != word::acceleration && t.what != word::angular_acceleration && t.what != word::derivative;
+  }
+
+  constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    if (!is_declared(t))
+      return fail(
+          {part_, whom, " holds a velocity or derivative, which is not known yet while a model is read"});
+    if (t.point != nullptr) {
       const int at = entities().point(t.point, whom);
-      if (!mistake_ && m_.points[at].reference == mechanism::inertial)
-        return static_cast<void>(stack.push(value::of(m_.points[at].velocity)));
-    }
-    if (t.what == word::angular_velocity) {
+      if (!mistake_) stack.push(value::of(m_.points[at].velocity));
+    } else {
       const int of = entities().frame(t.frame, whom);
-      if (!mistake_ && m_.frames[of].reference == mechanism::inertial)
-        return static_cast<void>(stack.push(value::of(m_.frames[of].angular_velocity)));
+      if (!mistake_) stack.push(value::of(m_.frames[of].angular_velocity));
     }
-    fail({part_, whom, " holds a velocity or derivative, which is not known yet while a model is read"});
   }
 
   mechanics::equations* derived_ = nullptr;

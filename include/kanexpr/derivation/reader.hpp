@@ -1,24 +1,24 @@
 #pragma once
 
-#include <kanexpr/derivation/constraint_reader.hpp>
+#include <kanexpr/derivation/load_reader.hpp>
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/mechanics/orientation_kinematics.hpp>
 
 namespace kanexpr::derivation {
 
 using describe::body_record;
-using describe::load_record;
 
 /// Reads the records of a model into a mechanism: once, by following them from bodies and loads to all that
 /// they use. The first mistake stops the reading and is kept as a sentence.
-class reader : public constraint_reader {
+class reader : public load_reader {
 public:
-  using constraint_reader::constraint_reader;
+  using load_reader::load_reader;
 
   constexpr void read() {
     read_lists();
     if (mistake_) return;
     frame(from_.inertial, "the system");
+    visit_lagrangian();
     for (int i = 0; i < from_.bodies.size && !mistake_; ++i) read_body(from_.bodies[i]);
     for (int i = 0; i < from_.loads.size && !mistake_; ++i) read_load(from_.loads[i]);
     for (int i = 0; i < from_.kinematics.size && !mistake_; ++i) read_kinematics(from_.kinematics[i]);
@@ -31,6 +31,7 @@ private:
       if (const symbol_record* s =
               listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, "coordinates"))
         m_.coordinate(s->called);
+    read_rates();
     for (int i = 0; i < from_.speeds.size; ++i)
       if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, "speeds"))
         m_.speed(s->called);
@@ -127,32 +128,6 @@ private:
     const int axes = frame(r.inertia_axes, r.called);
     if (!mistake_) inertia.add(axes, axes, given);
     return inertia;
-  }
-
-  constexpr void read_load(const load_record& r) {
-    switch (r.what) {
-    case describe::load_word::force: {
-      const int at = point(r.point, "a force");
-      const mechanics::vector v = vector_of(r.value, {"the force at ", r.point->called}, r.point->called);
-      if (!mistake_) m_.forces.push({at, v});
-      break;
-    }
-    case describe::load_word::torque: {
-      const int on = frame(r.frame, "a torque");
-      const mechanics::vector v = vector_of(r.value, {"the torque on ", r.frame->called}, r.frame->called);
-      if (!mistake_) m_.torques.push({on, v});
-      break;
-    }
-    case describe::load_word::gravity: {
-      if (m_.has_gravity) fail({"gravity is given twice"});
-      const mechanics::vector v = vector_of(r.value, {"", "gravity"}, "gravity");
-      if (mistake_) return;
-      m_.has_gravity = true;
-      m_.gravity = v;
-      break;
-    }
-    case describe::load_word::none: fail({"loads<...> lists ", r.called, ", which is not a load"}); break;
-    }
   }
 };
 

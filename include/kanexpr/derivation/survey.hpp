@@ -9,6 +9,7 @@ struct survey {
   static constexpr int room = 512;
 
   problem mistake;
+  bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
   int parameters = 0;
@@ -19,10 +20,15 @@ struct survey {
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< by the same order
 
+  /// Independent coordinates and speeds.
+  constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
+  /// Rates and multipliers in the equations that are linearized.
+  constexpr int unknowns() const { return coordinates + speeds + (takes_rates_as_speeds ? constraints : 0); }
   constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }
 
   constexpr void take(derived_system& system) {
     const mechanism& m = system.model();
+    takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
     coordinates = m.coordinates.size();
     speeds = m.speeds.size();
     parameters = m.parameters.size();
@@ -51,13 +57,15 @@ struct survey {
   constexpr int count_of(symbolic::symbol_kind kind) const {
     switch (kind) {
     case symbolic::symbol_kind::coordinate: return coordinates;
+    case symbolic::symbol_kind::coordinate_rate: return takes_rates_as_speeds ? coordinates : 0;
     case symbolic::symbol_kind::speed: return speeds;
     case symbolic::symbol_kind::parameter: return parameters;
     case symbolic::symbol_kind::input: return inputs;
     default: return 0;
     }
   }
-  /// Place of a symbol among those of its kind, or -1.
+  /// Place of a symbol among those of its kind, or -1. Rates of coordinates are told by the coordinates'
+  /// names.
   constexpr int place(symbolic::symbol_kind kind, const symbolic::name& called) const {
     for (int i = 0; i < count_of(kind); ++i)
       if (names[first_of(kind) + i] == called) return i;
@@ -76,28 +84,41 @@ constexpr problem check_word(std::string_view system) {
   else if constexpr (requires { Told::orientation(); })
     return sentence({"frame ", type_name<Told>(), " stands among the words of ", system, "; write inertial<",
                      type_name<Told>(), ">"});
-  else if constexpr (requires {
-                       Told::load.point->called;
-                       Told::load.frame->called;
-                     }) {
-    const describe::load_record& l = Told::load;
-    const bool force = l.point != nullptr, torque = l.frame != nullptr;
-    return sentence({force    ? "the force at "
-                     : torque ? "the torque on "
-                              : "gravity",
-                     force    ? l.point->called
-                     : torque ? l.frame->called
-                              : "",
-                     " stands among the words of ", system, "; write loads<...> around it"});
-  } else
+  else if constexpr (requires { Told::load.what; })
+    return sentence(
+        {name_of(Told::load).view(), " stands among the words of ", system, "; write loads<...> around it"});
+  else
     return sentence({type_name<Told>(), " is no word of a system, and ", system, " holds it"});
 }
 
-template <class... Words>
-constexpr problem check_each_word(std::string_view system, const kane_system<Words...>*) {
+template <describe::method by, class... Words>
+constexpr problem check_each_word(std::string_view system, const describe::system_told_by<by, Words...>*) {
   problem found;
   ((found = found ? found : check_word<Words>(system)), ...);
   return found;
+}
+
+/// Words of one method that are told to the other, or that do not go together.
+template <class System>
+constexpr problem check_method(std::string_view called) {
+  const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;
+  if (System::record.derived_by == describe::method::kane) {
+    if (whole)
+      return sentence(
+          {"the system ", called, " is told lagrangian<...>, which only a lagrange_system takes"});
+    return {};
+  }
+  for (std::string_view word : {"speeds", "kinematics", "auxiliary"})
+    if (System::times_told(word) != 0)
+      return sentence({"the system ", called, " is told ", word,
+                       "<...>; a lagrange_system has no speeds but the rates of its coordinates"});
+  if (bodies && whole)
+    return sentence(
+        {"the system ", called,
+         " is told bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all bodies"});
+  if (!bodies && !whole)
+    return sentence({"the system ", called, " is told neither bodies<...> nor lagrangian<...>"});
+  return {};
 }
 
 /// A word that is missing, doubled or foreign.
@@ -105,17 +126,23 @@ template <class System>
 constexpr problem check_words() {
   constexpr std::string_view called = type_name<System>();
   if constexpr (!requires { System::record; }) {
-    return sentence({called, " is not a system; derive it from kane_system<...>"});
+    return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
   } else {
     const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
-    for (std::string_view word : {"inertial", "coordinates", "speeds", "kinematics", "bodies"})
-      if (System::times_told(word) == 0)
-        return sentence({"the system ", called, " is told no ", word, "<...>"});
+    problem found = check_method<System>(called);
+    const auto needs = [&](std::initializer_list<std::string_view> words) {
+      for (std::string_view word : words)
+        if (!found && System::times_told(word) == 0)
+          found = sentence({"the system ", called, " is told no ", word, "<...>"});
+    };
+    needs({"inertial", "coordinates"});
+    if (System::record.derived_by == describe::method::kane) needs({"speeds", "kinematics", "bodies"});
+    if (found) return found;
     for (std::string_view word :
          {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
-          "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "loads", "parameters",
-          "inputs", "values"})
+          "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "lagrangian", "loads",
+          "parameters", "inputs", "values"})
       if (System::times_told(word) > 1)
         return sentence({"the system ", called, " is told ", word, "<...> twice; write one list"});
     return {};

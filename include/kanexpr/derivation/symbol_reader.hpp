@@ -29,16 +29,22 @@ public:
     case symbol_kind::time: return m_.time;
     case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
     case symbol_kind::coordinate_rate:
+      if (takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
     case symbol_kind::speed:
+      if (takes_rates_as_speeds())
+        fail({part_, whom, " holds the speed ", r.called.view(),
+              "; a lagrange_system has no speeds but the rates of its coordinates"});
       if (has(m_.auxiliary_speeds, r.called)) return find(m_.auxiliary_speeds, r.called);
       return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate:
+      if (r.order != describe::unprescribed) return second_derivative(r, whom);
       if (has(m_.auxiliary_speeds, r.called))
         fail({part_, whom, " holds the rate of auxiliary speed ", r.called.view(),
               ", which is zero at all times"});
       return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
-    case symbol_kind::auxiliary_speed: break;
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier: break;
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) return bound_values_[i];
@@ -50,8 +56,16 @@ public:
     return m_.zero();
   }
 
+  /// Takes a parameter that the model itself does not speak of, behind all others.
+  constexpr void admit_parameter(const symbol_record& r) {
+    if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
+  }
+
 protected:
   using words = std::initializer_list<std::string_view>;
+
+  /// Of Lagrange's method.
+  constexpr bool takes_rates_as_speeds() const { return from_.derived_by == describe::method::lagrange; }
 
   constexpr void fail(words pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
@@ -130,6 +144,15 @@ private:
   constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
     for (const expression& e : symbols)
       if (m_.g->symbol_at(e.node()).called == called) return e;
+    return m_.zero();
+  }
+
+  /// Of a coordinate: the rate of its rate, which must be a speed.
+  constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
+    if (takes_rates_as_speeds())
+      return listed(m_.coordinates, m_.speed_rates, {r.kind, derivative(r, 0)}, "coordinate", whom);
+    fail({part_, whom, " holds the second derivative of coordinate ", derivative(r, 0).view(),
+          "; write it by the rates of the speeds"});
     return m_.zero();
   }
 

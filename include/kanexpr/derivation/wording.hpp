@@ -21,6 +21,7 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   case symbol_kind::coordinate_rate: return "the rate of coordinate ";
   case symbol_kind::speed_rate: return "the rate of speed ";
   case symbol_kind::auxiliary_speed: return "auxiliary speed ";
+  case symbol_kind::multiplier: return "multiplier ";
   }
   return "";
 }

@@ -111,13 +111,27 @@ struct body_record {
   const point_record* about = nullptr;
 };
 
-enum class load_word : unsigned char { force, torque, gravity, none };
+enum class load_word : unsigned char {
+  force,
+  torque,
+  gravity,
+  potential_energy,
+  spring,
+  damper,
+  torsional_spring,
+  torsional_damper,
+  none,
+};
 
 struct load_record {
   load_word what{};
   const point_record* point = nullptr;
+  const point_record* other_point = nullptr; ///< of two points, or none
   const frame_record* frame = nullptr;
-  phrase value{};
+  const frame_record* other_frame = nullptr; ///< of two frames, or none
+  phrase value{};                            ///< a force or torque, energy, stiffness or damping
+  phrase angle{};                            ///< of a torsional spring
+  phrase rest{};                             ///< the length or angle of a spring at rest
   std::string_view called{};
 };
 

@@ -70,10 +70,22 @@ struct time_variable : scalar<1> {
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
 };
 
-/// The rate dq/dt of a coordinate.
+/// The rate dq/dt of a coordinate, `dot(q)`.
+template <text called, int index = unnumbered>
+struct coordinate_rate : scalar<1> {
+  constexpr coordinate_rate()
+      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>()) {}
+};
+
 template <text called, int index>
-constexpr scalar<1> dot(const coordinate<called, index>&) {
-  return describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>();
+constexpr coordinate_rate<called, index> dot(const coordinate<called, index>&) {
+  return {};
+}
+
+/// The second derivative of a coordinate, where its rate takes the place of a speed.
+template <text called, int index>
+constexpr scalar<1> dot(const coordinate_rate<called, index>&) {
+  return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index, 1>();
 }
 
 /// The derivative of a prescribed quantity.

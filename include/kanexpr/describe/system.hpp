@@ -20,13 +20,18 @@ struct listing {
   constexpr const Record& operator[](int i) const { return *entries[i]; }
 };
 
+/// How the equations of motion are derived.
+enum class method : unsigned char { kane, lagrange };
+
 struct system_record {
+  method derived_by = method::kane;
   const frame_record* inertial = nullptr;
   listing<phrase> coordinates, speeds, parameters, inputs;
   listing<phrase> kinematics;
   listing<phrase> configuration_constraints, velocity_constraints, acceleration_constraints;
   listing<phrase> dependent, auxiliary;
   listing<phrase> values;
+  listing<phrase> lagrangian;
   listing<body_record> bodies;
   listing<load_record> loads;
 };
@@ -135,26 +140,35 @@ struct loads {
   }
 };
 
-/// A system whose equations of motion Kane's method gives, told in any order:
-/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>>
-/// {};`
-template <class... Words>
-struct kane_system {
+namespace describe {
+
+/// A system that is told by words in any order.
+template <method derived_by, class... Words>
+struct system_told_by {
   static constexpr auto words = boost::hana::tuple_t<Words...>;
 
   static constexpr int times_told(std::string_view wanted) {
     int times = 0;
     boost::hana::for_each(words, [&](auto word) {
-      if (describe::word_of<typename decltype(word)::type>() == wanted) ++times;
+      if (word_of<typename decltype(word)::type>() == wanted) ++times;
     });
     return times;
   }
 
-  static constexpr describe::system_record record = [] {
-    describe::system_record r;
-    boost::hana::for_each(words, [&](auto word) { describe::tell<typename decltype(word)::type>(r); });
+  static constexpr system_record record = [] {
+    system_record r;
+    r.derived_by = derived_by;
+    boost::hana::for_each(words, [&](auto word) { tell<typename decltype(word)::type>(r); });
     return r;
   }();
 };
+
+} // namespace describe
+
+/// A system whose equations of motion Kane's method gives, told in any order:
+/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>>
+/// {};`
+template <class... Words>
+struct kane_system : describe::system_told_by<describe::method::kane, Words...> {};
 
 } // namespace kanexpr

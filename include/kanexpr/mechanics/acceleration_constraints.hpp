@@ -48,15 +48,17 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
     const expression e = m.acceleration_constraints[i];
     const name which = counted(i + 1);
     if (!held.holds(e, symbolic::symbol_kind::speed_rate))
-      return sentence({"acceleration constraint ", which.view(), " holds no rate of a speed"});
+      return sentence({"acceleration constraint ", which.view(),
+                       m.derived_by == method::kane ? " holds no rate of a speed"
+                                                    : " holds no second derivative of a coordinate"});
     if (held.holds(e, symbolic::symbol_kind::auxiliary_speed))
       return sentence({"acceleration constraint ", which.view(), " holds the auxiliary speed ",
                        held.name_of(e, symbolic::symbol_kind::auxiliary_speed)});
     for (const expression& rate : m.speed_rates)
       if (const expression slope = symbolic::differentiate(e, rate);
           contents(*m.g).holds(slope, symbolic::symbol_kind::speed_rate))
-        return sentence({"acceleration constraint ", which.view(), " is not linear in the rate of speed ",
-                         called(m, rate)});
+        return sentence({"acceleration constraint ", which.view(), " is not linear in the ",
+                         speed_rate_called(m, called(m, rate)).view()});
   }
   if (m.acceleration_constraints.size() != c.size())
     return sentence({several(m.acceleration_constraints.size(), "acceleration constraint").view(), " for ",

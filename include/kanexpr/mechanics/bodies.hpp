@@ -3,7 +3,7 @@
 #include <kanexpr/mechanics/inertia.hpp>
 #include <kanexpr/mechanics/mechanism.hpp>
 
-/// The ways of saying what has mass and what acts on it.
+/// The ways of saying what has mass.
 namespace kanexpr::mechanics {
 
 /// The dyadic of six inertia scalars in the axes of one frame; products with the sign of I = Σ m (r·r E − r
@@ -35,15 +35,6 @@ constexpr int add_rigid_body(mechanism& m, const name& called, int center, int f
   b.inertia = inertia;
   b.about = about;
   return m.bodies.push(b);
-}
-
-constexpr void add_force(mechanism& m, int point, const vector& value) { m.forces.push({point, value}); }
-constexpr void add_torque(mechanism& m, int frame, const vector& value) { m.torques.push({frame, value}); }
-
-/// The acceleration of free fall of every body.
-constexpr void set_gravity(mechanism& m, const vector& acceleration) {
-  m.has_gravity = true;
-  m.gravity = acceleration;
 }
 
 } // namespace kanexpr::mechanics

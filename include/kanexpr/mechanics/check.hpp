@@ -1,8 +1,10 @@
 #pragma once
 
 #include <kanexpr/mechanics/check_kinematics.hpp>
+#include <kanexpr/mechanics/check_loads.hpp>
 #include <kanexpr/mechanics/partition.hpp>
 #include <kanexpr/mechanics/prescribed.hpp>
+#include <kanexpr/mechanics/wording.hpp>
 
 /// Mistakes that a mechanism can hold, found before anything is derived from it.
 namespace kanexpr::mechanics {
@@ -15,15 +17,16 @@ public:
   constexpr explicit checking(const mechanism& m) : m_(m), held_(*m.g) {}
 
   constexpr problem run() {
-    if (m_.speeds.empty()) return sentence({"the system has no generalized speed"});
-    if (m_.bodies.empty()) return sentence({"the system has no particle and no rigid body"});
+    if (m_.speeds.empty())
+      return sentence(
+          {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
+    if (m_.bodies.empty() && !m_.has_lagrangian)
+      return sentence({"the system has no particle and no rigid body"});
     found_ = checking_kinematics(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) check(p);
     for (const body& b : m_.bodies) check(b);
-    for (const force& f : m_.forces) rates_in(f.value, "the force at ", m_.points[f.point].called);
-    for (const torque& t : m_.torques) rates_in(t.value, "the torque on ", m_.frames[t.frame].called);
-    rates_in(m_.gravity, "gravity", {});
+    if (!found_) found_ = checking_loads(m_, held_).run();
     return found_;
   }
 
@@ -39,18 +42,8 @@ private:
     if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
                                        kind::speed_rate}))
       return;
-    if (held_.holds(e, kind::speed))
-      fail({of, whose.view(), " holds the speed ", held_.name_of(e, kind::speed),
-            "; it may hold coordinates only"});
-    else if (held_.holds(e, kind::auxiliary_speed))
-      fail({of, whose.view(), " holds the auxiliary speed ", held_.name_of(e, kind::auxiliary_speed),
-            "; it may hold coordinates only"});
-    else if (held_.holds(e, kind::coordinate_rate))
-      fail({of, whose.view(), " holds the rate of coordinate ", held_.name_of(e, kind::coordinate_rate)});
-    else if (held_.holds(e, kind::speed_rate))
-      fail({of, whose.view(), " holds the rate of speed ", held_.name_of(e, kind::speed_rate)});
-    else
-      inputs(e, 2, of, whose.view());
+    found_ = check_stillness(m_, held_, e, of, whose.view());
+    inputs(e, 2, of, whose.view());
   }
 
   /// Where a quantity is differentiated, its inputs must be prescribed with their derivatives.
@@ -90,17 +83,10 @@ private:
         const expression e = part.value[i];
         inputs(e, 1, of, whose.view());
         if (held_.holds(e, kind::speed_rate))
-          fail({of, whose.view(), " holds the rate of speed ", held_.name_of(e, kind::speed_rate)});
+          fail({of, whose.view(), " holds the ",
+                speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
         if (!found_) found_ = check_linear(m_, held_, e, sentence({of, whose.view()}).view());
       }
-  }
-
-  constexpr void rates_in(const vector& v, std::string_view of, const name& whose) {
-    for (const vector::part& part : v.parts)
-      for (int i = 0; i < 3; ++i)
-        if (held_.holds(part.value[i], kind::speed_rate))
-          fail({of, whose.view(), " holds the rate of speed ",
-                held_.name_of(part.value[i], kind::speed_rate)});
   }
 
   constexpr void check(const body& b) {
@@ -126,14 +112,19 @@ private:
 
   /// Masses and inertias may change in a known way: with the time, coordinates and prescribed quantities.
   constexpr void mass(expression e, std::string_view of, std::string_view whose) {
+    const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
+    if (held_.holds(e, kind::speed))
+      return fail(
+          {of, whose, " changes with ", an_article, speed_called(m_, held_.name_of(e, kind::speed)).view()});
+    if (held_.holds(e, kind::speed_rate))
+      return fail({of, whose, " changes with the ",
+                   speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
     struct word {
       kind what;
       std::string_view called;
     };
-    for (const word& w : {word{kind::speed, " changes with speed "},
-                          word{kind::auxiliary_speed, " changes with auxiliary speed "},
-                          word{kind::coordinate_rate, " changes with the rate of coordinate "},
-                          word{kind::speed_rate, " changes with the rate of speed "}})
+    for (const word& w : {word{kind::auxiliary_speed, " changes with auxiliary speed "},
+                          word{kind::coordinate_rate, " changes with the rate of coordinate "}})
       if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
     inputs(e, 1, of, whose);
   }
@@ -152,9 +143,12 @@ constexpr problem check(const mechanism& m) { return detail::checking(m).run(); 
 constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,
                                     const symbolic::matrix& mass) {
   for (int i = 0; i < mass.rows; ++i)
-    if (mass(i, i).is_zero())
-      return sentence(
-          {"speed ", m.g->symbol_at(m.speeds[speeds.independent[i]].node()).called.view(), " moves no mass"});
+    if (mass(i, i).is_zero()) {
+      const int place = speeds.independent[i];
+      return m.derived_by == method::kane
+                 ? sentence({"speed ", called(m, m.speeds[place]), " moves no mass"})
+                 : sentence({"coordinate ", called(m, m.coordinates[place]), " moves no mass"});
+    }
   return {};
 }
 

@@ -34,10 +34,16 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
       kind what;
       std::string_view called;
     };
-    for (const word& w :
-         {word{kind::speed, " holds the speed "}, word{kind::auxiliary_speed, " holds the auxiliary speed "},
-          word{kind::coordinate_rate, " holds the rate of coordinate "},
-          word{kind::speed_rate, " holds the rate of speed "}})
+    if (held.holds(f, kind::speed))
+      return sentence({"configuration constraint ", which.view(), " holds the ",
+                       speed_called(m, held.name_of(f, kind::speed)).view(),
+                       "; it may hold coordinates only"});
+    if (held.holds(f, kind::speed_rate))
+      return sentence({"configuration constraint ", which.view(), " holds the ",
+                       speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
+                       "; it may hold coordinates only"});
+    for (const word& w : {word{kind::auxiliary_speed, " holds the auxiliary speed "},
+                          word{kind::coordinate_rate, " holds the rate of coordinate "}})
       if (held.holds(f, w.what))
         return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
                          "; it may hold coordinates only"});
@@ -51,13 +57,13 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
     const expression v = m.velocity_constraints[i].value;
     const name which = counted(i + 1);
     if (held.holds(v, kind::speed_rate))
-      return sentence({"velocity constraint ", which.view(), " holds the rate of speed ",
-                       held.name_of(v, kind::speed_rate)});
+      return sentence({"velocity constraint ", which.view(), " holds the ",
+                       speed_rate_called(m, held.name_of(v, kind::speed_rate)).view()});
     if (const unknown_derivative u = find_unknown_derivative(m, held, v, 1))
       return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
                        " is not known"});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
-      return sentence({"velocity constraint ", which.view(), " holds no speed"});
+      return sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
     const problem not_linear =
         check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
     if (not_linear) return not_linear;
@@ -83,25 +89,25 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
     if (moves) continue;
     if (c.of_configuration[i] == none)
-      return sentence({"velocity constraint ", counted(i + 1).view(), " holds no speed"});
+      return sentence({"velocity constraint ", counted(i + 1).view(), " holds no ", a_speed(m)});
     return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
-                     " holds no speed"});
+                     " holds no ", a_speed(m)});
   }
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
-                     several(speeds, "speed").view()});
+                     several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view()});
   const sequence<char> binds = independent_rows(c.jacobian);
   for (int i = 0; i < c.size(); ++i) {
     if (binds[i] != 0) continue;
     if (c.of_configuration[i] == none)
       return sentence({"velocity constraint ", counted(i + 1).view(),
-                       i == 0 ? " binds no speed in any configuration"
-                              : " follows from those before it in every configuration"});
+                       i == 0 ? " binds no " : " follows from those before it in every configuration",
+                       i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
     return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
                      " follows from the other constraints in every configuration"});
   }
   if (c.size() == speeds && speeds > 0)
-    return sentence({"the constraints bind every speed: nothing is left that could move"});
+    return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
   return {};
 }
 
@@ -122,7 +128,9 @@ constexpr problem check_choice(const mechanism& m, const constraints& c,
   for (int j : m.dependent_speeds) {
     bool appears = false;
     for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();
-    if (!appears) return sentence({"dependent speed ", called(m, m.speeds[j]), " appears in no constraint"});
+    if (!appears)
+      return sentence(
+          {"dependent ", speed_called(m, called(m, m.speeds[j])).view(), " appears in no constraint"});
   }
   for (int j : m.dependent_coordinates) {
     bool appears = false;
@@ -133,16 +141,16 @@ constexpr problem check_choice(const mechanism& m, const constraints& c,
   }
   const int bound = m.dependent_speeds.size(), placed = m.dependent_coordinates.size();
   if (bound != 0 && bound != c.size())
-    return sentence({several(bound, "dependent speed").view(), " for ",
-                     several(c.size(), "constraint", " on the velocities").view(),
-                     ": there must be as many"});
+    return sentence(
+        {several(bound, m.derived_by == method::kane ? "dependent speed" : "dependent rate").view(), " for ",
+         several(c.size(), "constraint", " on the velocities").view(), ": there must be as many"});
   if (placed != 0 && placed != configuration.rows)
     return sentence({several(placed, "dependent coordinate").view(), " for ",
                      several(configuration.rows, "configuration constraint").view(),
                      ": there must be as many"});
   if (bound != 0 && !detail::can_be_solved(*m.g, c.jacobian, m.dependent_speeds))
     return sentence({"the constraints cannot be solved for the dependent ",
-                     enumerated(m, m.speeds, m.dependent_speeds, "speed").view(), " in any configuration"});
+                     speeds_called(m, m.dependent_speeds).view(), " in any configuration"});
   if (placed != 0 && !detail::can_be_solved(*m.g, configuration, m.dependent_coordinates))
     return sentence({"the configuration constraints cannot be solved for the dependent ",
                      enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),

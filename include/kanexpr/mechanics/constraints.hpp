@@ -116,25 +116,25 @@ constexpr bool holds_whole_velocity(const constraints& c, int i) {
 
 } // namespace detail
 
-/// The rate of constraint `i` at u̇ = 0, γ in J u̇ + γ = 0, for a motion without rates of the speeds.
+/// The rate of constraint `i` in a motion: J u̇ + γ, and γ for a motion without rates of the speeds.
 ///
 /// Of a point's velocity along a direction it is a·d + v·ḋ, with the acceleration that the dynamics know.
-constexpr expression acceleration_bias(motion& k, const constraints& c, int i) {
+constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) {
   const velocity_constraint& own = c.on_velocities[i];
   if (c.node[i] == none) return k.rate(own.value);
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   const vector& v = own.vanishing;
-  expression bias = m.zero();
+  expression rate = m.zero();
   for (const vector::part& d : own.direction.parts) {
-    bias += dot(express(m, k.acceleration(c.node[i]), v.parts[0].frame, d.frame), d.value) -
+    rate += dot(express(m, k.acceleration(c.node[i]), v.parts[0].frame, d.frame), d.value) -
             dot(express(m, k.ground_acceleration(), d.frame), d.value);
     if (detail::holds_whole_velocity(c, i)) continue;
     const components turning = express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
     const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};
-    bias += dot(express(m, v, d.frame), change + cross(turning, d.value));
+    rate += dot(express(m, v, d.frame), change + cross(turning, d.value));
   }
-  return bias;
+  return rate;
 }
 
 } // namespace kanexpr::mechanics

@@ -2,12 +2,13 @@
 
 #include <kanexpr/mechanics/acceleration_constraints.hpp>
 #include <kanexpr/mechanics/kane.hpp>
+#include <kanexpr/mechanics/lagrange.hpp>
 #include <kanexpr/mechanics/reactions.hpp>
 
 namespace kanexpr::mechanics {
 
-/// Kane's equations of a system whose speeds may be bound, and what follows from them. Nothing is formed
-/// before it is asked for, and nothing twice.
+/// The equations of a system whose speeds may be bound, by Kane's method or by Lagrange's, and what follows
+/// from them. Nothing is formed before it is asked for, and nothing twice.
 class dynamics {
 public:
   constexpr dynamics(const skeleton& s, const constraints& c, const partition& speeds)
@@ -18,9 +19,9 @@ public:
   /// How the dependent speeds and their rates follow from the independent ones.
   constexpr const dependent_speeds& dependent() {
     if (has_dependent_) return dependent_;
-    motion k = bias_motion(s_);
+    motion k = motion_on_rising_ground(s_);
     sequence<expression> bias;
-    for (int i = 0; i < constraints_.size(); ++i) bias.push(acceleration_bias(k, constraints_, i));
+    for (int i = 0; i < constraints_.size(); ++i) bias.push(rate_of_constraint(k, constraints_, i));
     dependent_ = solve_for_dependent_speeds(*m_.g, constraints_, speeds_, bias);
     if (!m_.acceleration_constraints.empty()) take_acceleration_constraints();
     has_dependent_ = true;
@@ -33,6 +34,14 @@ public:
       for (int i = 0; i < speeds_.independent.size(); ++i)
         u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
     return u;
+  }
+
+  /// B = M_di + M_dd A.
+  constexpr const symbolic::matrix& coupling() {
+    if (!has_coupling_)
+      coupling_ = mechanics::coupling(*m_.g, free_mass(), speeds_, dependent().on_independent);
+    has_coupling_ = true;
+    return coupling_;
   }
 
   /// M of the independent speeds.
@@ -61,15 +70,40 @@ public:
     return udot_;
   }
 
+  /// F_i + Aᵀ F_d.
+  constexpr sequence<expression> reduce(const sequence<expression>& forces) {
+    return reduced(forces, speeds_, dependent().on_independent);
+  }
+
   /// F_r of the independent speeds.
-  constexpr sequence<expression> active_forces() { return reduce(mechanics::active_forces(s_)); }
+  constexpr sequence<expression> active_forces() {
+    if (by_lagrange()) return reduce(lagrange_.active_forces());
+    return reduce(mechanics::active_forces(s_));
+  }
 
   /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
   constexpr sequence<expression> inertia_forces() {
-    sequence<expression> force = inertia_bias(s_);
+    sequence<expression> force;
+    if (by_lagrange())
+      force = lagrange_.inertia_bias();
+    else
+      force = inertia_bias(s_);
     for (int i = 0; i < m_.speeds.size(); ++i)
       for (int j = 0; j < m_.speeds.size(); ++j) force[i] -= free_mass()(i, j) * m_.speed_rates[j];
     return reduce(force);
+  }
+
+  /// What inertia asks for of all speeds in a motion with the symbols u̇, gravity included: of Kane's method
+  /// F_r* on rising ground, of Lagrange's ∂L/∂q − d/dt ∂L/∂q̇.
+  constexpr sequence<expression> inertia_in(motion& on_rising_ground) {
+    if (by_lagrange()) return lagrange_.inertia_forces(m_.speed_rates);
+    return mechanics::inertia_forces(s_, on_rising_ground);
+  }
+
+  /// The generalized forces of all speeds that `inertia_in` leaves out.
+  constexpr sequence<expression> forces_of_loads() {
+    if (by_lagrange()) return lagrange_.forces_of_loads();
+    return mechanics::forces_of_loads(s_);
   }
 
   /// λ, one for each constraint.
@@ -87,6 +121,8 @@ public:
   }
 
 private:
+  constexpr bool by_lagrange() const { return m_.derived_by == method::lagrange; }
+
   constexpr void take_acceleration_constraints() {
     const symbolic::linear_solution given =
         solve_acceleration_constraints(*m_.g, linear_in_speed_rates(s_), speeds_);
@@ -96,22 +132,20 @@ private:
 
   /// M and f of all ways of moving, as if nothing bound them.
   constexpr const symbolic::matrix& free_mass() {
-    if (free_mass_.rows == 0) free_mass_ = mass_matrix(s_);
+    if (free_mass_.rows != 0) return free_mass_;
+    if (by_lagrange())
+      free_mass_ = lagrange_.mass_matrix();
+    else
+      free_mass_ = mass_matrix(s_);
     return free_mass_;
   }
   constexpr const sequence<expression>& free_force() {
-    if (free_force_.empty()) free_force_ = forcing(s_);
+    if (!free_force_.empty()) return free_force_;
+    if (by_lagrange())
+      free_force_ = lagrange_.forcing();
+    else
+      free_force_ = forcing(s_);
     return free_force_;
-  }
-  constexpr const symbolic::matrix& coupling() {
-    if (!has_coupling_)
-      coupling_ = mechanics::coupling(*m_.g, free_mass(), speeds_, dependent().on_independent);
-    has_coupling_ = true;
-    return coupling_;
-  }
-
-  constexpr sequence<expression> reduce(const sequence<expression>& forces) {
-    return reduced(forces, speeds_, dependent().on_independent);
   }
   constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
     return imbalance(free_mass(), free_force(), accelerations(), ways);
@@ -121,6 +155,7 @@ private:
   const mechanism& m_;
   const constraints& constraints_;
   const partition& speeds_;
+  lagrange_equations lagrange_{s_};
   bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
   dependent_speeds dependent_;
   symbolic::matrix free_mass_, coupling_, mass_, lambda_;

@@ -2,10 +2,15 @@
 
 #include <kanexpr/mechanics/check.hpp>
 #include <kanexpr/mechanics/check_constraints.hpp>
+#include <kanexpr/mechanics/check_lagrange.hpp>
 #include <kanexpr/mechanics/dynamics.hpp>
 #include <kanexpr/mechanics/energy.hpp>
+#include <kanexpr/mechanics/linearizer.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/singular.hpp>
+#include <kanexpr/mechanics/system_form.hpp>
+
+#include <optional>
 
 namespace kanexpr::mechanics {
 
@@ -23,6 +28,7 @@ public:
   constexpr void constrain() {
     is_constrained_ = true;
     mistake_ = check_contents_of_constraints(*m_);
+    if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving());
     if (mistake_) return;
     constraints_ = no_constraints(*m_);
     if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
@@ -50,6 +56,7 @@ public:
 
   constexpr symbolic::matrix get(quantity wanted) {
     if (!is_constrained_) constrain();
+    if (!mistake_) mistake_ = check_bodies(wanted);
     switch (wanted) {
     case quantity::mass_matrix: return mass();
     case quantity::forcing: return column(dynamics_.force());
@@ -76,17 +83,65 @@ public:
     case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
     case quantity::multipliers: return dynamics_.lambda();
     case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
+    case quantity::state_matrix:
+    case quantity::input_matrix:
+    case quantity::implicit_mass_matrix:
+    case quantity::implicit_state_matrix:
+    case quantity::implicit_input_matrix: return in_motion(at_given_rates(wanted));
     }
     return {};
   }
 
+  /// A result with the symbols u̇, for a caller who knows the rates of the speeds.
+  constexpr symbolic::matrix at_given_rates(quantity wanted) {
+    if (!is_constrained_) constrain();
+    if (!mistake_) mass(); // which may be a mistake
+    if (mistake_) return {};
+    switch (wanted) {
+    case quantity::state_matrix: return linearized().explicit_form().state;
+    case quantity::input_matrix: return linearized().explicit_form().input;
+    case quantity::implicit_mass_matrix: return imposed_forces(linearized_in_full().implicit_form().mass);
+    case quantity::implicit_state_matrix: return imposed_forces(linearized_in_full().implicit_form().state);
+    case quantity::implicit_input_matrix: return imposed_forces(linearized_in_full().implicit_form().input);
+    default: return get(wanted);
+    }
+  }
+
+  /// The equations of the independent speeds, linearized.
+  constexpr mechanics::linearizer& linearized() {
+    if (!is_constrained_) constrain();
+    if (!linearizer_.has_value()) linearizer_.emplace(*m_->g, form().reduced());
+    return *linearizer_;
+  }
+
+  /// The same, but by Lagrange's method the equations of all speeds with their multipliers.
+  constexpr mechanics::linearizer& linearized_in_full() {
+    if (!is_constrained_) constrain();
+    if (m_->derived_by == method::kane || constraints_.size() == 0) return linearized();
+    if (!full_linearizer_.has_value()) full_linearizer_.emplace(*m_->g, form().with_multipliers());
+    return *full_linearizer_;
+  }
+
+  /// λ with the symbols u̇, of a system by Lagrange's method with constraints.
+  constexpr symbolic::matrix multipliers_at_given_rates() {
+    const general_form& full = linearized_in_full().form();
+    const sequence<expression> force = summed(full.f_2, full.f_3);
+    sequence<expression> of_dependent;
+    for (int d : speeds_.dependent) of_dependent.push(-force[d]);
+    return multipliers(*m_->g, constraints_, speeds_, of_dependent).x;
+  }
+
   /// An expression with the rates q̇ and u̇ as the equations of motion give them.
-  constexpr expression in_motion(expression e) {
-    e = without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e));
-    if (!holds_speed_rate(e.node())) return e;
+  constexpr expression in_motion(expression e) { return in_motion(column({e})).entries[0]; }
+  constexpr symbolic::matrix in_motion(symbolic::matrix m) {
+    known_rates known(*m_, s_.coordinate_rates);
+    without_auxiliary_speeds drop(*m_);
+    for (expression& e : m.entries) e = drop.in(known.in(e));
+    if (!holds_speed_rate(m)) return m;
     symbolic::substitution accelerated(*m_->g);
     for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);
-    return accelerated.in(e);
+    for (expression& e : m.entries) e = accelerated.in(e);
+    return m;
   }
 
   /// An expression with the dependent speeds as the constraints give them.
@@ -102,6 +157,10 @@ public:
     sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
       for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
+    if (linearizer_.has_value())
+      for (const guard& g :
+           guards_of_coordinates(*m_, coordinates_, linearizer_->variations().coordinate_blocks()))
+        all.push(g);
     return live_guards(*m_->g, all, outputs);
   }
 
@@ -113,8 +172,37 @@ public:
   }
 
 private:
-  constexpr bool holds_speed_rate(int output) const {
-    const sequence<char> live = symbolic::live_nodes(*m_->g, {output});
+  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
+  constexpr problem check_bodies(quantity wanted) const {
+    switch (wanted) {
+    case quantity::kinetic_energy:
+    case quantity::potential_energy:
+    case quantity::linear_momentum:
+    case quantity::angular_momentum:
+    case quantity::center_of_mass:
+      if (m_->has_lagrangian)
+        return sentence({"energies, momenta and the mass centre are those of bodies, and a Lagrangian stands "
+                         "in their place"});
+      return {};
+    default: return {};
+    }
+  }
+
+  constexpr system_form form() { return {s_, constraints_, coordinates_, speeds_, dynamics_}; }
+
+  /// A matrix with the multipliers that go with the rates q̇ and u̇ in it.
+  constexpr symbolic::matrix imposed_forces(symbolic::matrix m) {
+    const general_form& full = linearized_in_full().form();
+    if (full.lambda.empty()) return m;
+    const symbolic::matrix lambda = multipliers_at_given_rates();
+    symbolic::substitution imposed(*m_->g);
+    for (int i = 0; i < lambda.rows; ++i) imposed.replace(full.lambda[i], lambda(i, 0));
+    for (expression& e : m.entries) e = imposed.in(e);
+    return m;
+  }
+
+  constexpr bool holds_speed_rate(const symbolic::matrix& m) const {
+    const sequence<char> live = symbolic::live_nodes(*m_->g, symbolic::nodes_of(m.entries));
     for (const expression& rate : m_->speed_rates)
       if (live[rate.node()] != 0) return true;
     return false;
@@ -184,6 +272,7 @@ private:
   dynamics dynamics_{s_, constraints_, speeds_};
   bool is_constrained_ = false, has_motion_ = false;
   motion motion_;
+  std::optional<mechanics::linearizer> linearizer_, full_linearizer_;
 };
 
 } // namespace kanexpr::mechanics

@@ -4,6 +4,8 @@
 #include <kanexpr/mechanics/central_inertia.hpp>
 #include <kanexpr/mechanics/known_rates.hpp>
 #include <kanexpr/mechanics/motion.hpp>
+#include <kanexpr/mechanics/potential.hpp>
+#include <kanexpr/mechanics/spring.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -22,16 +24,23 @@ public:
     force_[n] += express(m_, value, s_.working_axes[s_.nodes[n].axes]);
   }
 
-  /// Forces and torques of the model; gravity on every body only if it is not taken as an acceleration.
+  /// Loads that have no potential energy.
+  constexpr void add_forces_and_torques() {
+    add_given_loads();
+    add_springs_and_dampers(false);
+  }
+
+  /// All loads of the model; gravity on every body only if it is not taken as an acceleration.
   constexpr void add_loads(bool gravity) {
-    for (const torque& t : m_.torques) add_moment(s_.rigid_with[t.frame], drop_.in(known_.in(t.value)));
-    for (const force& f : m_.forces) add_force(s_.node_of_point[f.point], drop_.in(known_.in(f.value)));
+    add_given_loads();
+    add_springs_and_dampers(true);
+    if (!m_.potential_energies.empty()) add_potential_energies();
     if (!gravity || !m_.has_gravity) return;
     for (const body& b : m_.bodies) add_force(s_.node_of_point[b.center], b.mass * known_.in(m_.gravity));
   }
 
-  /// What inertia asks for at u̇ = 0, with the minus sign of a generalized inertia force.
-  constexpr void add_inertia_bias(motion& k) {
+  /// What inertia asks for in a motion, with the minus sign of a generalized inertia force.
+  constexpr void add_inertia(motion& k) {
     for (const link& l : s_.base_links) {
       const int f = l.frame;
       const path to_working(m_, s_.body_axes[f], s_.working_axes[f]);
@@ -80,6 +89,56 @@ public:
   }
 
 private:
+  constexpr void add_given_loads() {
+    for (const torque& t : m_.torques) add_torque(t.frame, t.against, drop_.in(known_.in(t.value)));
+    for (const force& f : m_.forces) {
+      const vector value = drop_.in(known_.in(f.value));
+      add_force(s_.node_of_point[f.point], value);
+      if (f.against != none) add_force(s_.node_of_point[f.against], -value);
+    }
+  }
+
+  /// Dampers, and springs too if they are not taken by their energy.
+  constexpr void add_springs_and_dampers(bool springs) {
+    if (m_.spring_dampers.empty() && m_.torsional_dampers.empty()) return;
+    motion k(s_);
+    for (const spring_damper& e : m_.spring_dampers) {
+      const stretch line = stretch_of(s_, e);
+      expression pull = m_.zero();
+      if (springs && !e.stiffness.is_zero()) pull = spring_pull(e, line.d);
+      if (!e.damping.is_zero()) pull += drop_.in(known_.in(e.damping)) * rate_of_stretch(k, e, line);
+      if (pull.is_zero()) continue;
+      vector force;
+      force.add(line.axes, pull * line.d);
+      add_force(s_.node_of_point[e.point], -force);
+      add_force(s_.node_of_point[e.other], force);
+    }
+    for (const torsional_damper& e : m_.torsional_dampers)
+      add_torque(e.frame, e.against,
+                 -drop_.in(known_.in(e.damping)) * angular_velocity_between(s_, e.frame, e.against));
+  }
+
+  /// A torque on a frame and its opposite on another. Between neighbours only the speeds of the turning of
+  /// one in the other feel it.
+  constexpr void add_torque(int frame, int against, const vector& value) {
+    const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
+    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
+    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
+    add_moment(f, value);
+    if (b != mechanism::inertial) add_moment(b, -value);
+  }
+
+  /// What a torque does where a frame turns in the one below it.
+  constexpr void add_turning(int f, const vector& value) {
+    for (const direction& w : s_.partial_turning[f])
+      share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
+  }
+
+  constexpr void add_potential_energies() {
+    const sequence<expression> rates = potential_rates(s_);
+    for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
+  }
+
   constexpr components turn(const components& v, int from, int to) const {
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
   }

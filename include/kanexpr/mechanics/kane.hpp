@@ -18,28 +18,41 @@ constexpr sequence<expression> active_forces(const skeleton& s) {
   return f.run();
 }
 
-/// All motion at u̇ = 0, in which the ground falls upwards in place of gravity on every body.
-constexpr motion bias_motion(const skeleton& s) {
-  motion k(s);
+/// All motion, in which the ground falls upwards in place of gravity on every body; without rates of the
+/// speeds at u̇ = 0.
+constexpr motion motion_on_rising_ground(const skeleton& s, const sequence<expression>& udot = {}) {
+  motion k(s, udot);
   if (s.model->has_gravity) k.accelerate_ground(-s.model->gravity);
   return k;
 }
 
-/// F_r* at u̇ = 0: the part of the generalized inertia forces that is not −M u̇.
-constexpr sequence<expression> inertia_bias(const skeleton& s) {
+/// F_r of the loads beside gravity on every body.
+constexpr sequence<expression> forces_of_loads(const skeleton& s) {
   generalized_forces f(s);
-  motion k(s);
-  f.add_inertia_bias(k);
+  f.add_loads(false);
+  return f.run();
+}
+
+/// F_r* of a motion, on ground that rises in place of gravity: inverse dynamics, linear in u̇.
+constexpr sequence<expression> inertia_forces(const skeleton& s, motion& k) {
+  generalized_forces f(s);
+  f.add_inertia(k);
   f.add_changes_of_mass(k);
   return f.run();
+}
+
+/// F_r* at u̇ = 0: the part of the generalized inertia forces that is not −M u̇.
+constexpr sequence<expression> inertia_bias(const skeleton& s) {
+  motion k(s);
+  return inertia_forces(s, k);
 }
 
 /// f = F_r + F_r* at u̇ = 0, in one pass. Gravity on every body enters as an acceleration of the ground.
 constexpr sequence<expression> forcing(const skeleton& s) {
   generalized_forces f(s);
   f.add_loads(false);
-  motion k = bias_motion(s);
-  f.add_inertia_bias(k);
+  motion k = motion_on_rising_ground(s);
+  f.add_inertia(k);
   f.add_changes_of_mass(k);
   return f.run();
 }

@@ -26,8 +26,12 @@ constexpr problem check_linear(const mechanism& m, const contents& held, express
   };
   for (const list& each : {list{m.coordinate_rates, "the rate of coordinate "}, list{m.speeds, "speed "},
                            list{m.auxiliary_speeds, "auxiliary speed "}})
-    for (const expression& s : each.symbols)
-      if (!detail::is_linear(e, s)) return sentence({of, " is not linear in ", each.are, called(m, s)});
+    for (const expression& s : each.symbols) {
+      if (detail::is_linear(e, s)) continue;
+      if (m.derived_by == method::lagrange)
+        return sentence({of, " is not linear in the ", speed_called(m, called(m, s)).view()});
+      return sentence({of, " is not linear in ", each.are, called(m, s)});
+    }
   return {};
 }
 

@@ -141,11 +141,28 @@ struct body {
 struct force {
   int point = none;
   vector value;
+  int against = none; ///< the point that feels the opposite; none: nothing of the system does
 };
 
 struct torque {
   int frame = none;
   vector value;
+  int against = none; ///< the frame that feels the opposite
+};
+
+/// A straight massless spring and a damper beside it. They pull two points to each other with the force
+/// stiffness·(distance − length) + damping·(rate of the distance).
+struct spring_damper {
+  int point = none;
+  int other = none;
+  expression stiffness, length, damping;
+};
+
+/// A torque −damping·(ω_frame − ω_against) on what is fixed in `frame`, and its opposite on `against`.
+struct torsional_damper {
+  int frame = none;
+  int against = none;
+  expression damping;
 };
 
 /// A velocity constraint: a scalar, linear in the speeds, that vanishes. Where it is the component of a
@@ -161,6 +178,12 @@ struct velocity_constraint {
 struct prescribed_rate {
   expression quantity;
   expression rate;
+};
+
+/// How the equations of motion are derived.
+enum class method : unsigned char {
+  kane,
+  lagrange, ///< the speeds are the rates of the coordinates, in their order
 };
 
 /// A mechanical system as plain values: what models written as types are read into, what programs build
@@ -183,8 +206,15 @@ struct mechanism {
   sequence<body> bodies;
   sequence<force> forces;
   sequence<torque> torques;
+  sequence<expression> potential_energies; ///< of coordinates, parameters, time and inputs; others are those
+                                           ///< of gravity and of springs
+  sequence<spring_damper> spring_dampers;
+  sequence<torsional_damper> torsional_dampers;
   bool has_gravity = false;
   vector gravity; ///< acceleration of free fall, on every body
+  method derived_by = method::kane;
+  bool has_lagrangian = false;
+  expression lagrangian; ///< in place of the energies of bodies
 
   static constexpr int inertial = 0;
 
@@ -208,6 +238,14 @@ struct mechanism {
     speeds.push(symbolic::variable(*g, {symbolic::symbol_kind::speed, called, i}));
     speed_rates.push(symbolic::variable(*g, {symbolic::symbol_kind::speed_rate, called, i}));
     return speeds[i];
+  }
+  /// The rate of each coordinate as a speed, which carries its name and a prime.
+  constexpr void take_rates_as_speeds() {
+    for (int i = 0; i < coordinates.size(); ++i) {
+      name rate = g->symbol_at(coordinates[i].node()).called;
+      rate.append("'");
+      kinematics.push(coordinate_rates[i] - speed(rate));
+    }
   }
   constexpr expression parameter(const name& called) {
     const int i = parameters.size();

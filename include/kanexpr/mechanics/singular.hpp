@@ -25,6 +25,19 @@ constexpr sequence<guard> guards_of_rates(const mechanism& m,
   return guards;
 }
 
+constexpr sequence<guard> guards_of_coordinates(const mechanism& m, const partition& coordinates,
+                                                const sequence<symbolic::solved_block>& blocks) {
+  sequence<guard> guards;
+  for (const symbolic::solved_block& b : blocks) {
+    sequence<int> places;
+    for (int d : b.columns) places.push(coordinates.dependent[d]);
+    guards.push({b.key, b.regularity,
+                 sentence({"the constraints cannot be solved for the dependent ",
+                           enumerated(m, m.coordinates, places, "coordinate").view(), " at this state"})});
+  }
+  return guards;
+}
+
 constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& speeds,
                                            const sequence<symbolic::solved_block>& blocks) {
   sequence<guard> guards;
@@ -33,7 +46,7 @@ constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& 
     for (int d : b.columns) places.push(speeds.dependent[d]);
     guards.push({b.key, b.regularity,
                  sentence({"the constraints cannot be solved for the dependent ",
-                           enumerated(m, m.speeds, places, "speed").view(), " at this state"})});
+                           speeds_called(m, places).view(), " at this state"})});
   }
   return guards;
 }

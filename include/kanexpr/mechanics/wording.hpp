@@ -34,4 +34,28 @@ constexpr problem enumerated(const mechanism& m, const sequence<expression>& sym
   return p;
 }
 
+/// "speed u1"; of Lagrange's method "rate of coordinate q1".
+constexpr problem speed_called(const mechanism& m, std::string_view speed) {
+  if (m.derived_by == method::kane) return sentence({"speed ", speed});
+  return sentence({"rate of coordinate ", speed.substr(0, speed.size() - 1)});
+}
+
+/// "rate of speed u1"; of Lagrange's method "second derivative of coordinate q1".
+constexpr problem speed_rate_called(const mechanism& m, std::string_view speed) {
+  if (m.derived_by == method::kane) return sentence({"rate of speed ", speed});
+  return sentence({"second derivative of coordinate ", speed.substr(0, speed.size() - 1)});
+}
+
+/// "speeds u1 and u2"; of Lagrange's method "rates of coordinates q1 and q2".
+constexpr problem speeds_called(const mechanism& m, const sequence<int>& places) {
+  if (m.derived_by == method::kane) return enumerated(m, m.speeds, places, "speed");
+  return sentence({places.size() == 1 ? "rate of " : "rates of ",
+                   enumerated(m, m.coordinates, places, "coordinate").view()});
+}
+
+/// "speed"; of Lagrange's method "rate of a coordinate".
+constexpr std::string_view a_speed(const mechanism& m) {
+  return m.derived_by == method::kane ? "speed" : "rate of a coordinate";
+}
+
 } // namespace kanexpr::mechanics

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/check.hpp>
 #include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
+#include <kanexpr/mechanics/loads.hpp>
 #include <kanexpr/mechanics/orientation.hpp>
 #include <kanexpr/mechanics/orientation_kinematics.hpp>
 #include <kanexpr/mechanics/points.hpp>
@@ -54,13 +55,25 @@ public:
   }
   /// A speed that is zero at all times and brings out a force that does no work.
   expression auxiliary_speed(std::string_view u) { return inspect_.fresh_symbol(u), m_.auxiliary_speed(u); }
+  /// Lagrange's method: the rates of the coordinates, which are there already, take the place of speeds.
+  void rates_as_speeds() {
+    m_.derived_by = mechanics::method::lagrange;
+    m_.take_rates_as_speeds();
+  }
+  /// In place of bodies, after `rates_as_speeds`.
+  void lagrangian(expression energy) {
+    if (!inspect_.own(energy, "the Lagrangian")) return;
+    m_.has_lagrangian = true;
+    m_.lagrangian = energy;
+  }
   expression time() const { return m_.time; }
   expression number(double value) const { return m_.number(value); }
 
   /// The rate of a coordinate, speed or prescribed quantity.
   expression dot(expression e) {
     if (e.lives_in(graph_)) {
-      if (const int q = m_.coordinates.find(e); q >= 0) return m_.coordinate_rates[q];
+      if (const int q = m_.coordinates.find(e); q >= 0)
+        return m_.derived_by == mechanics::method::lagrange ? m_.speeds[q] : m_.coordinate_rates[q];
       if (const int u = m_.speeds.find(e); u >= 0) return m_.speed_rates[u];
       for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
         if (p.quantity == e) return p.rate;
@@ -210,12 +223,51 @@ public:
     if (inspect_.present(on, "a torque") && inspect_.own(value, "a torque"))
       mechanics::add_torque(m_, place(on), value);
   }
+  /// A force on a point, and the opposite on another.
+  void force_between(point_id at, point_id other, const vector& value) {
+    if (both(at, other, "a force") && inspect_.own(value, "a force"))
+      mechanics::add_force(m_, place(at), value, place(other));
+  }
+  /// A torque on a frame, and the opposite on another.
+  void torque_between(frame_id on, frame_id other, const vector& value) {
+    if (both(on, other, "a torque") && inspect_.own(value, "a torque"))
+      mechanics::add_torque(m_, place(on), value, place(other));
+  }
   /// The acceleration of free fall of every body.
   void gravity(const vector& acceleration) {
     if (m_.has_gravity)
       inspect_.fail({"gravity is given twice"});
     else if (inspect_.own(acceleration, "gravity"))
       mechanics::set_gravity(m_, acceleration);
+  }
+  /// Of coordinates, parameters, time and inputs.
+  void potential_energy(expression energy) {
+    if (inspect_.own(energy, "a potential energy")) m_.potential_energies.push(energy);
+  }
+  /// A straight spring, which pulls two points to each other with stiffness·(distance − natural length).
+  void spring(point_id at, point_id other, expression stiffness, expression natural_length) {
+    if (both(at, other, "a spring") && inspect_.own({stiffness, natural_length}, "a spring"))
+      mechanics::add_spring(m_, place(at), place(other), stiffness, natural_length);
+  }
+  void spring(point_id at, point_id other, expression stiffness) { spring(at, other, stiffness, m_.zero()); }
+  /// Pulls two points to each other with damping·(rate of their distance).
+  void damper(point_id at, point_id other, expression damping) {
+    if (both(at, other, "a damper") && inspect_.own(damping, "a damper"))
+      mechanics::add_damper(m_, place(at), place(other), damping);
+  }
+  /// Turns an angle back to where it is at rest, with stiffness·(angle − rest).
+  void torsional_spring(expression angle, expression stiffness, expression rest) {
+    constexpr std::string_view whose = "a torsional spring";
+    if (inspect_.own(angle, whose) && inspect_.own(stiffness, whose) && inspect_.own(rest, whose))
+      mechanics::add_torsional_spring(m_, angle, stiffness, rest);
+  }
+  void torsional_spring(expression angle, expression stiffness) {
+    torsional_spring(angle, stiffness, m_.zero());
+  }
+  /// A torque −damping·ω on a frame that turns with ω in another, and the opposite on that.
+  void torsional_damper(frame_id on, frame_id other, expression damping) {
+    if (both(on, other, "a torsional damper") && inspect_.own(damping, "a torsional damper"))
+      mechanics::add_torsional_damper(m_, place(on), place(other), damping);
   }
 
   // ---- constraints; what vanishes may hold velocities that `mechanics::equations` knew before
@@ -262,6 +314,11 @@ public:
 private:
   std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }
   std::string_view name_of(point_id p) const { return m_.points[place(p)].called.view(); }
+
+  template <class Id>
+  bool both(Id first, Id second, std::string_view whom) {
+    return inspect_.present(first, whom) && inspect_.present(second, whom);
+  }
 
   bool new_frame(std::string_view called, frame_id parent) {
     return inspect_.fresh("frames", called, m_.frames) && inspect_.present(parent, called);

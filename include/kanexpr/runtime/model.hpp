@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/derivation/derivation.hpp>
+#include <kanexpr/derivation/linearization_request.hpp>
 #include <kanexpr/mechanics/print_vector.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
+#include <kanexpr/runtime/linearization.hpp>
+#include <kanexpr/runtime/point_reader.hpp>
 #include <kanexpr/symbolic/latex.hpp>
 #include <kanexpr/symbolic/print.hpp>
 
@@ -58,6 +61,27 @@ public:
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
   symbolic::matrix auxiliary_forces() { return get(mechanics::quantity::auxiliary_forces); }
+
+  /// The system linearized about an operating point, in up to three sets of values that are merged:
+  /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
+  runtime::linearization linearize(const operating_point& at = {}, const operating_point& second = {},
+                                   const operating_point& third = {}) {
+    runtime::point_reader reader(system_);
+    const std::vector<symbolic::replacement> values = reader.read(at.with(second).with(third));
+    return {system_.equations(), values, reader.problems()};
+  }
+
+  /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
+  template <auto... measured>
+  symbolic::matrix measured_by() {
+    symbolic::matrix all(graph(), 0, 1);
+    const auto add = [&](const symbolic::matrix& m) {
+      for (const symbolic::expression& e : m.entries) all.entries.push(e);
+    };
+    (add(derivation::request<measured>::with_rates(system_.reader(), system_.equations())), ...);
+    all.rows = all.entries.size();
+    return all;
+  }
 
   /// A vector or scalar with the dependent speeds as the constraints give them.
   symbolic::expression imposed(symbolic::expression e) { return equations().imposed(e); }

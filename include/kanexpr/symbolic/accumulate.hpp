@@ -1,21 +1,27 @@
 #pragma once
 
+#include <kanexpr/symbolic/canonical_order.hpp>
 #include <kanexpr/symbolic/differentiate.hpp>
 
 namespace kanexpr::symbolic {
 
 /// Reverse accumulation: the gradient of Σ seed·output by every symbol, in one pass over the graph.
 ///
-/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Add the outputs with `seed`, then `run`
-/// once, then ask for the gradient by any symbol.
+/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Give some of the outputs a weight with
+/// `seed`, then `run` once, then ask for the gradient by any symbol; `restart` for other weights.
 class accumulation {
 public:
-  constexpr explicit accumulation(graph& g) : graph_(&g), adjoints_(g.size(), graph::zero) {}
+  constexpr accumulation(graph& g, const sequence<expression>& outputs)
+      : graph_(&g), adjoints_(g.size(), graph::zero), order_(users_first(g, nodes_of(outputs))) {}
 
   constexpr void seed(expression output, expression weight) { collect(output.node(), weight); }
 
+  constexpr void restart() {
+    for (int id : order_) adjoints_[id] = graph::zero;
+  }
+
   constexpr void run() {
-    for (int id = adjoints_.size() - 1; id >= 0; --id) {
+    for (int id : order_) {
       const node n = (*graph_)[id];
       if (adjoints_[id] == graph::zero || is_leaf(n.op)) continue;
       if (n.op == operation::component) {
@@ -28,6 +34,10 @@ public:
       }
       if (n.op == operation::regularity) continue;
       const expression adjoint{*graph_, adjoints_[id]};
+      if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
+        collect(n.a, (2 * adjoint) * expression{*graph_, n.a});
+        continue;
+      }
       const partials p = local_partials(*graph_, id);
       collect(n.a, p.by_a * adjoint);
       if (is_binary(n.op)) collect(n.b, p.by_b * adjoint);
@@ -65,6 +75,7 @@ private:
 
   graph* graph_;
   sequence<int> adjoints_;
+  sequence<int> order_; ///< of the nodes that the outputs rest on
 };
 
 } // namespace kanexpr::symbolic

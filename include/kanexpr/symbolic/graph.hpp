@@ -5,6 +5,8 @@
 #include <kanexpr/symbolic/sequence.hpp>
 #include <kanexpr/symbolic/symbol.hpp>
 
+#include <bit>
+
 namespace kanexpr::symbolic {
 
 /// One operation; its operands are the numbers of earlier nodes.
@@ -69,11 +71,10 @@ public:
 
 private:
   static constexpr unsigned hash(const number& value) {
-    const double bounded = value.real > -1e9 && value.real < 1e9 ? value.real : 0;
     const std::uint64_t fraction =
         static_cast<std::uint64_t>(value.numerator) * 31 + static_cast<std::uint64_t>(value.denominator);
-    return hash(operation::constant, static_cast<int>(fraction),
-                static_cast<int>(static_cast<std::int64_t>(bounded * 65536.0)));
+    const auto real = std::bit_cast<std::uint64_t>(value.real);
+    return hash(operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32)));
   }
   static constexpr unsigned hash(operation op, int a, int b) {
     const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^

@@ -37,6 +37,7 @@ enum class symbol_kind : unsigned char {
   coordinate_rate, ///< dq/dt
   speed_rate,      ///< du/dt
   auxiliary_speed, ///< zero at all times
+  multiplier,      ///< Lagrange's, the force of a constraint
 };
 
 struct symbol {

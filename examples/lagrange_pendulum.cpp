@@ -1,0 +1,39 @@
+// A pendulum by the coordinates of its bob, by Lagrange's method: the equations, and how its string pulls.
+#include "report.hpp"
+
+#include <kanexpr/assemble.hpp>
+#include <kanexpr/symbolic.hpp>
+#include <models/pendulum_nonminimal.hpp>
+
+#include <iostream>
+
+int main() {
+  using namespace pendulum_nonminimal;
+  using eom = kanexpr::equations_of_motion<LagrangeSystem>;
+
+  auto model = kanexpr::derive<LagrangeSystem>();
+  std::cout << "M of q2'': " << kanexpr::symbolic::print(model.mass_matrix()(0, 0))
+            << "\nf:        " << kanexpr::symbolic::print(model.forcing()(0, 0))
+            << "\nlambda:   " << kanexpr::symbolic::print(model.multipliers()(0, 0)) << "\n\n";
+
+  eom::parameters p;
+  p[m] = 1.3;
+  p[L] = 0.7;
+  p[g] = 9.81;
+
+  report check("lagrange_pendulum", 1e-12);
+  for (const double aside : {-0.45, 0.0, 0.3}) {
+    eom::state x;
+    x[q2] = aside;
+    x[q1] = 0.6; // about; the string is stretched by `assemble`
+    x[dot(q2)] = 1.2;
+    if (!kanexpr::assemble<LagrangeSystem>(x, p)) return 1;
+    std::printf("the bob is at (%.4f, %.4f) and moves with (%.4f, %.4f)\n", x[q1], x[q2], x[dot(q1)],
+                x[dot(q2)]);
+    // The multiplier of q1^2 + q2^2 == L^2 acts along (2 q1, 2 q2).
+    const double squared_speed = x[dot(q1)] * x[dot(q1)] + x[dot(q2)] * x[dot(q2)];
+    check("pull of the string", -2 * p[L] * eom::multipliers(x, p)(0),
+          p[m] * (squared_speed + p[g] * x[q1]) / p[L]);
+  }
+  return check.exit_code();
+}

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+#include <utility>
+
+/// An arm of six links with every length and inertial parameter a symbol, 76 in all: the first link turns
+/// about the vertical, the others about axes of their own, with a wrist at the end.
+namespace arm6 {
+
+using namespace kanexpr;
+
+template <int i>
+constexpr coordinate<"q", i> q;
+template <int i>
+constexpr speed<"u", i> u;
+template <int i>
+constexpr input<"T", i> T;
+constexpr parameter<"g"> g;
+
+template <int i>
+constexpr parameter<"m", i> m;
+template <int i>
+constexpr parameter<"x", i> x; // of the mass centre, in the link's own axes
+template <int i>
+constexpr parameter<"y", i> y;
+template <int i>
+constexpr parameter<"z", i> z;
+template <int i>
+constexpr parameter<"Ixx", i> Ixx;
+template <int i>
+constexpr parameter<"Iyy", i> Iyy;
+template <int i>
+constexpr parameter<"Izz", i> Izz;
+template <int i>
+constexpr parameter<"Ixy", i> Ixy;
+template <int i>
+constexpr parameter<"Iyz", i> Iyz;
+template <int i>
+constexpr parameter<"Izx", i> Izx;
+template <int i>
+constexpr parameter<"a", i> a; // of the next joint, in the link's own axes
+template <int i>
+constexpr parameter<"b", i> b;
+template <int i>
+constexpr parameter<"d", i> d;
+
+struct N : inertial_frame<N> {}; // z points up
+struct O : origin<O, N> {};
+
+template <int i>
+struct Link;
+template <>
+struct Link<1> : rotated<Link<1>, N, q<1>, N::z> {};
+template <>
+struct Link<2> : rotated<Link<2>, Link<1>, q<2>, Link<1>::y> {};
+template <>
+struct Link<3> : rotated<Link<3>, Link<2>, q<3>, Link<2>::y> {};
+template <>
+struct Link<4> : rotated<Link<4>, Link<3>, q<4>, Link<3>::x> {};
+template <>
+struct Link<5> : rotated<Link<5>, Link<4>, q<5>, Link<4>::y> {};
+template <>
+struct Link<6> : rotated<Link<6>, Link<5>, q<6>, Link<5>::x> {};
+
+/// Joint i, on which link i turns.
+template <int i>
+struct Joint : offset<Joint<i>, Joint<i - 1>,
+                      a<i - 1> * Link<i - 1>::x + b<i - 1> * Link<i - 1>::y + d<i - 1> * Link<i - 1>::z> {};
+template <>
+struct Joint<1> : offset<Joint<1>, O, 0 * N::x> {};
+
+template <int i>
+struct Center : offset<Center<i>, Joint<i>, x<i> * Link<i>::x + y<i> * Link<i>::y + z<i> * Link<i>::z> {};
+template <int i>
+struct Body : rigid_body<Body<i>, Center<i>, Link<i>, m<i>,
+                         inertia<Link<i>, Ixx<i>, Iyy<i>, Izz<i>, Ixy<i>, Iyz<i>, Izx<i>>> {};
+
+struct System : kane_system<inertial<N>, coordinates<q<1>, q<2>, q<3>, q<4>, q<5>, q<6>>,
+                            speeds<u<1>, u<2>, u<3>, u<4>, u<5>, u<6>>,
+                            kinematics<dot(q<1>) == u<1>, dot(q<2>) == u<2>, dot(q<3>) == u<3>,
+                                       dot(q<4>) == u<4>, dot(q<5>) == u<5>, dot(q<6>) == u<6>>,
+                            inputs<T<1>, T<2>, T<3>, T<4>, T<5>, T<6>>,
+                            bodies<Body<1>, Body<2>, Body<3>, Body<4>, Body<5>, Body<6>>,
+                            loads<gravity<-g * N::z>, torque<Link<1>, T<1> * N::z>,
+                                  torque<Link<2>, T<2> * Link<1>::y>, torque<Link<1>, -T<2> * Link<1>::y>,
+                                  torque<Link<3>, T<3> * Link<2>::y>, torque<Link<2>, -T<3> * Link<2>::y>,
+                                  torque<Link<4>, T<4> * Link<3>::x>, torque<Link<3>, -T<4> * Link<3>::x>,
+                                  torque<Link<5>, T<5> * Link<4>::y>, torque<Link<4>, -T<5> * Link<4>::y>,
+                                  torque<Link<6>, T<6> * Link<5>::x>, torque<Link<5>, -T<6> * Link<5>::x>>> {
+};
+
+} // namespace arm6

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <kanexpr/compiled/function.hpp>
+#include <kanexpr/derivation/linearization_request.hpp>
+
+#include <array>
+
+namespace kanexpr {
+
+/// A system linearized about any operating point that satisfies its constraints, as compiled functions of the
+/// state, the parameters and the inputs: `const auto [A, B] = linearization<System>::explicit_form(x, p, r);`
+///
+/// The states are the independent coordinates, then the independent speeds; the inputs are all that is
+/// neither state, parameter nor time, prescribed quantities and their derivatives among them. The derivatives
+/// are exact.
+template <class System>
+struct linearization {
+  using quantity = mechanics::quantity;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
+
+  static constexpr int states = known.states();
+
+  /// A and B in δẋ_i = A δx_i + B δr.
+  static constexpr function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
+
+  /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr: first the kinematic differential equations, then the rates
+  /// of the constraints, then the dynamics: by Kane's method those of the independent speeds, by Lagrange's
+  /// those of all speeds with the multipliers λ.
+  static constexpr function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
+                            quantity::implicit_input_matrix>
+      implicit_form{};
+
+  /// The same at rates of the speeds that are known already: f(x, p, r, udot).
+  static constexpr function<System, derivation::at_given_rates{quantity::state_matrix},
+                            derivation::at_given_rates{quantity::input_matrix}>
+      explicit_form_at{};
+  static constexpr function<System, derivation::at_given_rates{quantity::implicit_mass_matrix},
+                            derivation::at_given_rates{quantity::implicit_state_matrix},
+                            derivation::at_given_rates{quantity::implicit_input_matrix}>
+      implicit_form_at{};
+
+  /// C and D in δy = C δx_i + D δr of what sensors measure, expressions of the model, which may hold
+  /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector counts by its
+  /// components.
+  template <auto... measured>
+  static constexpr function<System, derivation::sensitivity<false, measured...>{},
+                            derivation::sensitivity<true, measured...>{}>
+      outputs{};
+
+  /// Where the states of the linearized equations stand in [q; u].
+  static constexpr std::array<int, static_cast<std::size_t>(states)> places = [] {
+    std::array<int, static_cast<std::size_t>(states)> found{};
+    std::size_t next = 0;
+    for (int i = 0; i < known.coordinates + known.speeds; ++i)
+      if (!known.dependent[i] && next < found.size()) found[next++] = i;
+    return found;
+  }();
+
+  /// P in [q; u] = P [q_i; u_i; q_d; u_d].
+  static Eigen::Matrix<double, known.coordinates + known.speeds, known.coordinates + known.speeds>
+  permutation() {
+    constexpr int size = known.coordinates + known.speeds;
+    Eigen::Matrix<double, size, size> p = Eigen::Matrix<double, size, size>::Zero();
+    int column = 0;
+    for (const bool dependent : {false, true})
+      for (int i = 0; i < size; ++i)
+        if (known.dependent[i] == dependent) p(i, column++) = 1;
+    return p;
+  }
+
+  /// Operations of one call of a function.
+  template <auto... wanted>
+  static constexpr symbolic::cost cost(function<System, wanted...> f) {
+    return f.cost();
+  }
+};
+
+} // namespace kanexpr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <kanexpr/describe/system.hpp>
+
+namespace kanexpr {
+
+/// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, in place of
+/// bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
+template <auto expression>
+struct lagrangian {
+  static constexpr std::string_view word = "lagrangian";
+  static constexpr void tell(describe::system_record& r) {
+    r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<expression>>::all;
+  }
+};
+
+/// A system whose equations of motion Lagrange's method gives, told in any order:
+/// `struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};`
+/// The rates of the coordinates take the place of speeds and stand in the state, [q; dq/dt].
+template <class... Words>
+struct lagrange_system : describe::system_told_by<describe::method::lagrange, Words...> {};
+
+} // namespace kanexpr

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kanexpr/lower/scalar_math.hpp>
+
+#include <complex>
+
+namespace kanexpr::lower {
+
+/// Complex numbers as they are needed to differentiate by complex steps: what looks at magnitudes and signs
+/// looks at the real part, so that every function stays analytic. Squire & Trapp, Using complex variables to
+/// estimate derivatives of real functions, SIAM Review 40 (1998).
+template <class Real>
+struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>> {
+  using number = std::complex<Real>;
+
+  static number sign(const number& x) { return scalar_math<Real>::sign(x.real()); }
+  static bool exceeds(const number& x, double bound) { return scalar_math<Real>::exceeds(x.real(), bound); }
+  static void exchange_if_positive(const number& d, number& a, number& b) {
+    if (d.real() > Real(0)) std::swap(a, b);
+  }
+  /// The angle of the real parts, corrected to first order.
+  static number atan2(const number& y, const number& x) {
+    const Real square = x.real() * x.real() + y.real() * y.real();
+    return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};
+  }
+
+  template <symbolic::operation op>
+  static number by_name(const number& x) {
+    if constexpr (op == symbolic::operation::abs)
+      return x * sign(x);
+    else if constexpr (op == symbolic::operation::sign)
+      return sign(x);
+    else
+      return default_scalar_math<number>::template by_name<op>(x);
+  }
+};
+
+} // namespace kanexpr::lower

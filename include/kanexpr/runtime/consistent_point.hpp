@@ -1,0 +1,111 @@
+#pragma once
+
+#include <kanexpr/mechanics/contents.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/symbolic/limit.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace kanexpr::runtime {
+
+/// An operating point completed by the rates and multipliers of the motion there, and checked against the
+/// equations of the system.
+class consistent_point {
+public:
+  consistent_point(mechanics::equations& e, const std::vector<symbolic::replacement>& given)
+      : form_(e.linearized_in_full().form()), g_(*e.skeleton_used().model->g), is_empty_(given.empty()),
+        all_(given) {
+    const bool knows_rates = names_any(form_.qdot),
+               knows_accelerations = names_any(form_.udot) || names_any(form_.lambda);
+    check(form_.f_c, "configuration constraint ");
+    check(form_.f_v, "velocity constraint ");
+    complete(form_.qdot, form_.known.qdot);
+    if (!names_all(form_.udot)) complete(form_.udot, e.get(mechanics::quantity::udot).entries);
+    if (!form_.lambda.empty()) complete(form_.lambda, e.multipliers_at_given_rates().entries);
+    if (knows_rates) check(mechanics::summed(form_.f_0, form_.f_1), "kinematic differential equation ");
+    if (!knows_accelerations) return;
+    check(form_.f_a, "the rate of velocity constraint ");
+    check(mechanics::summed(mechanics::summed(form_.f_2, form_.f_3), form_.f_4),
+          "dynamic differential equation ");
+  }
+
+  /// Whether no symbol has a value.
+  bool is_empty() const { return is_empty_; }
+
+  symbolic::point_values values(const symbolic::matrix& m) { return symbolic::limits_at(g_, m, all_); }
+
+  /// The equations that the point does not satisfy, as sentences.
+  const std::vector<std::string>& problems() const { return problems_; }
+
+private:
+  using symbols = symbolic::sequence<symbolic::expression>;
+  static constexpr double tolerance = 1e-9;
+
+  bool names(symbolic::expression symbol) const {
+    for (const symbolic::replacement& r : all_)
+      if (r.symbol == symbol) return true;
+    return false;
+  }
+  bool names_any(const symbols& wanted) const {
+    for (const symbolic::expression& e : wanted)
+      if (names(e)) return true;
+    return false;
+  }
+  bool names_all(const symbols& wanted) const {
+    for (const symbolic::expression& e : wanted)
+      if (!names(e)) return false;
+    return true;
+  }
+
+  /// Gives the symbols that the point does not name the values that expressions have there.
+  void complete(const symbols& wanted, const symbols& expressions) {
+    symbolic::matrix column(g_, wanted.size(), 1);
+    column.entries = expressions;
+    const symbolic::point_values found = values(column);
+    for (const symbolic::singularity& s : found.singular)
+      if (!names(wanted[s.row]))
+        problems_.push_back(symbolic::print(wanted[s.row]) +
+                            " has no value at the operating point: " + s.condition);
+    std::vector<symbolic::replacement> added;
+    for (int i = 0; i < wanted.size(); ++i)
+      if (!names(wanted[i])) added.push_back({wanted[i], found.values.entries[i]});
+    all_.insert(all_.end(), added.begin(), added.end());
+  }
+
+  /// Equations that still hold a coordinate, a speed or a rate may be satisfied by what is left open.
+  void check(const symbols& zero, const std::string& what) {
+    using kind = symbolic::symbol_kind;
+    symbolic::matrix column(g_, zero.size(), 1);
+    column.entries = zero;
+    const symbols left = values(column).values.entries;
+    const mechanics::contents held(g_);
+    for (int i = 0; i < left.size(); ++i) {
+      if (held.holds_any(left[i], {kind::coordinate, kind::speed, kind::coordinate_rate, kind::speed_rate,
+                                   kind::multiplier}))
+        continue;
+      if (vanishes(left[i])) continue;
+      problems_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
+                          ": it leaves " + symbolic::print(left[i]));
+    }
+  }
+
+  /// Whether an expression is zero at two generic values of the symbols that it holds.
+  bool vanishes(symbolic::expression e) const {
+    for (const double first : {0.7312, 1.2931}) {
+      const auto any = [&](int id) { return 0.4 + std::fmod(first * (id + 1), 1.0); };
+      const double value = symbolic::values_at(g_, {e.node()}, any)[0];
+      if (!(std::abs(value) <= tolerance)) return false;
+    }
+    return true;
+  }
+
+  const mechanics::general_form& form_;
+  symbolic::graph& g_;
+  bool is_empty_;
+  std::vector<symbolic::replacement> all_; ///< what is given, then what follows from it
+  std::vector<std::string> problems_;
+};
+
+} // namespace kanexpr::runtime

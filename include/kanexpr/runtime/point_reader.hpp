@@ -1,0 +1,110 @@
+#pragma once
+
+#include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derivation/wording.hpp>
+#include <kanexpr/runtime/operating_point.hpp>
+#include <kanexpr/symbolic/limit.hpp>
+
+#include <optional>
+
+namespace kanexpr::runtime {
+
+/// Finds the symbols of an operating point in a system that was derived. A parameter that only the operating
+/// point speaks of, such as the speed of a vehicle, becomes one more parameter.
+class point_reader {
+public:
+  explicit point_reader(derivation::derived_system& system) : system_(system), m_(system.model()) {}
+
+  std::vector<symbolic::replacement> read(const operating_point& point) {
+    std::vector<symbolic::replacement> found;
+    for (const operating_point::entry& e : point.entries()) {
+      const std::optional<symbolic::expression> symbol = symbol_of(e.what);
+      if (!symbol.has_value()) {
+        problems_.push_back("the operating point names " + e.what.name() +
+                            ", which the system does not have");
+        continue;
+      }
+      if (const std::optional<symbolic::expression> value = value_of(e)) found.push_back({*symbol, *value});
+    }
+    return found;
+  }
+
+  /// What could not be read, as sentences.
+  const std::vector<std::string>& problems() const { return problems_; }
+
+private:
+  using symbols = symbolic::sequence<symbolic::expression>;
+
+  /// The symbol among some that are named, or its partner in another list.
+  std::optional<symbolic::expression> find(const symbols& named, std::string_view name,
+                                           const symbols& partners) const {
+    for (int i = 0; i < named.size(); ++i)
+      if (mechanics::called(m_, named[i]) == name) return partners[i];
+    return std::nullopt;
+  }
+
+  std::optional<symbolic::expression> symbol_of(const point_name& what) const {
+    return what.symbol() != nullptr ? symbol_of(*what.symbol()) : symbol_of(std::string_view(what.name()));
+  }
+
+  std::optional<symbolic::expression> symbol_of(const describe::symbol_record& r) const {
+    using symbolic::symbol_kind;
+    const std::string_view name = r.called.view();
+    switch (r.kind) {
+    case symbol_kind::time: return m_.time;
+    case symbol_kind::coordinate: return find(m_.coordinates, name, m_.coordinates);
+    case symbol_kind::speed: return find(m_.speeds, name, m_.speeds);
+    case symbol_kind::parameter: return find(m_.parameters, name, m_.parameters);
+    case symbol_kind::input: return find(m_.inputs, name, m_.inputs);
+    case symbol_kind::coordinate_rate:
+      return find(m_.coordinates, name, is_by_lagrange() ? m_.speeds : m_.coordinate_rates);
+    case symbol_kind::speed_rate: return find(m_.speeds, name, m_.speed_rates);
+    default: return std::nullopt;
+    }
+  }
+
+  std::optional<symbolic::expression> symbol_of(std::string_view name) const {
+    for (const symbols* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs})
+      if (const auto found = find(*list, name, *list)) return found;
+    if (name == "t") return m_.time;
+    if (!name.ends_with('\'')) return multiplier_called(name);
+    name.remove_suffix(1);
+    if (const auto found = find(m_.coordinates, name, m_.coordinate_rates)) return found;
+    return find(m_.speeds, name, m_.speed_rates);
+  }
+
+  std::optional<symbolic::expression> multiplier_called(std::string_view name) const {
+    const symbolic::graph& g = system_.graph();
+    for (int i = 0; i < g.symbols().size(); ++i)
+      if (g.symbols()[i].kind == symbolic::symbol_kind::multiplier && g.symbols()[i].called.view() == name)
+        return symbolic::variable(system_.graph(), g.symbols()[i]);
+    return std::nullopt;
+  }
+
+  bool is_by_lagrange() const { return m_.derived_by == mechanics::method::lagrange; }
+
+  std::optional<symbolic::expression> value_of(const operating_point::entry& e) {
+    if (const auto* number = std::get_if<symbolic::number>(&e.value.held()))
+      return symbolic::constant(system_.graph(), *number);
+    if (const auto* given = std::get_if<symbolic::expression>(&e.value.held())) return *given;
+    const auto& words = std::get<point_value::phrase>(e.value.held());
+    for (const describe::token& t : words) {
+      if (t.symbol == nullptr) continue;
+      if (t.symbol->kind == symbolic::symbol_kind::parameter)
+        system_.reader().admit_parameter(*t.symbol);
+      else if (!symbol_of(*t.symbol).has_value()) {
+        problems_.push_back("the value of " + e.what.name() + " at the operating point holds " +
+                            std::string(t.symbol->called.view()) + ", which the system does not have");
+        return std::nullopt;
+      }
+    }
+    const describe::phrase whole{describe::shape::scalar, words.data(), static_cast<int>(words.size())};
+    return system_.reader().evaluate(whole, "the operating point").scalar;
+  }
+
+  derivation::derived_system& system_;
+  const mechanics::mechanism& m_;
+  std::vector<std::string> problems_;
+};
+
+} // namespace kanexpr::runtime

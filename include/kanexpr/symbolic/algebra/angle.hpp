@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
+
+namespace kanexpr::symbolic::algebra {
+
+/// Polynomials in nodes and in exponentials e^{iθ/720720}, where θ is a node with the number ~base. Sines and
+/// cosines of sums of θ with any fractions up to sixteenths in front are monomials of these, and a sum of
+/// different ones is never zero: a function has one such form only.
+using trigonometric_polynomial = polynomial<gaussian>;
+
+inline constexpr std::int64_t parts_of_angle = 720'720; // the least common multiple of 1 to 16
+
+/// Without terms that hold exponentials, or one that is no real number: nothing.
+inline std::optional<real_polynomial> without_angles(const trigonometric_polynomial& p) {
+  real_polynomial real;
+  for (const term<gaussian>& t : p.terms) {
+    if (!t.coefficient.imaginary.is_zero()) return std::nullopt;
+    if (std::ranges::any_of(t.factors, [](const factor& f) { return f.base < 0; })) return std::nullopt;
+    real.terms.push_back({t.factors, t.coefficient.real});
+  }
+  return real;
+}
+
+/// Angles as sums of multiples of nodes, in both directions.
+class angles {
+public:
+  explicit angles(graph& g) : g_(g) {}
+
+  /// e^{iθ} of a sum θ. A multiple that is no such fraction, as a decimal number, belongs to an angle of its
+  /// own, and nothing is known of how that depends on others.
+  monomial exponential(const real_polynomial& angle) {
+    monomial all;
+    for (const term<rational>& t : angle.terms) {
+      const rational parts = t.coefficient * rational(parts_of_angle);
+      constexpr std::int64_t most_turns = 1 << 20;
+      if (parts.is_whole() && abs(parts.above()) <= most_turns * parts_of_angle) {
+        const int node = term_in(g_, {t.factors, 1}).node();
+        factors_.emplace(node, t.factors);
+        all = times(all, {{~node, parts.above().convert_to<std::int64_t>()}});
+      } else {
+        all = times(all, of_its_own(term_in(g_, {t.factors, measure_of(t.coefficient)}).node(),
+                                    t.coefficient.is_negative() ? -1 : 1));
+      }
+    }
+    return all;
+  }
+  monomial of_its_own(int node, int sign) { return {{~node, sign * parts_of_angle}}; }
+
+  /// What an angle is a product of; nothing for one of its own.
+  const monomial* factors_of(int node) const {
+    const auto known = factors_.find(node);
+    return known == factors_.end() ? nullptr : &known->second;
+  }
+
+  /// The same in sines and cosines of sums, as symbols. What is read is real: to each exponential belongs the
+  /// conjugate one.
+  real_polynomial in_sines(const trigonometric_polynomial& p) {
+    term_sum<rational> sum;
+    for (const term<gaussian>& t : p.terms) {
+      monomial angle, others;
+      for (const factor& f : t.factors) (f.base < 0 ? angle : others).push_back(f);
+      if (angle.empty()) sum.add(others, t.coefficient.real);
+      if (angle.empty() || angle.front().exponent < 0) continue;
+      const auto& [sine, cosine] = functions_of(angle);
+      add(sum, others, t.coefficient.real * rational(2), cosine);
+      add(sum, others, t.coefficient.imaginary * rational(-2), sine);
+    }
+    return sum.sorted();
+  }
+
+private:
+  struct functions {
+    real_polynomial sine, cosine; ///< terms of one factor, or numbers
+  };
+
+  static void add(term_sum<rational>& sum, const monomial& others, const rational& c,
+                  const real_polynomial& f) {
+    for (const term<rational>& t : f.terms)
+      if (!c.is_zero()) sum.add(times(others, t.factors), c * t.coefficient);
+  }
+
+  const functions& functions_of(const monomial& angle) {
+    const auto known = functions_.find(angle);
+    if (known != functions_.end()) return known->second;
+    real_polynomial sum;
+    for (const factor& f : angle)
+      sum = sum + scaled(atom<rational>({g_, ~f.base}), {integer(f.exponent), integer(parts_of_angle)});
+    const bool negative = leads_with_minus(g_, sum);
+    const unsigned_argument argument{sum_in(g_, negative ? -sum : sum), negative};
+    return functions_
+        .emplace(angle, functions{function_of<rational>(operation::sin, argument, argument),
+                                  function_of<rational>(operation::cos, argument, argument)})
+        .first->second;
+  }
+
+  graph& g_;
+  std::map<int, monomial> factors_;
+  std::map<monomial, functions, descending> functions_;
+};
+
+} // namespace kanexpr::symbolic::algebra

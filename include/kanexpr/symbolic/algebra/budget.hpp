@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace kanexpr::symbolic {
+
+/// How many terms a sum may have on the way to a result, unless told.
+inline constexpr std::size_t usual_most_terms = 20'000;
+
+namespace algebra {
+
+/// What a rewriting may use. Once something went wrong all that follows is short and means nothing.
+class budget {
+public:
+  explicit budget(std::size_t most_terms) : most_terms_(most_terms), products_left_(200 * most_terms) {}
+
+  bool failed() const { return !cause_.empty(); }
+  const std::string& cause() const { return cause_; }
+
+  /// Whether a sum may have so many terms.
+  bool allows(std::size_t terms) {
+    if (terms > most_terms_) fail("the sums have more than " + std::to_string(most_terms_) + " terms");
+    return !failed();
+  }
+  /// Whether all sums that are kept at once may.
+  bool allows_together(std::size_t terms) {
+    if (terms > 10 * most_terms_)
+      fail("the sums together have more than " + std::to_string(10 * most_terms_) + " terms");
+    return !failed();
+  }
+  /// Whether there is time for so many products of terms.
+  bool spend(std::size_t products) {
+    if (products > products_left_)
+      fail("it takes more than " + std::to_string(200 * most_terms_) + " products of terms");
+    else
+      products_left_ -= products;
+    return !failed();
+  }
+  void fail(const std::string& cause) {
+    if (cause_.empty()) cause_ = cause;
+  }
+
+private:
+  std::size_t most_terms_;
+  std::size_t products_left_;
+  std::string cause_;
+};
+
+} // namespace algebra
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kanexpr/symbolic/algebra/bottom_up.hpp>
+#include <kanexpr/symbolic/algebra/polynomial_fraction.hpp>
+#include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+
+namespace kanexpr::symbolic::algebra {
+
+/// Reads expressions as fractions of polynomials. A form provides `written(fraction)`, the expression, with
+/// which arguments of functions are built, `argument(fraction)`, the same without its sign, and
+/// `function(op, a, b, fraction)`, which may give the functions that it knows a value by their arguments; the
+/// others are taken as symbols.
+template <class C, class Form>
+class fraction_reader {
+public:
+  using fraction = algebra::fraction<C>;
+
+  fraction_reader(graph& g, budget& left) : g_(g), left_(left), arithmetic_(left) {}
+
+  /// Empty where the budget does not suffice.
+  std::vector<fraction> read(const sequence<int>& outputs) {
+    const auto size_of = [](const fraction& f) { return f.above.size(); };
+    return bottom_up<fraction>(
+        g_, without_small_solves(g_, outputs), left_, size_of,
+        [this](int id, const fraction& a, const fraction& b) { return value(id, a, b); });
+  }
+
+  fraction_arithmetic<C>& arithmetic() { return arithmetic_; }
+
+protected:
+  graph& owner() { return g_; }
+
+private:
+  fraction value(int id, const fraction& a, const fraction& b) {
+    const operation op = g_[id].op;
+    switch (op) {
+    case operation::negate: return arithmetic_.negative(a);
+    case operation::add: return arithmetic_.sum(a, b);
+    case operation::subtract: return arithmetic_.sum(a, arithmetic_.negative(b));
+    case operation::multiply: return arithmetic_.product(a, b);
+    case operation::divide: return divided(a, b);
+    default: break;
+    }
+    Form& form = static_cast<Form&>(*this);
+    if (is_atomic(op)) {
+      const polynomial<C> p = atom<C>({g_, id});
+      if (op != operation::symbol && !p.is_constant()) form.meets_opaque(id);
+      return {p, {}};
+    }
+    if (const auto known = form.function(op, a)) return divided({known->first, {}}, {known->second, {}});
+    const polynomial<C> f = function_of<C>(op, form.argument(a), form.argument(b));
+    if (f.is_constant()) return {f, {}};
+    const int base = f.terms.front().factors.front().base;
+    form.meets_opaque(base);
+    if (op == operation::sqrt) arithmetic_.set_square(base, a);
+    return {f, {}};
+  }
+
+  fraction divided(const fraction& a, const fraction& b) {
+    if (b.above.is_zero()) {
+      left_.fail("it divides by what is zero everywhere");
+      return {};
+    }
+    return arithmetic_.quotient(a, b);
+  }
+
+  graph& g_;
+  budget& left_;
+  fraction_arithmetic<C> arithmetic_;
+};
+
+} // namespace kanexpr::symbolic::algebra

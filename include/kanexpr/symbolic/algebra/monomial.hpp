@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace kanexpr::symbolic::algebra {
+
+/// A power of a node, or, where the base is negative, of an exponential: see angle.hpp.
+struct factor {
+  int base = 0;
+  std::int64_t exponent = 0;
+
+  bool operator==(const factor&) const = default;
+};
+
+/// Π base^exponent by ascending base, without exponents of zero; they may be negative.
+using monomial = std::vector<factor>;
+
+/// Of two exponents; beyond this nobody counts them.
+inline constexpr std::int64_t largest_exponent = std::int64_t{1} << 60;
+
+/// Calls `visit(base, exponent in a, exponent in b)` for what stands in one of them, by ascending base.
+template <class Visit>
+void visit_both(const monomial& a, const monomial& b, Visit visit) {
+  auto x = a.begin(), y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    if (y == b.end() || (x != a.end() && x->base < y->base)) {
+      visit(x->base, x->exponent, std::int64_t{0});
+      ++x;
+    } else if (x == a.end() || y->base < x->base) {
+      visit(y->base, std::int64_t{0}, y->exponent);
+      ++y;
+    } else {
+      visit(x->base, x->exponent, y->exponent);
+      ++x;
+      ++y;
+    }
+  }
+}
+
+/// a b^weight.
+inline monomial times(const monomial& a, const monomial& b, std::int64_t weight = 1) {
+  monomial product;
+  product.reserve(a.size() + b.size());
+  visit_both(a, b, [&](int base, std::int64_t i, std::int64_t j) {
+    if (i + weight * j != 0) product.push_back({base, i + weight * j});
+  });
+  return product;
+}
+inline monomial over(const monomial& a, const monomial& b) { return times(a, b, -1); }
+
+/// The largest monomial that divides both.
+inline monomial common_part(const monomial& a, const monomial& b) {
+  monomial common;
+  visit_both(a, b, [&](int base, std::int64_t i, std::int64_t j) {
+    if (std::min(i, j) != 0) common.push_back({base, std::min(i, j)});
+  });
+  return common;
+}
+
+inline std::int64_t exponent_of(const monomial& m, int base) {
+  const auto place = std::ranges::lower_bound(m, base, {}, &factor::base);
+  return place != m.end() && place->base == base ? place->exponent : 0;
+}
+
+inline monomial without(const monomial& m, int base) {
+  monomial rest;
+  for (const factor& f : m)
+    if (f.base != base) rest.push_back(f);
+  return rest;
+}
+
+/// The lexicographic order of exponents, which products keep.
+inline std::strong_ordering compare(const monomial& a, const monomial& b) {
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    if (i == a.size()) return 0 <=> b[i].exponent;
+    if (i == b.size()) return a[i].exponent <=> 0;
+    if (a[i].base < b[i].base) return a[i].exponent <=> 0;
+    if (b[i].base < a[i].base) return 0 <=> b[i].exponent;
+    if (a[i].exponent != b[i].exponent) return a[i].exponent <=> b[i].exponent;
+  }
+  return std::strong_ordering::equal;
+}
+
+struct descending {
+  bool operator()(const monomial& a, const monomial& b) const { return compare(a, b) > 0; }
+};
+
+struct monomial_hash {
+  std::size_t operator()(const monomial& m) const {
+    std::uint64_t mixed = 0;
+    for (const factor& f : m) {
+      mixed = (mixed ^ static_cast<std::uint32_t>(f.base)) * 0x9e3779b97f4a7c15u;
+      mixed = (mixed ^ static_cast<std::uint64_t>(f.exponent)) * 0xff51afd7ed558ccdu;
+      mixed ^= mixed >> 29;
+    }
+    return static_cast<std::size_t>(mixed);
+  }
+};
+
+} // namespace kanexpr::symbolic::algebra

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <kanexpr/symbolic/algebra/polynomial_parts.hpp>
+#include <kanexpr/symbolic/term.hpp>
+
+/// Polynomials in nodes of a graph, and back to expressions. The order in which these are built follows from
+/// the numbers of the nodes, so equal polynomials become the same node.
+namespace kanexpr::symbolic::algebra {
+
+using real_polynomial = polynomial<rational>;
+
+/// A node as a polynomial: itself to the first power, or what it is without its sign.
+template <class C>
+polynomial<C> atom(expression e) {
+  const graph& g = e.owner();
+  const node& n = g[e.node()];
+  if (n.op == operation::negate) return -atom<C>(expression(e.owner(), n.a));
+  if (n.op == operation::constant) {
+    const number& value = g.number_at(e.node());
+    if (value.exact() || elementary::detail::is_finite(value.real)) return C(exact_value(value));
+  }
+  return {{{e.node(), 1}}, C(1)};
+}
+
+/// Π base^exponent over those with exponents of one sign, which is 1 or -1.
+inline expression side_of(graph& g, const monomial& m, int sign) {
+  expression side(g, graph::one);
+  for (const factor& f : m)
+    if (sign * f.exponent > 0) side *= expression(g, integer_power(g, f.base, sign * f.exponent));
+  return side;
+}
+
+inline expression number_in(graph& g, const rational& r) { return constant(g, number_of(r)); }
+
+inline expression term_in(graph& g, const term<rational>& t) {
+  const expression above = number_in(g, t.coefficient) * side_of(g, t.factors, 1);
+  return above / side_of(g, t.factors, -1);
+}
+
+inline expression sum_in(graph& g, const real_polynomial& p) {
+  expression sum(g, graph::zero);
+  for (const term<rational>& t : p.terms) sum += term_in(g, t);
+  return sum;
+}
+
+/// The order in which the factors of a product of all bases are written.
+inline std::map<int, std::size_t> written_order(graph& g, const real_polynomial& p) {
+  monomial all;
+  for (const auto& [base, range] : exponent_ranges(p)) all.push_back({base, 1});
+  printing::term_reader reader(g);
+  std::map<int, std::size_t> order;
+  for (const printing::factor& f : reader.terms_of(side_of(g, all, 1).node()).front().factors)
+    order.emplace(f.base, order.size());
+  return order;
+}
+
+/// Whether the term that stands first by the names in it is negative: a sign that does not depend on the
+/// numbers of nodes.
+inline bool leads_with_minus(graph& g, const real_polynomial& p) {
+  if (p.size() <= 1) return !p.is_zero() && p.terms.front().coefficient.is_negative();
+  const std::map<int, std::size_t> order = written_order(g, p);
+  const auto is_before = [&order](const term<rational>& s, const term<rational>& t) {
+    const auto written = [&order](const term<rational>& each) {
+      std::vector<std::pair<std::size_t, std::int64_t>> factors;
+      for (const factor& f : each.factors) {
+        const auto place = order.find(f.base);
+        factors.emplace_back(place == order.end() ? order.size() : place->second, -f.exponent);
+      }
+      std::ranges::sort(factors);
+      return factors;
+    };
+    if (s.factors.empty() || t.factors.empty()) return t.factors.empty() && !s.factors.empty();
+    return written(s) < written(t);
+  };
+  return std::ranges::min_element(p.terms, is_before)->coefficient.is_negative();
+}
+
+inline bool is_all_negative(const real_polynomial& p) {
+  return std::ranges::all_of(p.terms, [](const term<rational>& t) { return t.coefficient.is_negative(); });
+}
+
+/// f(-x) is -f(x) for an odd function, f(x) for an even one.
+enum class parity { none, odd, even };
+
+constexpr parity parity_of(operation op) {
+  switch (op) {
+  case operation::sin:
+  case operation::tan:
+  case operation::asin:
+  case operation::atan:
+  case operation::sign: return parity::odd;
+  case operation::cos:
+  case operation::abs: return parity::even;
+  default: return parity::none;
+  }
+}
+
+/// An argument without its sign.
+struct unsigned_argument {
+  expression magnitude;
+  bool negative = false;
+
+  expression value() const { return negative ? -magnitude : magnitude; }
+};
+
+/// A function of two arguments or one, with its sign in front.
+template <class C>
+polynomial<C> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
+  graph& g = x.magnitude.owner();
+  if (parity_of(op) == parity::none)
+    return atom<C>({g, build(g, op, x.value().node(), is_binary(op) ? y.value().node() : 0)});
+  const polynomial<C> f = atom<C>(apply(op, x.magnitude));
+  return parity_of(op) == parity::odd && x.negative ? -f : f;
+}
+
+} // namespace kanexpr::symbolic::algebra

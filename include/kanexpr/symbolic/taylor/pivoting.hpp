@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::symbolic::taylor {
+
+/// Solves A x = b by elimination with row exchanges, where A is square, by rows, and x is b to begin with;
+/// false where a column is left without a pivot. Both are lost.
+///
+/// `worth(x)` is what a pivot is worth, an optional of anything that can be compared: nothing where it cannot
+/// be divided by.
+template <class T, class Worth>
+bool eliminate(std::vector<T>& a, std::vector<T>& x, Worth worth) {
+  const std::size_t order = x.size();
+  const auto at = [&](std::size_t i, std::size_t j) -> T& { return a[i * order + j]; };
+  for (std::size_t k = 0; k < order; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < order; ++i)
+      if (worth(at(i, k)) > worth(at(pivot, k))) pivot = i;
+    if (!worth(at(pivot, k))) return false;
+    for (std::size_t j = k; j < order && pivot != k; ++j) std::swap(at(k, j), at(pivot, j));
+    if (pivot != k) std::swap(x[k], x[pivot]);
+    for (std::size_t i = k + 1; i < order; ++i) {
+      const T multiplier = at(i, k) / at(k, k);
+      for (std::size_t j = k + 1; j < order; ++j) at(i, j) = at(i, j) - multiplier * at(k, j);
+      x[i] = x[i] - multiplier * x[k];
+    }
+  }
+  for (std::size_t k = order; k-- > 0;) {
+    for (std::size_t j = k + 1; j < order; ++j) x[k] = x[k] - at(k, j) * x[j];
+    x[k] = x[k] / at(k, k);
+  }
+  return true;
+}
+
+} // namespace kanexpr::symbolic::taylor

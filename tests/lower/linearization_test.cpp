@@ -1,0 +1,81 @@
+// What a compiled linearization offers beside its matrices.
+#include "models/four_bar.hpp"
+#include "no_heap.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace four_bar;
+using lin = kanexpr::linearization<System>;
+
+template <class Function, class... Arguments>
+auto without_heap(Function function, const Arguments&... arguments) {
+  no_heap::guard guard;
+  return function(arguments...);
+}
+
+// Sensors: a coordinate that depends on another, a velocity and an acceleration, against differences of what
+// they measure, where the state moves as the constraints allow.
+TEST(linearization, outputs_follow_the_state) {
+  using eom = kanexpr::equations_of_motion<System>;
+  constexpr kanexpr::function<System, q3, velocity_of<P3>, acceleration_of<P2>> measured{};
+  lin::parameters p;
+  p.setConstant(0.6);
+  p[l0] = 2, p[l1] = 0.7, p[l2] = 1.8, p[l3] = 1.2, p[g] = 9.81;
+  const auto values = [&](double q, double u, double torque) {
+    lin::state x;
+    x << q, -0.5, -2, u, 0, 0;
+    lin::inputs r;
+    r << torque;
+    for (int i = 0; i < 30; ++i) {
+      const auto gap = eom::configuration_residual(x, p);
+      x.template segment<2>(1) -= eom::configuration_jacobian(x, p).inverse() * gap;
+    }
+    x.template tail<2>() = eom::dependent_speeds(x, p);
+    const auto [angle, velocity, acceleration] = measured(x, p, r);
+    Eigen::Matrix<double, 7, 1> all;
+    all << angle, velocity, acceleration;
+    return std::pair(x, all);
+  };
+  const double q = 0.9, u = 1.3, torque = 2, h = 1e-3;
+  lin::inputs r;
+  r << torque;
+  const auto [C, D] =
+      without_heap(lin::outputs<q3, velocity_of<P3>, acceleration_of<P2>>, values(q, u, torque).first, p, r);
+  const auto slope = [&](double dq, double du, double dr) { // of eighth order
+    const auto at = [&](double k) {
+      return values(q + k * h * dq, u + k * h * du, torque + k * h * dr).second;
+    };
+    return Eigen::VectorXd((4 * (at(1) - at(-1)) / 5 - (at(2) - at(-2)) / 5 + 4 * (at(3) - at(-3)) / 105 -
+                            (at(4) - at(-4)) / 280) /
+                           h);
+  };
+  EXPECT_LE((C.col(0) - slope(1, 0, 0)).norm(), 1e-10 * C.norm());
+  EXPECT_LE((C.col(1) - slope(0, 1, 0)).norm(), 1e-10 * C.norm());
+  EXPECT_LE((D.col(0) - slope(0, 0, 1)).norm(), 1e-10 * D.norm());
+  EXPECT_GT(D.norm(), 0.01);
+}
+
+TEST(linearization, says_where_its_states_stand) {
+  EXPECT_EQ(lin::states, 2);
+  EXPECT_EQ(lin::places, (std::array{0, 3}));
+  Eigen::Matrix<double, 6, 1> order;
+  order << 0, 3, 1, 2, 4, 5; // q1, u1, q2, q3, u2, u3
+  EXPECT_EQ(lin::permutation() * order, (Eigen::Matrix<double, 6, 1>{0, 1, 2, 3, 4, 5}));
+}
+
+// A crank that is turned up to where coupler and rocker are in line.
+TEST(linearization, tells_where_there_is_none) {
+  lin::state x;
+  lin::parameters p;
+  p.setOnes();
+  x[q1] = 0.3;
+  const auto [A, B] = without_heap(lin::explicit_form, x, p, lin::inputs());
+  EXPECT_FALSE(A.status);
+  EXPECT_EQ(A.status.cause(),
+            "the constraints cannot be solved for the dependent speeds u2 and u3 at this state");
+}
+
+} // namespace

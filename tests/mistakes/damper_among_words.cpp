@@ -1,0 +1,7 @@
+// expect: the damper between P and O stands among the words of System; write loads<...> around it
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            damper<P, O, m>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: the force at P holds the rate of speed u
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<force<P, -m * acceleration_of<P>>>> {};
+
+int main() { use<System>(); }

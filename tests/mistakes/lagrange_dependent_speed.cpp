@@ -1,0 +1,6 @@
+// expect: dependent<...> holds something that is neither a coordinate nor the rate of one, with v
+#include "pendulum.hpp"
+
+struct System : rates_of_both<bodies<Bob, Block>, velocity_constraints<dot(s) == dot(q)>, dependent<v>> {};
+
+int main() { use_rates<System>(); }

@@ -1,0 +1,8 @@
+// expect: the mass of Drop changes with coordinate q; in Lagrange's method it may change with time only
+#include "pendulum.hpp"
+
+struct Drop : particle<Drop, P, m * q> {};
+
+struct System : rates_of_pendulum<bodies<Drop>> {};
+
+int main() { use_rates<System>(); }

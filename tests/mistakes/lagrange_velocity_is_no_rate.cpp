@@ -1,0 +1,9 @@
+// expect: the velocity of Skate is not the rate of its position, which Lagrange's method differentiates
+#include "pendulum.hpp"
+
+struct F : offset<F, O, s * N::x + q * N::y>, velocity<N, dot(s) * A::x> {};
+struct Skate : particle<Skate, F, m> {};
+
+struct System : rates_of_both<bodies<Skate, Bob>> {};
+
+int main() { use_rates<System>(); }

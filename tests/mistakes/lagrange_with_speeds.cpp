@@ -1,0 +1,7 @@
+// expect: the system System is told speeds<...>; a lagrange_system has no speeds but the rates of its
+// coordinates
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<bodies<Bob>, speeds<u>> {};
+
+int main() { use_rates<System>(); }

@@ -1,0 +1,6 @@
+// expect: the system System is told neither bodies<...> nor lagrangian<...>
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<loads<weight>> {};
+
+int main() { use_rates<System>(); }

@@ -1,0 +1,7 @@
+// expect: the system System is told bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all
+// bodies
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<bodies<Bob>, lagrangian<m * dot(q) * dot(q)>> {};
+
+int main() { use_rates<System>(); }

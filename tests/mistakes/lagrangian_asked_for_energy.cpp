@@ -1,0 +1,7 @@
+// expect: energies, momenta and the mass centre are those of bodies, and a Lagrangian stands in their place
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>> {};
+using eom = equations_of_motion<System>;
+
+int main() { eom::kinetic_energy(eom::state(), eom::parameters()); }

@@ -1,0 +1,6 @@
+// expect: gravity acts on bodies, and a Lagrangian stands in their place; it holds their potential energy
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>, loads<gravity<-g * N::y>>> {};
+
+int main() { use_rates<System>(); }

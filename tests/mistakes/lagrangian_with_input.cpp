@@ -1,0 +1,6 @@
+// expect: a derivative of the Lagrangian by a rate holds the input T, whose rate is not known
+#include "pendulum.hpp"
+
+struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q) + T * dot(q)>> {};
+
+int main() { use_rates<System>(); }

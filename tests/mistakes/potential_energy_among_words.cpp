@@ -1,0 +1,7 @@
+// expect: the potential energy with m stands among the words of System; write loads<...> around it
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            potential_energy<m * q * q>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,10 @@
+// expect: the state of System holds no rate of coordinate q
+#include "pendulum.hpp"
+
+struct System : pendulum_with<Bob> {};
+using eom = equations_of_motion<System>;
+
+int main() {
+  eom::state x;
+  x[dot(q)] = 1;
+}

@@ -1,0 +1,8 @@
+// expect: the natural length of the spring between P and O holds the coordinate q; it may hold parameters,
+// inputs and time only
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<spring<P, O, m, l * cos(q)>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,7 @@
+// expect: A, which the spring between A and O uses as a point, is not a point, or is described only later
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<spring<A, O, m>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,9 @@
+// expect: the spring between P and Pin has no length in any configuration
+#include "pendulum.hpp"
+
+struct Pin : offset<Pin, O, l * A::x> {};
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<spring<P, Pin, m>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,33 @@
+// Linearizations of systems with constraints: against the oracles, and against complex steps at random
+// operating points that satisfy them.
+#include "systems/linearized.hpp"
+
+#include <models/bicycle.hpp>
+#include <models/chaplygin_sleigh.hpp>
+#include <models/four_bar.hpp>
+#include <models/pendulum_nonminimal.hpp>
+#include <models/rolling_disc_constrained.hpp>
+
+namespace {
+
+using check::VectorXd;
+
+template <class System>
+void agrees(const std::string& oracle, const VectorXd& around, double reach) {
+  check::linearized system = check::linearize<System>();
+  system.against_oracle(oracle);
+  system.against_complex_steps(oracle, around, reach);
+}
+
+TEST(linearization, bicycle) { agrees<bicycle::System>("bicycle_whipple", VectorXd::Zero(10), 0.6); }
+TEST(linearization, four_bar) {
+  agrees<four_bar::System>("four_bar", VectorXd{{0.9, -0.6, -1.2, 0, 0, 0}}, 0.5);
+}
+TEST(linearization, chaplygin_sleigh) {
+  agrees<chaplygin_sleigh::System>("chaplygin_sleigh", VectorXd::Zero(6), 3);
+}
+TEST(linearization, pendulum_nonminimal) {
+  agrees<pendulum_nonminimal::System>("pendulum_nonminimal", VectorXd{{1, 0, 0, 0}}, 0.5);
+}
+
+} // namespace

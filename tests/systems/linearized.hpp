@@ -1,0 +1,75 @@
+// Linearizations against reference results, and against complex steps through the nonlinear equations: the
+// dependent coordinates and speeds follow a step by Newton's method.
+#pragma once
+
+#include "oracles.hpp"
+
+#include <kanexpr/symbolic.hpp>
+
+#include <complex>
+
+namespace check {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using kanexpr::mechanics::quantity;
+using complex = std::complex<double>;
+
+// The functions of a system that was derived while the program runs.
+struct derived_functions {
+  using real_function = kanexpr::runtime::interpreted<double>;
+  using complex_function = kanexpr::runtime::interpreted<complex>;
+
+  std::vector<std::string> q, u, r, p;
+  std::vector<Eigen::Index> states, dependent_coordinates, dependent_speeds; // places in [q; u]
+  real_function A, B;
+  complex_function gap, gap_jacobian, speeds, rhs;
+
+  explicit derived_functions(kanexpr::mechanics::equations& e);
+
+private:
+  template <class Scalar>
+  static kanexpr::runtime::interpreted<Scalar> function(kanexpr::mechanics::equations& e, quantity wanted);
+  void read_names(const kanexpr::mechanics::mechanism& m);
+  void read_places(const kanexpr::mechanics::equations& e);
+};
+
+struct explicit_form {
+  MatrixXd A, B;
+};
+
+class linearized {
+public:
+  explicit linearized(derived_functions functions) : f_(std::move(functions)) {}
+
+  const derived_functions& functions() const { return f_; }
+
+  explicit_form at(double t, const VectorXd& x, const VectorXd& p, const VectorXd& r);
+  explicit_form by_complex_steps(double t, const VectorXd& x, const VectorXd& p, const VectorXd& r);
+
+  // Gives a state the dependent coordinates and speeds that its constraints ask for, if there are some near.
+  bool assemble(double t, VectorXd& x, const VectorXd& p, const VectorXd& r);
+
+  // Parameters in the order of the system; those that it has bound are in no vector.
+  VectorXd parameters(const std::map<std::string, double>& values) const;
+
+  void against_oracle(const std::string& name);
+  // At 1000 random operating points that satisfy the constraints, with rates up to 2 and coordinates up to
+  // `reach` away from `around`; the parameters vary by a fifth about those of an oracle.
+  void against_complex_steps(const std::string& name, const VectorXd& around, double reach);
+
+private:
+  VectorXd rates(double t, Eigen::VectorXcd x, const VectorXd& p, const Eigen::VectorXcd& r);
+  void satisfy(double t, Eigen::VectorXcd& x, const VectorXd& p, const Eigen::VectorXcd& r, int rounds);
+
+  derived_functions f_;
+};
+
+template <class System>
+linearized linearize() {
+  auto model = kanexpr::derive<System>();
+  EXPECT_EQ(model.mistake(), "");
+  return linearized(derived_functions(model.equations()));
+}
+
+} // namespace check
