@@ -1,9 +1,9 @@
-""
-    "The systems of systems.hpp in SymPy: the same symbols, frames and loads, and so the same A and B."
-    ""
+"""The systems of systems.hpp in SymPy: the same symbols, frames and loads, and so the same A and B."""
 
-    from sympy import symbols from sympy.physics.mechanics
-    import(KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dot, dynamicsymbols, inertia)
+from sympy import symbols
+from sympy.physics.mechanics import (KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dot, dynamicsymbols,
+                                     inertia)
+
 
 def bicycle():
     """As in SymPy's test of Kane's method, with Cramer's rule for the dependent speeds: the elimination that

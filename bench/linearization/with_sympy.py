@@ -1,13 +1,9 @@
-#!/ usr / bin / env python3
-""
-    "Derives and linearizes the same systems with kanexpr and with SymPy, about points that give everything a
-    number,
-    checks that A and B are the same,
-    and prints how long both
-            take.
+#!/usr/bin/env python3
+"""Derives and linearizes the same systems with kanexpr and with SymPy, about points that give everything a number,
+checks that A and B are the same, and prints how long both take.
 
-        with_sympy.py PROGRAM[SECONDS] : PROGRAM is built from in_lines.cpp; a system that takes SymPy more than
-SECONDS (300) is given up. Without SymPy it says so and is done.
+with_sympy.py PROGRAM [SECONDS]: PROGRAM is built from in_lines.cpp; a system that takes SymPy more than SECONDS (300) is
+given up. Without SymPy it says so and is done.
 
 SymPy is set up to be as fast as its public interface lets it: its cache has no limit, and the linear solver
 that is handed to its linearization puts the numbers in before it solves.
