@@ -1,4 +1,3 @@
-// builds: sanitize
 // Loads in different words, and loads that speak of motion, against the same written out. Derived at run
 // time: what is compared is the reading.
 #include <kanexpr/symbolic.hpp>

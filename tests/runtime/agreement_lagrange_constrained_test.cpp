@@ -1,4 +1,3 @@
-// builds: sanitize
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

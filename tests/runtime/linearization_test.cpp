@@ -1,3 +1,4 @@
+// builds: sanitize
 // Linearization while the program runs: what a textbook prints, operating points in parts, what is wrong with
 // them, and limits.
 #include "models/double_pendulum.hpp"
@@ -213,6 +214,39 @@ TEST(linearization, gives_outputs) {
                            "[-g, 0]");
   EXPECT_EQ(print(seen.D), "[0      ]\n"
                            "[1/(l*m)]");
+}
+
+// The model may be gone.
+TEST(linearization, keeps_what_it_needs) {
+  using namespace simple_pendulum;
+  auto linear = kanexpr::derive<System>().linearize({{q, 0}, {c, 0}});
+  EXPECT_EQ(print(linear.explicit_form().A), "[0,    1]\n"
+                                             "[-g/l, 0]");
+}
+
+namespace mistaken {
+using namespace simple_pendulum;
+struct System : kanexpr::kane_system<kanexpr::inertial<N>, kanexpr::coordinates<q>, kanexpr::speeds<u>,
+                                     kanexpr::kinematics<dot(q) == 2 * q>, kanexpr::bodies<Bob>> {};
+} // namespace mistaken
+
+TEST(linearization, tells_the_mistake_of_a_system) {
+  auto linear = kanexpr::derive<mistaken::System>().linearize();
+  EXPECT_THAT(linear.problems(), ElementsAre("speed u appears in no kinematic differential equation"));
+  EXPECT_EQ(linear.explicit_form().A.rows, 0);
+  EXPECT_THAT(linear.states(), IsEmpty());
+}
+
+// A pendulum of no length moves no mass, whatever its mass is.
+TEST(linearization, says_that_the_rates_cannot_be_solved_for) {
+  using namespace simple_pendulum;
+  auto model = kanexpr::derive<System>();
+  auto symbolic = model.linearize({{q, 0}, {u, 0}, {l, 0}});
+  symbolic.explicit_form();
+  EXPECT_FALSE(symbolic);
+  auto numbers = model.linearize({{q, 0}, {u, 0}, {l, 0}}, {{m, 1}, {g, 10}, {c, 0}, {"T", 0}});
+  numbers.explicit_form();
+  EXPECT_FALSE(numbers);
 }
 
 TEST(linearization, tells_the_permutation) {

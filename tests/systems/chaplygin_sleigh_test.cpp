@@ -1,4 +1,3 @@
-// builds: sanitize no-exceptions
 #include "systems/check_constrained.hpp"
 
 #include <models/chaplygin_sleigh.hpp>

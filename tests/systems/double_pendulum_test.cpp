@@ -1,4 +1,3 @@
-// builds: sanitize no-exceptions
 #include "systems/check_against_oracle.hpp"
 
 #include <models/double_pendulum.hpp>

@@ -1,4 +1,3 @@
-// builds: sanitize
 // The hand-written systems against the reference results: they judge models at other states.
 #include "oracles.hpp"
 #include "systems/hand_written.hpp"

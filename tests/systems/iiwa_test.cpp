@@ -1,4 +1,3 @@
-// builds: no-exceptions
 #include "systems/check_robot_against_oracle.hpp"
 
 #include <models/iiwa.hpp>

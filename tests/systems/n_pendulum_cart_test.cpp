@@ -1,4 +1,3 @@
-// builds: sanitize
 #include "systems/check_against_oracle.hpp"
 
 #include <models/n_pendulum_cart.hpp>

@@ -1,9 +1,13 @@
 #pragma once
 
-#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/derivation/derived_system.hpp>
 #include <kanexpr/runtime/consistent_point.hpp>
 #include <kanexpr/runtime/solve_numbers.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+
+#include <cmath>
+#include <memory>
+#include <optional>
 
 namespace kanexpr::runtime {
 
@@ -26,10 +30,16 @@ struct output_matrices {
 /// point does not name stays a symbol. Every result is formed when it is asked for.
 class linearization {
 public:
-  linearization(mechanics::equations& equations, const std::vector<symbolic::replacement>& point,
-                std::vector<std::string> problems)
-      : equations_(equations), point_(equations, point), problems_(std::move(problems)) {
-    for (const std::string& problem : point_.problems()) problems_.push_back(problem);
+  /// Of a system with a mistake there are no results, and the mistake is the problem.
+  linearization(std::shared_ptr<derivation::derived_system> system,
+                const std::vector<symbolic::replacement>& point, std::vector<std::string> problems)
+      : system_(std::move(system)), problems_(std::move(problems)) {
+    if (system_->mistake()) {
+      problems_.assign(1, std::string(system_->mistake().view()));
+      return;
+    }
+    point_.emplace(system_->equations(), point);
+    problems_.insert(problems_.end(), point_->problems().begin(), point_->problems().end());
   }
 
   /// Whether the point satisfies all equations, and all that was asked for so far has a value there.
@@ -39,15 +49,15 @@ public:
   const std::vector<std::string>& problems() const { return problems_; }
 
   const implicit_matrices& implicit_form() {
-    if (implicit_.M.rows != 0) return implicit_;
-    const mechanics::implicit_linearization& l = equations_.linearized_in_full().implicit_form();
+    if (implicit_.M.rows != 0 || !point_) return implicit_;
+    const mechanics::implicit_linearization& l = equations().linearized_in_full().implicit_form();
     implicit_ = {at_point(l.mass, "M"), at_point(l.state, "A"), at_point(l.input, "B")};
     return implicit_;
   }
 
   const explicit_matrices& explicit_form() {
-    if (explicit_.A.rows != 0) return explicit_;
-    if (point_.is_empty()) return explicit_ = from_derivation();
+    if (explicit_.A.rows != 0 || !point_) return explicit_;
+    if (point_->is_empty()) return explicit_ = from_derivation();
     explicit_ = from_implicit();
     if (solve_numbers::are_numbers(explicit_.A) && solve_numbers::are_numbers(explicit_.B)) return explicit_;
     const std::size_t known_problems = problems_.size();
@@ -60,35 +70,40 @@ public:
 
   /// Of outputs that hold q, u, r and their rates.
   output_matrices outputs(const symbolic::matrix& y) {
-    const mechanics::explicit_linearization l = equations_.linearized().outputs(y.entries);
+    if (!point_) return {};
+    const mechanics::explicit_linearization l = equations().linearized().outputs(y.entries);
     return {at_point(l.state, "C"), at_point(l.input, "D")};
   }
 
   /// P in [q; u; λ] = P [q_i; u_i; q_d; u_d; λ].
   symbolic::matrix permutation() {
-    return mechanics::permutation_of(graph(), equations_.linearized_in_full().form());
+    if (!point_) return {};
+    return mechanics::permutation_of(graph(), equations().linearized_in_full().form());
   }
 
   /// The names of the states and of the inputs, in the order of the matrices.
   std::vector<std::string> states() {
     std::vector<std::string> names;
-    const mechanics::general_form& form = equations_.linearized().form();
+    if (!point_) return names;
+    const mechanics::general_form& form = equations().linearized().form();
     for (int i : form.coordinates.independent) names.push_back(symbolic::print(form.q[i]));
     for (int i : form.speeds.independent) names.push_back(symbolic::print(form.u[i]));
     return names;
   }
   std::vector<std::string> inputs() {
     std::vector<std::string> names;
-    for (const symbolic::expression& r : equations_.linearized().form().r)
+    if (!point_) return names;
+    for (const symbolic::expression& r : equations().linearized().form().r)
       names.push_back(symbolic::print(r));
     return names;
   }
 
 private:
-  symbolic::graph& graph() { return *equations_.skeleton_used().model->g; }
+  mechanics::equations& equations() { return system_->equations(); }
+  symbolic::graph& graph() { return system_->graph(); }
 
   symbolic::matrix at_point(const symbolic::matrix& m, const std::string& called) {
-    const symbolic::point_values found = point_.values(m);
+    const symbolic::point_values found = point_->values(m);
     for (const symbolic::singularity& s : found.singular)
       problems_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
                           ") of " + called + " has no value at the operating point: " + s.condition);
@@ -96,25 +111,44 @@ private:
   }
 
   explicit_matrices from_derivation() {
-    const mechanics::explicit_linearization& l = equations_.linearized().explicit_form();
+    const mechanics::explicit_linearization& l = equations().linearized().explicit_form();
     return {at_point(l.state, "A"), at_point(l.input, "B")};
   }
 
   /// Solved after the values are in their places: as numbers where all are numbers.
   explicit_matrices from_implicit() {
     const implicit_matrices& given = implicit_form();
-    const mechanics::linearizer& full = equations_.linearized_in_full();
+    const mechanics::linearizer& full = equations().linearized_in_full();
     const symbolic::matrix rates = rates_of({given.M, given.A, given.B});
     const mechanics::explicit_linearization rows = mechanics::rows_of_states(graph(), full.form(), rates);
     return {rows.state, rows.input};
   }
 
   symbolic::matrix rates_of(const mechanics::implicit_linearization& given) {
+    bool all_numbers = true;
     for (const symbolic::matrix* m : {&given.mass, &given.state, &given.input})
-      if (!solve_numbers::are_numbers(*m)) return mechanics::solve_for_rates(graph(), given).x;
-    const solve_numbers solved(graph(), given);
-    if (!solved) problems_.push_back("the rates cannot be solved for at the operating point: M is singular");
-    return solved.rates();
+      all_numbers = all_numbers && solve_numbers::are_numbers(*m);
+    if (all_numbers) {
+      const solve_numbers solved(graph(), given);
+      require(static_cast<bool>(solved));
+      return solved.rates();
+    }
+    const symbolic::linear_solution solved = mechanics::solve_for_rates(graph(), given);
+    require(solved.structurally_regular && has_values(solved.x));
+    return solved.x;
+  }
+
+  void require(bool is_regular) {
+    if (!is_regular)
+      problems_.push_back("the rates cannot be solved for at the operating point: M is singular");
+  }
+
+  /// Whether all entries are numbers at generic values of the symbols that they hold.
+  bool has_values(const symbolic::matrix& m) {
+    const auto any = [](int id) { return 0.4 + std::fmod(0.7312 * (id + 1), 1.0); };
+    for (const double value : symbolic::values_at(graph(), symbolic::nodes_of(m.entries), any))
+      if (!std::isfinite(value)) return false;
+    return true;
   }
 
   int operations(const explicit_matrices& form) {
@@ -124,8 +158,8 @@ private:
     return c.multiplications + c.additions + c.divisions;
   }
 
-  mechanics::equations& equations_;
-  consistent_point point_;
+  std::shared_ptr<derivation::derived_system> system_;
+  std::optional<consistent_point> point_; ///< of a system without a mistake
   std::vector<std::string> problems_;
   implicit_matrices implicit_;
   explicit_matrices explicit_;

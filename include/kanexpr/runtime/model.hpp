@@ -9,6 +9,7 @@
 #include <kanexpr/symbolic/latex.hpp>
 #include <kanexpr/symbolic/print.hpp>
 
+#include <memory>
 #include <string>
 
 namespace kanexpr {
@@ -20,16 +21,16 @@ namespace kanexpr {
 template <class System, auto... also>
 class model {
 public:
-  model() : system_(System::record) {
-    (derivation::request<also>::visit(system_.reader()), ...);
-    system_.check();
-    system_.derive();
+  model() : system_(std::make_shared<derivation::derived_system>(System::record)) {
+    (derivation::request<also>::visit(system_->reader()), ...);
+    system_->check();
+    system_->derive();
   }
   model(const model&) = delete;
   model& operator=(const model&) = delete;
 
   /// The first mistake of the system as a sentence; empty: there is none.
-  std::string mistake() const { return std::string(system_.mistake().view()); }
+  std::string mistake() const { return std::string(system_->mistake().view()); }
 
   /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and
   /// u6".
@@ -42,8 +43,8 @@ public:
 
   /// A result as a matrix of expressions; without entries where the system has a mistake.
   symbolic::matrix get(mechanics::quantity wanted) {
-    if (system_.mistake()) return {};
-    return system_.equations().get(wanted);
+    if (system_->mistake()) return {};
+    return system_->equations().get(wanted);
   }
   // the steps of Kane's method, in its words
   symbolic::matrix qdot() { return get(mechanics::quantity::qdot); }
@@ -66,9 +67,9 @@ public:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
   runtime::linearization linearize(const operating_point& at = {}, const operating_point& second = {},
                                    const operating_point& third = {}) {
-    runtime::point_reader reader(system_);
+    runtime::point_reader reader(*system_);
     const std::vector<symbolic::replacement> values = reader.read(at.with(second).with(third));
-    return {system_.equations(), values, reader.problems()};
+    return {system_, values, reader.problems()};
   }
 
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
@@ -78,7 +79,7 @@ public:
     const auto add = [&](const symbolic::matrix& m) {
       for (const symbolic::expression& e : m.entries) all.entries.push(e);
     };
-    (add(derivation::request<measured>::with_rates(system_.reader(), system_.equations())), ...);
+    (add(derivation::request<measured>::with_rates(system_->reader(), system_->equations())), ...);
     all.rows = all.entries.size();
     return all;
   }
@@ -95,14 +96,14 @@ public:
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
   template <auto wanted>
   symbolic::matrix get() {
-    if (system_.mistake()) return {};
-    return derivation::request<wanted>::form(system_.reader(), system_.equations());
+    if (system_->mistake()) return {};
+    return derivation::request<wanted>::form(system_->reader(), system_->equations());
   }
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted>
   mechanics::vector vector() {
-    return system_.reader().evaluate(describe::phrase_of<wanted>, "an expression").vector;
+    return system_->reader().evaluate(describe::phrase_of<wanted>, "an expression").vector;
   }
 
   std::string print(const mechanics::vector& v,
@@ -121,22 +122,22 @@ public:
     symbolic::sequence<int> outputs;
     for (const symbolic::expression& e : result.entries) outputs.push(e.node());
     symbolic::sequence<mechanics::guard> guards;
-    if (system_.is_derived()) guards = system_.equations().guards_of(outputs);
+    if (system_->is_derived()) guards = system_->equations().guards_of(outputs);
     return {graph(), result, mechanism().coordinates.size(), guards};
   }
 
-  symbolic::graph& graph() { return system_.graph(); }
-  const mechanics::mechanism& mechanism() const { return system_.model(); }
-  mechanics::equations& equations() { return system_.equations(); }
+  symbolic::graph& graph() { return system_->graph(); }
+  const mechanics::mechanism& mechanism() const { return system_->model(); }
+  mechanics::equations& equations() { return system_->equations(); }
 
 private:
   std::string enumerated(const symbolic::sequence<symbolic::expression>& symbols,
                          const mechanics::partition& (mechanics::equations::*which)() const) {
-    if (system_.mistake()) return {};
+    if (system_->mistake()) return {};
     return std::string(mechanics::enumerated(mechanism(), symbols, (equations().*which)().dependent).view());
   }
 
-  derivation::derived_system system_;
+  std::shared_ptr<derivation::derived_system> system_; ///< shared with its linearizations
 };
 
 /// Derives a system while the program runs.

@@ -3,6 +3,7 @@
 #include <kanexpr/symbolic/cancel.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/expand_solves.hpp>
+#include <kanexpr/symbolic/matrix.hpp>
 #include <kanexpr/symbolic/trigonometric_form.hpp>
 
 namespace kanexpr::symbolic {
