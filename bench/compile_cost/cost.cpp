@@ -54,9 +54,9 @@ void constrained_lines(const char* system) {
 template <class System>
 void linearization_line(const char* system) {
   line<System>(system, "linearization", {quantity::state_matrix, quantity::input_matrix});
-  line<System>(system, "linearization M, A, B",
-               {quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
-                quantity::implicit_input_matrix});
+  line<System>(
+      system, "linearization M, A, B",
+      {quantity::implicit_mass_matrix, quantity::implicit_state_matrix, quantity::implicit_input_matrix});
 }
 
 } // namespace
