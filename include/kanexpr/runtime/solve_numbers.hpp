@@ -57,6 +57,7 @@ private:
   void solve(const symbolic::matrix& right, int column, int into) {
     if (!is_regular_) return;
     std::vector<double> x;
+    x.reserve(scales_.size());
     for (int i = 0; i < order_; ++i)
       x.push_back(scales_[static_cast<std::size_t>(i)] * number_at(right, i, column));
     symbolic::solve_factorized<math>(order_, factors_.data(), x.data());

@@ -74,6 +74,7 @@ private:
   template <class Map>
   static std::vector<real_polynomial> values_of(const Map& parts) {
     std::vector<real_polynomial> values;
+    values.reserve(parts.size());
     for (const auto& [m, p] : parts) values.push_back(p);
     return values;
   }

@@ -94,7 +94,7 @@ private:
   }
   /// As a formula; a long one by its function alone.
   std::string function(int id) const {
-    const std::string text = short_text(id);
+    std::string text = short_text(id);
     if (!text.empty()) return text;
     const node& n = g_[id];
     if (n.op == operation::power) return "a power";

@@ -102,6 +102,7 @@ inline std::optional<std::vector<generic_values>> solved(const std::vector<gener
   }
   if (is_defined && !is_regular) return std::nullopt;
   std::vector<generic_values> solution;
+  solution.reserve(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
     solution.push_back(
         generic_values::by(is_number, [&](int s) { return x[static_cast<std::size_t>(s)][i]; }));

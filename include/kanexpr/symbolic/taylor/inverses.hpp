@@ -43,7 +43,7 @@ inline expansion arcsine(const series& s, operation wanted) {
   const std::optional<coefficient> first = apply(wanted, start);
   const series slope = derivative(s);
   if (slope.is_zero()) return detail::constant_or(first, obstacle::not_real);
-  const expansion leg = sqrt(series(coefficient(1)) - s * s);
+  expansion leg = sqrt(series(coefficient(1)) - s * s);
   if (!leg) return leg;
   const expansion rate = quotient(slope, *leg);
   if (wanted == operation::asin || !rate) return integral_from(first, rate);

@@ -68,6 +68,7 @@ private:
     x.clear();
     for (std::size_t i = 0; i < b_.size(); ++i) {
       std::vector<coefficient> component;
+      component.reserve(terms.size());
       for (const std::vector<coefficient>& all : terms) component.push_back(all[i]);
       x.emplace_back(first, std::move(component), is_constant ? series::all_orders : end, most);
     }
@@ -82,6 +83,7 @@ private:
     const int all = solution(g_, op_, factorization(g_, entries, n_), list_of(g_, rights));
     const std::vector<generic_values> x = *solved(values_of_first(), values);
     std::vector<coefficient> found;
+    found.reserve(x.size());
     for (int i = 0; i < n_; ++i)
       found.emplace_back(expression{g_, component(g_, all, i)}, x[static_cast<std::size_t>(i)]);
     return found;
