@@ -72,4 +72,12 @@ linearized linearize() {
   return linearized(derived_functions(model.equations()));
 }
 
+// Both of the above.
+template <class System>
+void linearization_agrees(const std::string& oracle, const VectorXd& around, double reach) {
+  linearized system = linearize<System>();
+  system.against_oracle(oracle);
+  system.against_complex_steps(oracle, around, reach);
+}
+
 } // namespace check

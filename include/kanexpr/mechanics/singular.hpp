@@ -25,30 +25,33 @@ constexpr sequence<guard> guards_of_rates(const mechanism& m,
   return guards;
 }
 
-constexpr sequence<guard> guards_of_coordinates(const mechanism& m, const partition& coordinates,
-                                                const sequence<symbolic::solved_block>& blocks) {
+/// Of constraints that are solved for something dependent, which `called(places)` names.
+template <class Called>
+constexpr sequence<guard> guards_of_constraints(const sequence<int>& dependent,
+                                                const sequence<symbolic::solved_block>& blocks,
+                                                Called called) {
   sequence<guard> guards;
   for (const symbolic::solved_block& b : blocks) {
     sequence<int> places;
-    for (int d : b.columns) places.push(coordinates.dependent[d]);
+    for (int d : b.columns) places.push(dependent[d]);
     guards.push({b.key, b.regularity,
-                 sentence({"the constraints cannot be solved for the dependent ",
-                           enumerated(m, m.coordinates, places, "coordinate").view(), " at this state"})});
+                 sentence({"the constraints cannot be solved for the dependent ", called(places).view(),
+                           " at this state"})});
   }
   return guards;
 }
 
+constexpr sequence<guard> guards_of_coordinates(const mechanism& m, const partition& coordinates,
+                                                const sequence<symbolic::solved_block>& blocks) {
+  return guards_of_constraints(coordinates.dependent, blocks, [&](const sequence<int>& places) {
+    return enumerated(m, m.coordinates, places, "coordinate");
+  });
+}
+
 constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& speeds,
                                            const sequence<symbolic::solved_block>& blocks) {
-  sequence<guard> guards;
-  for (const symbolic::solved_block& b : blocks) {
-    sequence<int> places;
-    for (int d : b.columns) places.push(speeds.dependent[d]);
-    guards.push({b.key, b.regularity,
-                 sentence({"the constraints cannot be solved for the dependent ",
-                           speeds_called(m, places).view(), " at this state"})});
-  }
-  return guards;
+  return guards_of_constraints(speeds.dependent, blocks,
+                               [&](const sequence<int>& places) { return speeds_called(m, places); });
 }
 
 /// Those that some outputs rest on.
