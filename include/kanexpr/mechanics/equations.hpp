@@ -157,9 +157,9 @@ public:
     sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
       for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
-    if (linearizer_.has_value())
-      for (const guard& g :
-           guards_of_coordinates(*m_, coordinates_, linearizer_->variations().coordinate_blocks()))
+    const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
+    if (any)
+      for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
     return live_guards(*m_->g, all, outputs);
   }
