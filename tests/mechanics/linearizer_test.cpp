@@ -92,12 +92,16 @@ struct pendulum_by_hand {
     f.f_4 = {-(2 * x * lambda), -(2 * y * lambda)};
     return f;
   }
-  MatrixXd numbers(const kanexpr::symbolic::matrix& a) {
-    const auto value_of = [&](int id) -> double { // hanging still, L = 2, m = 3, g = 5
+  // Hanging with L = 2, m = 3, g = 5: still, or falling off the circle.
+  MatrixXd numbers(const kanexpr::symbolic::matrix& a, double falling = 0) {
+    const double square = falling * falling;
+    const auto value_of = [&](int id) -> double {
       if (id == x.node() || id == L.node()) return 2;
+      if (id == u.node() || id == xdot.node()) return falling;
+      if (id == udot.node()) return -square / 2;
       if (id == m.node()) return 3;
       if (id == gravity.node()) return 5;
-      return id == lambda.node() ? -15.0 / 4 : 0;
+      return id == lambda.node() ? -3 * (10 + square) / 8 : 0;
     };
     const auto values = kanexpr::symbolic::values_at(g, kanexpr::symbolic::nodes_of(a.entries), value_of);
     MatrixXd out(a.rows, a.columns);
@@ -129,6 +133,22 @@ TEST(linearizer, takes_a_general_form_that_is_written_by_hand) {
   MatrixXd C(3, 2);
   C << 0, 0, -5.0 / 2, 0, 1, 0;
   EXPECT_LE((p.numbers(seen.state) - C).norm(), 1e-15);
+}
+
+// u̇ = g − x s, v̇ = F/m − y s with s = (x g + y F/m + u² + v²)/(x² + y²), wherever the bob is.
+TEST(linearizer, takes_a_general_form_off_its_constraints) {
+  pendulum_by_hand p;
+  mechanics::linearizer l(p.g, p.form(), mechanics::directions::free);
+  EXPECT_EQ(l.variations().size(), 5);
+  const mechanics::explicit_linearization all = l.of_all_rates();
+  MatrixXd A(4, 4), B(4, 1);
+  A << 0, 0, 1, 0,       //
+      0, 0, 0, 1,        //
+      1.0 / 4, 0, -1, 0, //
+      0, -11.0 / 4, 0, 0;
+  B << 0, 0, 0, 1.0 / 3;
+  EXPECT_LE((p.numbers(all.state, 1) - A).norm(), 1e-15);
+  EXPECT_LE((p.numbers(all.input, 1) - B).norm(), 1e-15);
 }
 
 } // namespace

@@ -21,6 +21,15 @@ public:
 
   constraints_at(double t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
 
+  /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
+  /// constraints shares, so that it is compiled once.
+  static constexpr auto configuration() {
+    return eom::together(eom::configuration_residual, eom::configuration_jacobian_full);
+  }
+  static constexpr auto velocities() {
+    return eom::together(eom::velocity_residual, eom::constraint_jacobian);
+  }
+
   static constexpr int coordinates() { return known.configuration_constraints; }
   static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
 
@@ -28,19 +37,21 @@ public:
     if constexpr (coordinates() == 0)
       return {};
     else
-      return eom::configuration_residual(t_, x, p_, r_);
+      return std::get<0>(configuration()(t_, x, p_, r_));
   }
   square configuration_jacobian(const state<System>& x) const {
-    if constexpr (coordinates() == 0)
-      return {};
-    else
-      return eom::configuration_jacobian(t_, x, p_, r_);
+    square by_dependent;
+    if constexpr (coordinates() != 0) {
+      const auto [residual, by_all] = configuration()(t_, x, p_, r_);
+      for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(place_of_coordinate(i));
+    }
+    return by_dependent;
   }
   speed_vector velocity_residual(const state<System>& x) const {
     if constexpr (known.constraints == 0)
       return {};
     else
-      return eom::velocity_residual(t_, x, p_, r_);
+      return std::get<0>(velocities()(t_, x, p_, r_));
   }
   /// Gives the state its dependent speeds, if they can be solved for.
   kanexpr::status solve_speeds(state<System>& x) const {

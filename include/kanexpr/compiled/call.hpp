@@ -26,6 +26,7 @@ constexpr std::string_view result_name() {
     case quantity::rhs: return "rhs";
     case quantity::active_forces: return "active_forces";
     case quantity::inertia_forces: return "inertia_forces";
+    case quantity::unreduced_forces: return "unreduced_forces";
     case quantity::kinetic_energy: return "kinetic_energy";
     case quantity::potential_energy: return "potential_energy";
     case quantity::linear_momentum: return "linear_momentum";
@@ -33,6 +34,7 @@ constexpr std::string_view result_name() {
     case quantity::center_of_mass: return "center_of_mass";
     case quantity::configuration_residual: return "configuration_residual";
     case quantity::configuration_jacobian: return "configuration_jacobian";
+    case quantity::configuration_jacobian_full: return "configuration_jacobian_full";
     case quantity::velocity_residual: return "velocity_residual";
     case quantity::constraint_residual: return "constraint_residual";
     case quantity::constraint_jacobian: return "constraint_jacobian";
@@ -43,6 +45,8 @@ constexpr std::string_view result_name() {
     case quantity::auxiliary_forces: return "auxiliary_forces";
     case quantity::state_matrix:
     case quantity::input_matrix: return "explicit_form";
+    case quantity::state_jacobian:
+    case quantity::input_jacobian: return "jacobian";
     case quantity::implicit_mass_matrix:
     case quantity::implicit_state_matrix:
     case quantity::implicit_input_matrix: return "implicit_form";

@@ -51,6 +51,9 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::active_forces> active_forces{};
   /// F_r*, for given rates of the speeds: f(x, p, r, a).
   static constexpr function<System, mechanics::quantity::inertia_forces> inertia_forces{};
+  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
+  /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
+  static constexpr function<System, mechanics::quantity::unreduced_forces> unreduced_forces{};
   static constexpr function<System, mechanics::quantity::kinetic_energy> kinetic_energy{};
   static constexpr function<System, mechanics::quantity::potential_energy> potential_energy{};
   static constexpr function<System, mechanics::quantity::linear_momentum> linear_momentum{};
@@ -61,6 +64,9 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::configuration_residual> configuration_residual{};
   /// Its derivatives by the dependent coordinates.
   static constexpr function<System, mechanics::quantity::configuration_jacobian> configuration_jacobian{};
+  /// Its derivatives by all coordinates.
+  static constexpr function<System, mechanics::quantity::configuration_jacobian_full>
+      configuration_jacobian_full{};
   /// What the velocity constraints and the rates of the configuration constraints leave.
   static constexpr function<System, mechanics::quantity::velocity_residual> velocity_residual{};
   /// Both residuals, those of configurations first.

@@ -43,6 +43,13 @@ struct linearization {
                             derivation::at_given_rates{quantity::implicit_input_matrix}>
       implicit_form_at{};
 
+  /// The derivatives of ẋ = [q̇; u̇], as `equations_of_motion<System>::rhs` gives it, by the whole state [q; u]
+  /// and by the inputs: `const auto [by_state, by_inputs] = linearization<System>::jacobian(x, p, r);`. The
+  /// state need not satisfy the constraints, and nothing follows them: that is what an integrator of the
+  /// whole state asks for. Only quaternions must have norm 1; along that norm, which no motion changes, the
+  /// derivatives of u̇ mean nothing.
+  static constexpr function<System, quantity::state_jacobian, quantity::input_jacobian> jacobian{};
+
   /// C and D in δy = C δx_i + D δr of what sensors measure, expressions of the model, which may hold
   /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector counts by its
   /// components.

@@ -25,11 +25,13 @@ struct request<wanted> {
     const int n = s.coordinates, p = s.speeds, m = s.constraints, l = s.configuration_constraints;
     switch (wanted) {
     case quantity::mass_matrix: return {p - m, p - m};
-    case quantity::mass_matrix_full: return {n + p, n + p};
+    case quantity::mass_matrix_full:
+    case quantity::state_jacobian: return {n + p, n + p};
     case quantity::forcing_full:
     case quantity::rhs: return {n + p, 1};
     case quantity::qdot: return {n, 1};
-    case quantity::udot: return {p, 1};
+    case quantity::udot:
+    case quantity::unreduced_forces: return {p, 1};
     case quantity::forcing:
     case quantity::active_forces:
     case quantity::inertia_forces: return {p - m, 1};
@@ -38,6 +40,7 @@ struct request<wanted> {
     case quantity::center_of_mass: return {3, 1};
     case quantity::configuration_residual: return {l, 1};
     case quantity::configuration_jacobian: return {l, l};
+    case quantity::configuration_jacobian_full: return {l, n};
     case quantity::constraint_residual: return {l + m, 1};
     case quantity::constraint_jacobian: return {m, p};
     case quantity::dependency: return {m, p - m};
@@ -48,6 +51,7 @@ struct request<wanted> {
     case quantity::auxiliary_forces: return {s.auxiliary_speeds, 1};
     case quantity::state_matrix: return {s.states(), s.states()};
     case quantity::input_matrix: return {s.states(), s.inputs};
+    case quantity::input_jacobian: return {n + p, s.inputs};
     case quantity::implicit_mass_matrix: return {s.unknowns(), s.unknowns()};
     case quantity::implicit_state_matrix: return {s.unknowns(), s.states()};
     case quantity::implicit_input_matrix: return {s.unknowns(), s.inputs};

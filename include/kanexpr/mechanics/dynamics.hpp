@@ -93,6 +93,17 @@ public:
     return reduce(force);
   }
 
+  /// F_r + F_r* of all speeds, with the symbols u̇, before constraints reduce them.
+  constexpr sequence<expression> unreduced_forces() {
+    sequence<expression> force;
+    if (by_lagrange())
+      force = lagrange_.forcing(m_.speed_rates);
+    else
+      force = forcing(s_, m_.speed_rates);
+    while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
+    return force;
+  }
+
   /// What inertia asks for of all speeds in a motion with the symbols u̇, gravity included: of Kane's method
   /// F_r* on rising ground, of Lagrange's ∂L/∂q − d/dt ∂L/∂q̇.
   constexpr sequence<expression> inertia_in(motion& on_rising_ground) {

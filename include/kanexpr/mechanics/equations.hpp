@@ -67,6 +67,7 @@ public:
     case quantity::rhs: return column(s_.coordinate_rates, accelerations());
     case quantity::active_forces: return column(dynamics_.active_forces());
     case quantity::inertia_forces: return column(dynamics_.inertia_forces());
+    case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
     case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
     case quantity::potential_energy: return column({mechanics::potential_energy(s_)});
     case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
@@ -75,6 +76,7 @@ public:
     case quantity::configuration_residual: return column(m_->configuration_constraints);
     case quantity::configuration_jacobian:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
+    case quantity::configuration_jacobian_full: return configuration_;
     case quantity::velocity_residual: return column(velocity_residual());
     case quantity::constraint_residual: return column(m_->configuration_constraints, velocity_residual());
     case quantity::constraint_jacobian: return constraints_.jacobian;
@@ -85,6 +87,8 @@ public:
     case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
     case quantity::state_matrix:
     case quantity::input_matrix:
+    case quantity::state_jacobian:
+    case quantity::input_jacobian:
     case quantity::implicit_mass_matrix:
     case quantity::implicit_state_matrix:
     case quantity::implicit_input_matrix: return in_motion(at_given_rates(wanted));
@@ -100,6 +104,8 @@ public:
     switch (wanted) {
     case quantity::state_matrix: return linearized().explicit_form().state;
     case quantity::input_matrix: return linearized().explicit_form().input;
+    case quantity::state_jacobian: return linearized_freely().of_all_rates().state;
+    case quantity::input_jacobian: return linearized_freely().of_all_rates().input;
     case quantity::implicit_mass_matrix: return imposed_forces(linearized_in_full().implicit_form().mass);
     case quantity::implicit_state_matrix: return imposed_forces(linearized_in_full().implicit_form().state);
     case quantity::implicit_input_matrix: return imposed_forces(linearized_in_full().implicit_form().input);
@@ -120,6 +126,14 @@ public:
     if (m_->derived_by == method::kane || constraints_.size() == 0) return linearized();
     if (!full_linearizer_.has_value()) full_linearizer_.emplace(*m_->g, form().with_multipliers());
     return *full_linearizer_;
+  }
+
+  /// The rates of all coordinates and speeds as functions of the whole state, whether it satisfies the
+  /// constraints or not, linearized.
+  constexpr mechanics::linearizer& linearized_freely() {
+    if (!is_constrained_) constrain();
+    if (!free_linearizer_.has_value()) free_linearizer_.emplace(*m_->g, form().reduced(), directions::free);
+    return *free_linearizer_;
   }
 
   /// λ with the symbols u̇, of a system by Lagrange's method with constraints.
@@ -272,7 +286,7 @@ private:
   dynamics dynamics_{s_, constraints_, speeds_};
   bool is_constrained_ = false, has_motion_ = false;
   motion motion_;
-  std::optional<mechanics::linearizer> linearizer_, full_linearizer_;
+  std::optional<mechanics::linearizer> linearizer_, full_linearizer_, free_linearizer_;
 };
 
 } // namespace kanexpr::mechanics

@@ -47,11 +47,12 @@ constexpr sequence<expression> inertia_bias(const skeleton& s) {
   return inertia_forces(s, k);
 }
 
-/// f = F_r + F_r* at u̇ = 0, in one pass. Gravity on every body enters as an acceleration of the ground.
-constexpr sequence<expression> forcing(const skeleton& s) {
+/// F_r + F_r* in one pass, f at u̇ = 0 where no rates are given. Gravity on every body enters as an
+/// acceleration of the ground.
+constexpr sequence<expression> forcing(const skeleton& s, const sequence<expression>& udot = {}) {
   generalized_forces f(s);
   f.add_loads(false);
-  motion k = motion_on_rising_ground(s);
+  motion k = motion_on_rising_ground(s, udot);
   f.add_inertia(k);
   f.add_changes_of_mass(k);
   return f.run();

@@ -42,8 +42,10 @@ public:
     return mass;
   }
 
-  /// f = Q + ∂L/∂q − ṗ at q̈ = 0, with Q of what does not stand in L.
-  constexpr sequence<expression> forcing() { return sum(forces_of_loads(), inertia_forces({})); }
+  /// Q + ∂L/∂q − ṗ with Q of what does not stand in L, f at q̈ = 0 where no rates are given.
+  constexpr sequence<expression> forcing(const sequence<expression>& udot = {}) {
+    return sum(forces_of_loads(), inertia_forces(udot));
+  }
 
   /// ∂L/∂q − ṗ with the rates of the speeds that are given.
   constexpr sequence<expression> inertia_forces(const sequence<expression>& udot) {

@@ -39,15 +39,21 @@ constexpr symbolic::linear_solution solve_for_rates(graph& g, const implicit_lin
   return symbolic::solve_linear(g, given.mass, right, {});
 }
 
+/// Some rows of changes, of which the last columns are those of `inputs`.
+constexpr explicit_linearization rows_of(graph& g, const symbolic::matrix& changes, const sequence<int>& rows,
+                                         int inputs) {
+  explicit_linearization out(g, rows.size(), changes.columns - inputs, inputs);
+  for (int i = 0; i < rows.size(); ++i)
+    for (int j = 0; j < changes.columns; ++j) out(i, j) = changes(rows[i], j);
+  return out;
+}
+
 /// The rows of the independent coordinates and speeds among those of [q; u].
 constexpr explicit_linearization rows_of_states(graph& g, const general_form& form,
                                                 const symbolic::matrix& rates) {
   sequence<int> rows = form.coordinates.independent;
   for (int i : form.speeds.independent) rows.push(form.q.size() + i);
-  explicit_linearization out(g, rows.size(), form.states(), form.inputs());
-  for (int i = 0; i < rows.size(); ++i)
-    for (int j = 0; j < rates.columns; ++j) out(i, j) = rates(rows[i], j);
-  return out;
+  return rows_of(g, rates, rows, form.inputs());
 }
 
 /// P in [q; u; λ] = P [q_i; u_i; q_d; u_d; λ].

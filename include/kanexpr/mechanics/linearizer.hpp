@@ -8,11 +8,14 @@
 
 namespace kanexpr::mechanics {
 
-/// Linearizes a general form about any point that satisfies it. Nothing is formed before it is asked for, and
-/// nothing twice. Results hold the symbols q, u and r, and q̇, u̇ and λ where they rest on them.
+/// Linearizes a general form about any point that satisfies it; in free directions about any point at which
+/// the rates and multipliers satisfy all but f_c and f_v. The columns of results are those of `variations`.
+/// Nothing is formed before it is asked for, and nothing twice. Results hold the symbols q, u and r, and q̇, u̇
+/// and λ where they rest on them.
 class linearizer {
 public:
-  constexpr linearizer(graph& g, const general_form& form) : g_(g), form_(form), variations_(g, form_) {}
+  constexpr linearizer(graph& g, const general_form& form, directions which = directions::along_constraints)
+      : g_(g), form_(form), variations_(g, form_, which) {}
   linearizer(const linearizer&) = delete;
   linearizer& operator=(const linearizer&) = delete;
 
@@ -34,7 +37,7 @@ public:
     return implicit_;
   }
 
-  /// In the independent coordinates and speeds alone.
+  /// δ[q̇_i; u̇_i], of the independent coordinates and speeds alone.
   constexpr const explicit_linearization& explicit_form() {
     if (explicit_.state.rows != 0) return explicit_;
     if (!is_reduced()) return explicit_ = rows_of_states(g_, form_, solved_rates());
@@ -42,11 +45,18 @@ public:
     for (int i : form_.coordinates.independent) rates.push(form_.known.qdot[i]);
     const explicit_linearization above = along_all(rates);
     const symbolic::matrix below = accelerations();
-    explicit_ = explicit_linearization(g_, form_.states(), form_.states(), form_.inputs());
+    explicit_ = explicit_linearization(g_, form_.states(), variations_.states(), form_.inputs());
     for (int i = 0; i < form_.states(); ++i)
       for (int j = 0; j < variations_.size(); ++j)
         explicit_(i, j) = i < rates.size() ? above(i, j) : below(i - rates.size(), j);
     return explicit_;
+  }
+
+  /// δ[q̇; u̇], of all coordinates and speeds.
+  constexpr explicit_linearization of_all_rates() {
+    sequence<int> rows;
+    for (int i = 0; i < form_.q.size() + form_.u.size(); ++i) rows.push(i);
+    return rows_of(g_, rates(), rows, form_.inputs());
   }
 
   /// C and D of outputs that may hold q, u, r, q̇ and u̇.
@@ -54,11 +64,11 @@ public:
     explicit_linearization out = along_all(y);
     const symbolic::matrix by_qdot = derivatives(y, form_.qdot), by_udot = derivatives(y, form_.udot);
     if (is_zero(by_qdot) && is_zero(by_udot)) return out;
-    const symbolic::matrix rates = is_reduced() ? all_rates() : solved_rates();
+    const symbolic::matrix& known = rates();
     for (int i = 0; i < y.size(); ++i)
       for (int j = 0; j < variations_.size(); ++j) {
-        for (int k = 0; k < by_qdot.columns; ++k) out(i, j) += by_qdot(i, k) * rates(k, j);
-        for (int k = 0; k < by_udot.columns; ++k) out(i, j) += by_udot(i, k) * rates(by_qdot.columns + k, j);
+        for (int k = 0; k < by_qdot.columns; ++k) out(i, j) += by_qdot(i, k) * known(k, j);
+        for (int k = 0; k < by_udot.columns; ++k) out(i, j) += by_udot(i, k) * known(by_qdot.columns + k, j);
       }
     return out;
   }
@@ -85,13 +95,16 @@ private:
   }
 
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
-    explicit_linearization out(g_, of.size(), form_.states(), form_.inputs());
+    explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
     for (int j = 0; j < variations_.size(); ++j) {
       symbolic::derivation d = variations_.along(j);
       for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
     }
     return out;
   }
+
+  /// δ[q̇; u̇] for each direction, and δλ behind where it is known.
+  constexpr const symbolic::matrix& rates() { return is_reduced() ? all_rates() : solved_rates(); }
 
   /// δ[q̇; u̇; λ] for each direction, from the implicit form.
   constexpr const symbolic::matrix& solved_rates() {
@@ -103,11 +116,15 @@ private:
   constexpr const symbolic::matrix& all_rates() {
     if (rates_.rows != 0) return rates_;
     const int n = form_.q.size(), first = form_.coordinates.independent.size();
-    const explicit_linearization of_coordinates = along_all(form_.known.qdot), &of_states = explicit_form();
+    sequence<expression> dependent;
+    for (int i : form_.coordinates.dependent) dependent.push(form_.known.qdot[i]);
+    const explicit_linearization of_dependent = along_all(dependent), &of_states = explicit_form();
     const symbolic::matrix bias = acceleration_bias();
     rates_ = symbolic::matrix(g_, n + form_.u.size(), variations_.size());
     for (int j = 0; j < rates_.columns; ++j) {
-      for (int i = 0; i < n; ++i) rates_(i, j) = of_coordinates(i, j);
+      for (int i = 0; i < first; ++i) rates_(form_.coordinates.independent[i], j) = of_states(i, j);
+      for (int i = 0; i < dependent.size(); ++i)
+        rates_(form_.coordinates.dependent[i], j) = of_dependent(i, j);
       for (int i = 0; i < form_.speeds.independent.size(); ++i)
         rates_(n + form_.speeds.independent[i], j) = of_states(first + i, j);
       for (int d = 0; d < bias.rows; ++d) {
@@ -148,7 +165,7 @@ private:
       return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};
     };
     int felt = 0;
-    for (int j = 0; j < form_.states(); ++j)
+    for (int j = 0; j < variations_.states(); ++j)
       if (!variations_.contracted(j, is_live).is_zero()) ++felt;
     return felt;
   }

@@ -6,20 +6,29 @@
 
 namespace kanexpr::mechanics {
 
-/// The directions in which a constrained system can leave an operating point: one for each independent
-/// coordinate, then each independent speed, then each input, where the dependent coordinates and speeds
-/// follow so that f_c and f_v stay zero.
+/// Whether the dependent coordinates and speeds follow the others, or are varied by themselves as well.
+enum class directions { along_constraints, free };
+
+/// The directions in which a system can leave an operating point: one for each independent coordinate, then
+/// each independent speed, then each input, where the dependent coordinates and speeds follow so that f_c and
+/// f_v stay zero. Of free directions there is one for each coordinate, each speed and each input, and nothing
+/// follows: they leave the constraints, and the point need not satisfy them.
 class variations {
 public:
-  constexpr variations(graph& g, const general_form& form) : g_(g), form_(form) {
-    const int directions = form.states() + form.inputs();
-    coordinates_ = symbolic::matrix(g, form.coordinates.dependent.size(), directions);
-    speeds_ = symbolic::matrix(g, form.speeds.dependent.size(), directions);
-    if (coordinates_.rows != 0) coordinates_ = follow(form.f_c, form.q, form.coordinates, {});
-    if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, form.speeds, form.known.on_u);
+  constexpr variations(graph& g, const general_form& form, directions which)
+      : g_(g), form_(form), of_q_(followed(form.coordinates, which)), of_u_(followed(form.speeds, which)) {
+    for (int i : of_q_.independent) symbols_.push(form.q[i]);
+    for (int i : of_u_.independent) symbols_.push(form.u[i]);
+    for (const expression& input : form.r) symbols_.push(input);
+    coordinates_ = symbolic::matrix(g, of_q_.dependent.size(), size());
+    speeds_ = symbolic::matrix(g, of_u_.dependent.size(), size());
+    if (coordinates_.rows != 0) coordinates_ = follow(form.f_c, form.q, of_q_, {});
+    if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, of_u_, form.known.on_u);
   }
 
-  constexpr int size() const { return form_.states() + form_.inputs(); }
+  constexpr int size() const { return symbols_.size(); }
+  /// Those of coordinates and speeds, which come first.
+  constexpr int states() const { return size() - form_.inputs(); }
 
   /// How the dependent coordinates and speeds follow, a column for each direction.
   constexpr const symbolic::matrix& of_coordinates() const { return coordinates_; }
@@ -29,20 +38,14 @@ public:
   constexpr const sequence<symbolic::solved_block>& coordinate_blocks() const { return blocks_; }
 
   /// The symbol that is varied by itself.
-  constexpr expression symbol(int j) const {
-    const sequence<int>&q = form_.coordinates.independent, &u = form_.speeds.independent;
-    if (j < q.size()) return form_.q[q[j]];
-    if (j < form_.states()) return form_.u[u[j - q.size()]];
-    return form_.r[j - form_.states()];
-  }
+  constexpr expression symbol(int j) const { return symbols_[j]; }
 
   /// The derivatives of expressions along direction `j`.
   constexpr symbolic::derivation along(int j) const {
     symbolic::derivation d(g_);
     d.set_rate(symbol(j), {g_, graph::one});
-    for (int i = 0; i < coordinates_.rows; ++i)
-      d.set_rate(form_.q[form_.coordinates.dependent[i]], coordinates_(i, j));
-    for (int i = 0; i < speeds_.rows; ++i) d.set_rate(form_.u[form_.speeds.dependent[i]], speeds_(i, j));
+    for (int i = 0; i < coordinates_.rows; ++i) d.set_rate(form_.q[of_q_.dependent[i]], coordinates_(i, j));
+    for (int i = 0; i < speeds_.rows; ++i) d.set_rate(form_.u[of_u_.dependent[i]], speeds_(i, j));
     return d;
   }
 
@@ -50,13 +53,18 @@ public:
   template <class By>
   constexpr expression contracted(int j, const By& by) const {
     expression sum = by(symbol(j));
-    for (int i = 0; i < coordinates_.rows; ++i)
-      sum += coordinates_(i, j) * by(form_.q[form_.coordinates.dependent[i]]);
-    for (int i = 0; i < speeds_.rows; ++i) sum += speeds_(i, j) * by(form_.u[form_.speeds.dependent[i]]);
+    for (int i = 0; i < coordinates_.rows; ++i) sum += coordinates_(i, j) * by(form_.q[of_q_.dependent[i]]);
+    for (int i = 0; i < speeds_.rows; ++i) sum += speeds_(i, j) * by(form_.u[of_u_.dependent[i]]);
     return sum;
   }
 
 private:
+  /// A choice of what is dependent; nothing is where nothing follows.
+  static constexpr partition followed(const partition& split, directions which) {
+    if (which == directions::along_constraints) return split;
+    return partition_by(sequence<char>(split.dependent.size() + split.independent.size(), 0));
+  }
+
   /// Keeps some equations zero by the dependent ones among their unknowns.
   constexpr symbolic::matrix follow(const sequence<expression>& zero, const sequence<expression>& unknowns,
                                     const partition& split, const symbolic::matrix& known) {
@@ -88,6 +96,8 @@ private:
 
   graph& g_;
   const general_form& form_;
+  partition of_q_, of_u_; ///< what follows, and what is varied by itself
+  sequence<expression> symbols_;
   symbolic::matrix coordinates_, speeds_;
   sequence<symbolic::solved_block> blocks_;
 };
