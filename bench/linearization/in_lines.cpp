@@ -11,7 +11,7 @@
 namespace {
 
 template <class Case>
-double milliseconds(const kanexpr::operating_point& at) {
+double milliseconds(const kanexpr::linearization_point& at) {
   std::vector<double> times(21);
   for (double& time : times) {
     const auto start = std::chrono::steady_clock::now();
@@ -32,7 +32,7 @@ void print(const char* name, const Eigen::MatrixXd& m) {
 
 template <class Case>
 int report() {
-  const kanexpr::operating_point at = Case::point();
+  const kanexpr::linearization_point at = Case::point();
   std::printf("milliseconds\t%.2f\n", milliseconds<Case>(at));
   for (const auto& e : at.entries())
     std::printf("point\t%s\t%.17g\n", e.what.name().c_str(),

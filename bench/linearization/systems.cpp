@@ -17,7 +17,7 @@ double peak_memory() {
 
 template <class Case>
 void linearize(benchmark::State& state) {
-  const kanexpr::operating_point at = Case::point();
+  const kanexpr::linearization_point at = Case::point();
   for (auto _ : state) benchmark::DoNotOptimize(linearized::from_the_start<Case>(at).A.data());
   state.counters["peak_MB"] = peak_memory();
 }

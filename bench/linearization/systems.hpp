@@ -16,15 +16,15 @@
 /// number.
 namespace linearized {
 
-using kanexpr::operating_point;
+using kanexpr::linearization_point;
 
 /// The benchmark bicycle, upright and straight ahead at 4.6 m/s.
 struct bicycle {
   using System = ::bicycle::System;
   static constexpr const char* name = "bicycle";
 
-  static operating_point point() {
-    operating_point at;
+  static linearization_point point() {
+    linearization_point at;
     const auto& benchmark = ::bicycle::BoundSystem::record.values;
     for (int i = 0; i < benchmark.size; ++i) {
       const kanexpr::describe::token* const equation = benchmark[i].tokens; // parameter, number, subtract
@@ -52,8 +52,8 @@ struct cart {
   using System = n_pendulum_cart::System<pendulums>;
   static constexpr const char* name = "cart";
 
-  static operating_point point() {
-    operating_point at{{"g", 9.81}, {"F", 3.0}, {"q0", 0.2}, {"u0", -0.4}, {"m0", 5.0}};
+  static linearization_point point() {
+    linearization_point at{{"g", 9.81}, {"F", 3.0}, {"q0", 0.2}, {"u0", -0.4}, {"m0", 5.0}};
     values random;
     for (int i = 1; i <= pendulums; ++i) {
       const std::string bob = std::to_string(i), rod = std::to_string(i - 1);
@@ -69,8 +69,8 @@ struct arm {
   using System = arm6::System;
   static constexpr const char* name = "arm";
 
-  static operating_point point() {
-    operating_point at{{"g", 9.81}};
+  static linearization_point point() {
+    linearization_point at{{"g", 9.81}};
     values random;
     for (int i = 1; i <= 6; ++i) {
       const std::string link = std::to_string(i);
@@ -93,7 +93,7 @@ struct result {
 
 /// Derives one of the above and linearizes it about its point. What is no number comes out as not-a-number.
 template <class Case>
-result from_the_start(const operating_point& at) {
+result from_the_start(const linearization_point& at) {
   auto model = kanexpr::derive<typename Case::System>();
   auto linear = model.linearize(at);
   const auto numbers = [&](const kanexpr::symbolic::matrix& m) {

@@ -16,7 +16,7 @@
 
 namespace {
 
-using kanexpr::operating_point;
+using kanexpr::linearization_point;
 using kanexpr::symbolic::latex;
 using kanexpr::symbolic::print;
 using testing::ElementsAre;
@@ -120,14 +120,14 @@ TEST(linearization, takes_expressions_and_new_parameters) {
 TEST(linearization, merges_sets_of_values) {
   using namespace simple_pendulum;
   auto model = kanexpr::derive<System>();
-  const operating_point upright{{q, 3}, {c, 0}}, short_one{{l, 1}, {q, 0}};
+  const linearization_point upright{{q, 3}, {c, 0}}, short_one{{l, 1}, {q, 0}};
   EXPECT_EQ(print(model.linearize(upright, short_one).explicit_form().A(1, 0)), "-g");
 }
 
 TEST(linearization, says_which_equation_a_point_does_not_satisfy) {
   using namespace four_bar;
   auto model = kanexpr::derive<System>();
-  operating_point open{{l0, 2}, {l1, 1}, {l2, 2}, {l3, 2}, {u1, 1}, {u2, 0}, {u3, 0}};
+  linearization_point open{{l0, 2}, {l1, 1}, {l2, 2}, {l3, 2}, {u1, 1}, {u2, 0}, {u3, 0}};
   auto linear = model.linearize(open, {{q1, 0}, {q2, 0}, {q3, 0}});
   ASSERT_FALSE(linear);
   EXPECT_EQ(linear.problems()[0],
@@ -138,7 +138,7 @@ TEST(linearization, says_which_equation_a_point_does_not_satisfy) {
 TEST(linearization, checks_rates_that_the_point_gives) {
   using namespace simple_pendulum;
   auto model = kanexpr::derive<System>();
-  const operating_point swinging{{q, 0}, {u, 2}, {"T", 0}, {c, 0}, {l, 1}, {m, 1}, {g, 10}};
+  const linearization_point swinging{{q, 0}, {u, 2}, {"T", 0}, {c, 0}, {l, 1}, {m, 1}, {g, 10}};
   EXPECT_TRUE(model.linearize(swinging, {{dot(q), 2}, {dot(u), 0}}));
   auto wrong_rate = model.linearize(swinging, {{dot(q), 3}});
   EXPECT_THAT(
@@ -154,7 +154,7 @@ TEST(linearization, checks_rates_that_the_point_gives) {
 TEST(linearization, checks_points_whose_parameters_are_open) {
   using namespace pendulum_nonminimal;
   auto model = kanexpr::derive<System>();
-  const operating_point still{{q2, 0}, {u1, 0}, {u2, 0}};
+  const linearization_point still{{q2, 0}, {u1, 0}, {u2, 0}};
   EXPECT_TRUE(model.linearize(still, {{q1, L}}));
   EXPECT_FALSE(model.linearize(still, {{q1, 1}}));
   EXPECT_EQ(print(model.linearize(still, {{q1, L}}).explicit_form().A), "[0,    1]\n"
@@ -186,7 +186,7 @@ TEST(linearization, agrees_with_itself_however_much_is_given) {
   using namespace double_pendulum;
   auto model = kanexpr::derive<System>();
   const auto& m = model.mechanism();
-  operating_point states, parameters;
+  linearization_point states, parameters;
   Eigen::VectorXd x(4), p(m.parameters.size()), r(2);
   x << 0.3, -1.1, 0.7, 0.4;
   r << 0.6, -0.2;

@@ -65,8 +65,8 @@ public:
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
-  runtime::linearization linearize(const operating_point& at = {}, const operating_point& second = {},
-                                   const operating_point& third = {}) {
+  runtime::linearization linearize(const linearization_point& at = {}, const linearization_point& second = {},
+                                   const linearization_point& third = {}) {
     runtime::point_reader reader(*system_);
     const std::vector<symbolic::replacement> values = reader.read(at.with(second).with(third));
     return {system_, values, reader.problems()};

@@ -2,7 +2,7 @@
 
 #include <kanexpr/derivation/derived_system.hpp>
 #include <kanexpr/derivation/wording.hpp>
-#include <kanexpr/runtime/operating_point.hpp>
+#include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/symbolic/limit.hpp>
 
 #include <optional>
@@ -15,9 +15,9 @@ class point_reader {
 public:
   explicit point_reader(derivation::derived_system& system) : system_(system), m_(system.model()) {}
 
-  std::vector<symbolic::replacement> read(const operating_point& point) {
+  std::vector<symbolic::replacement> read(const linearization_point& point) {
     std::vector<symbolic::replacement> found;
-    for (const operating_point::entry& e : point.entries()) {
+    for (const linearization_point::entry& e : point.entries()) {
       const std::optional<symbolic::expression> symbol = symbol_of(e.what);
       if (!symbol.has_value()) {
         problems_.push_back("the operating point names " + e.what.name() +
@@ -43,7 +43,7 @@ private:
     return std::nullopt;
   }
 
-  std::optional<symbolic::expression> symbol_of(const point_name& what) const {
+  std::optional<symbolic::expression> symbol_of(const symbol_name& what) const {
     return what.symbol() != nullptr ? symbol_of(*what.symbol()) : symbol_of(std::string_view(what.name()));
   }
 
@@ -83,7 +83,7 @@ private:
 
   bool is_by_lagrange() const { return m_.derived_by == mechanics::method::lagrange; }
 
-  std::optional<symbolic::expression> value_of(const operating_point::entry& e) {
+  std::optional<symbolic::expression> value_of(const linearization_point::entry& e) {
     if (const auto* number = std::get_if<symbolic::number>(&e.value.held()))
       return symbolic::constant(system_.graph(), *number);
     if (const auto* given = std::get_if<symbolic::expression>(&e.value.held())) return *given;

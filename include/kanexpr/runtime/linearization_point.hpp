@@ -1,12 +1,10 @@
 #pragma once
 
-#include <kanexpr/describe/expression.hpp>
+#include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/symbolic/expression.hpp>
 
 #include <concepts>
 #include <initializer_list>
-#include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -31,44 +29,21 @@ private:
   std::variant<symbolic::number, phrase, symbolic::expression> held_;
 };
 
-/// What is given a value: a symbol of the model, `dot(q1)` or `dot(u1)` for rates among them, or its name as
-/// it is printed: "q1", "q1'".
-class point_name {
-public:
-  point_name(const scalar<1>& symbol) : symbol_(symbol.tokens[0].symbol) {
-    if (symbol_ != nullptr) name_ = symbol_->called.view();
-  }
-  point_name(std::string_view name) : name_(name) {}
-  point_name(const char* name) : name_(name) {}
-  point_name(const std::string& name) : name_(name) {}
-
-  const describe::symbol_record* symbol() const { return symbol_; } ///< null: there is the name alone
-  const std::string& name() const { return name_; }
-  bool operator==(const point_name& other) const {
-    return name_ == other.name_ && (symbol_ == nullptr) == (other.symbol_ == nullptr) &&
-           (symbol_ == nullptr || symbol_->kind == other.symbol_->kind);
-  }
-
-private:
-  const describe::symbol_record* symbol_ = nullptr;
-  std::string name_;
-};
-
-/// Where a system is linearized, as named values: `operating_point{{q1, 0}, {u1, 2.5}, {u2, v / r}}`. What it
-/// does not name stays a symbol; rates that it does not name are those of the motion.
-class operating_point {
+/// Where a system is linearized, as named values: `linearization_point{{q1, 0}, {u1, 2.5}, {u2, v / r}}`.
+/// What it does not name stays a symbol; rates that it does not name are those of the motion.
+class linearization_point {
 public:
   struct entry {
-    point_name what;
+    symbol_name what;
     point_value value;
   };
 
-  operating_point() = default;
-  operating_point(std::initializer_list<entry> entries) {
+  linearization_point() = default;
+  linearization_point(std::initializer_list<entry> entries) {
     for (const entry& e : entries) set(e.what, e.value);
   }
 
-  operating_point& set(const point_name& what, const point_value& value) {
+  linearization_point& set(const symbol_name& what, const point_value& value) {
     for (entry& e : entries_)
       if (e.what == what) {
         e.value = value;
@@ -79,8 +54,8 @@ public:
   }
 
   /// Both sets of values; where both name a symbol, the other's value counts.
-  operating_point with(const operating_point& other) const {
-    operating_point both = *this;
+  linearization_point with(const linearization_point& other) const {
+    linearization_point both = *this;
     for (const entry& e : other.entries_) both.set(e.what, e.value);
     return both;
   }

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/values_reader.hpp>
+
+#include <concepts>
+#include <initializer_list>
+#include <iterator>
+
+namespace kanexpr {
+
+/// A symbol, or its name, and a number: `{q1, 0.1}`, `{"m", 2.5}`.
+struct named_value {
+  symbol_name what;
+  double value;
+};
+
+namespace compiled {
+
+/// An entry of a list such as `std::vector<named_value>`, or of a `std::map` from names to numbers.
+template <class Entry>
+concept names_a_number = std::convertible_to<const Entry&, named_value> || requires(const Entry& entry) {
+  { entry.first } -> std::convertible_to<symbol_name>;
+  { entry.second } -> std::convertible_to<double>;
+};
+
+template <class List>
+concept list_of_named_values = requires(const List& list) {
+  { *std::begin(list) } -> names_a_number;
+};
+
+/// A vector of numbers that does not fit.
+template <class System, symbols_of which, int given>
+struct fitting {
+  static constexpr symbol_range wanted = range_of(which, survey_of<System>);
+  static constexpr mechanics::problem mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::problem{};
+    return check_size(wanted.vector, type_name<System>(), given, wanted.size);
+  }();
+  static_assert(derivation::tell<fitting>());
+  static constexpr bool possible =
+      !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
+};
+
+/// Values for a vector of a system as they are given: by name, or as a vector of numbers.
+template <class System, symbols_of which, class Vector, bool may_be_incomplete>
+struct given_values {
+  Vector values;
+  mechanics::problem problem; ///< the first mistake in the values, as a sentence; empty: there is none
+
+  given_values() { read(std::initializer_list<named_value>{}); }
+  given_values(std::initializer_list<named_value> list) { read(list); }
+  template <list_of_named_values List>
+  given_values(const List& list) {
+    read(list);
+  }
+  template <class Derived>
+  given_values(const Eigen::MatrixBase<Derived>& numbers) {
+    if constexpr (fitting<System, which, Derived::SizeAtCompileTime>::possible) {
+      problem = check_size(range.vector, type_name<System>(), static_cast<int>(numbers.size()), range.size);
+      if (problem) return;
+      values = numbers;
+      values_reader reader = reads();
+      reader.look_for_infinite();
+      problem = reader.problem();
+    }
+  }
+
+private:
+  static constexpr symbol_range range = range_of(which, survey_of<System>);
+
+  static constexpr describe::system_record told = [] {
+    if constexpr (requires { System::record; })
+      return System::record;
+    else
+      return describe::system_record{};
+  }();
+
+  values_reader reads() { return {survey_of<System>, told, type_name<System>(), range, values.data()}; }
+
+  template <class List>
+  void read(const List& list) {
+    values_reader reader = reads();
+    for (const auto& entry : list)
+      if constexpr (requires { entry.first; })
+        reader.read(entry.first, static_cast<double>(entry.second));
+      else
+        read_one(reader, entry);
+    if constexpr (!may_be_incomplete) reader.look_for_missing();
+    reader.look_for_infinite();
+    problem = reader.problem();
+  }
+  static void read_one(values_reader& reader, const named_value& entry) {
+    reader.read(entry.what, entry.value);
+  }
+};
+
+} // namespace compiled
+
+/// A state as it is given: `{{q1, 0.1}, {u1, 0}}`, any list of names and values, or an Eigen vector.
+/// Dependent coordinates and speeds may be left out; they are zero here, and the constraints give them.
+template <class System>
+struct given_state
+    : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, false> {
+  using compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>,
+                               false>::given_values;
+};
+
+/// Parameters as they are given: by name, `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
+template <class System>
+struct given_parameters
+    : compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>, false> {
+  using compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>,
+                               false>::given_values;
+};
+
+/// Inputs as they are given: by name, `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
+template <class System>
+struct given_inputs
+    : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, false> {
+  using compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>,
+                               false>::given_values;
+};
+
+/// A state or inputs from which a search starts: what is not named starts at zero.
+template <class System>
+struct guessed_state
+    : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {
+  using compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>,
+                               true>::given_values;
+};
+template <class System>
+struct guessed_inputs
+    : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, true> {
+  using compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>,
+                               true>::given_values;
+};
+
+} // namespace kanexpr

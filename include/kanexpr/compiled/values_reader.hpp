@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/describe/symbol_name.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace kanexpr::compiled {
+
+/// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",
+/// by the place in a survey.
+inline mechanics::problem symbol_called(const derivation::survey& known, int place) {
+  using symbolic::symbol_kind;
+  const std::string_view name = known.names[place].view();
+  if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});
+  if (place >= known.first_of(symbol_kind::parameter)) return mechanics::sentence({"parameter ", name});
+  if (place < known.coordinates) return mechanics::sentence({"coordinate ", name});
+  if (!known.takes_rates_as_speeds) return mechanics::sentence({"speed ", name});
+  return mechanics::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
+}
+
+/// The symbols that a vector of values holds, which stand in a row in a survey.
+struct symbol_range {
+  int first = 0, size = 0;
+  std::string_view vector; ///< "state"
+  std::string_view symbol; ///< "coordinate or speed"
+
+  constexpr bool holds(int place) const { return place >= first && place < first + size; }
+};
+
+enum class symbols_of : unsigned char { state, parameters, inputs };
+
+constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
+  using symbolic::symbol_kind;
+  switch (which) {
+  case symbols_of::parameters:
+    return {s.first_of(symbol_kind::parameter), s.parameters, "parameter", "parameter"};
+  case symbols_of::inputs: return {s.first_of(symbol_kind::input), s.inputs, "input", "input"};
+  default:
+    return {0, s.coordinates + s.speeds, "state",
+            s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
+  }
+}
+
+/// Puts values that are given by name into their places, and keeps the first mistake.
+class values_reader {
+public:
+  values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+                const symbol_range& range, double* values)
+      : known_(known), told_(told), system_(system), range_(range), values_(values) {}
+
+  void read(const symbol_name& what, double value) {
+    const int place = place_of(what.name());
+    if (range_.holds(place)) {
+      const auto i = static_cast<std::size_t>(place - range_.first);
+      if (named_[i]) fail({symbol_called(known_, place).view(), " has two values"});
+      named_[i] = true;
+      values_[i] = value;
+    } else if (what.name().empty()) {
+      fail({"a value is given to something that is not a symbol"});
+    } else if (place >= 0) {
+      fail({symbol_called(known_, place).view(), " has no place in the ", range_.vector, " vector of ",
+            system_});
+    } else if (is_bound(what.name())) {
+      fail({"parameter ", what.name(), " has its value in the system ", system_});
+    } else {
+      fail({"the system ", system_, " has no ", range_.symbol, " ", what.name()});
+    }
+  }
+
+  /// Every symbol needs a value except the dependent ones, which the constraints give.
+  void look_for_missing() {
+    for (int i = 0; i < range_.size; ++i)
+      if (!named_[static_cast<std::size_t>(i)] && !known_.dependent[range_.first + i])
+        fail({symbol_called(known_, range_.first + i).view(), " has no value"});
+  }
+
+  void look_for_infinite() {
+    for (int i = 0; i < range_.size; ++i)
+      if (!std::isfinite(values_[i]))
+        fail({"the value of ", symbol_called(known_, range_.first + i).view(),
+              std::isnan(values_[i]) ? " is not a number" : " is infinite"});
+  }
+
+  const mechanics::problem& problem() const { return problem_; }
+
+private:
+  int place_of(std::string_view name) const {
+    for (int place = 0; place < known_.symbols(); ++place)
+      if (known_.names[place].view() == name) return place;
+    return -1;
+  }
+
+  bool is_bound(std::string_view name) const {
+    for (int i = 0; i < told_.values.size; ++i)
+      if (derivation::name_in(told_.values[i]) == name) return true;
+    return false;
+  }
+
+  void fail(std::initializer_list<std::string_view> pieces) {
+    if (!problem_) problem_ = mechanics::sentence(pieces);
+  }
+
+  const derivation::survey& known_;
+  const describe::system_record& told_;
+  std::string_view system_;
+  symbol_range range_;
+  double* values_;
+  std::array<bool, derivation::survey::room> named_{};
+  mechanics::problem problem_;
+};
+
+} // namespace kanexpr::compiled

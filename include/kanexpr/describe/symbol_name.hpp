@@ -1,0 +1,34 @@
+#pragma once
+
+#include <kanexpr/describe/expression.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace kanexpr {
+
+/// What a value is given to while the program runs: a symbol of the model, `dot(q1)` or `dot(u1)` for rates
+/// among them, or its name as it is printed: "q1", "q1'".
+class symbol_name {
+public:
+  symbol_name(const scalar<1>& symbol) : symbol_(symbol.tokens[0].symbol) {
+    if (symbol_ == nullptr) return;
+    name_ = symbol_->called.view();
+    if (symbol_->kind == symbolic::symbol_kind::coordinate_rate ||
+        symbol_->kind == symbolic::symbol_kind::speed_rate)
+      name_ += '\''; // the record of a rate has the name of what changes
+  }
+  symbol_name(std::string_view name) : name_(name) {}
+  symbol_name(const char* name) : name_(name) {}
+  symbol_name(const std::string& name) : name_(name) {}
+
+  const describe::symbol_record* symbol() const { return symbol_; } ///< null: there is the name alone
+  const std::string& name() const { return name_; }                 ///< empty: of a number
+  bool operator==(const symbol_name& other) const { return name_ == other.name_; }
+
+private:
+  const describe::symbol_record* symbol_ = nullptr;
+  std::string name_;
+};
+
+} // namespace kanexpr

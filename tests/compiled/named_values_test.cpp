@@ -1,0 +1,118 @@
+// builds: sanitize no-exceptions
+// Values that are given by name: where they go, and what is wrong with them.
+#include "models/bicycle.hpp"
+#include "models/four_bar.hpp"
+
+#include <kanexpr/compiled/named_values.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using kanexpr::dot;
+using kanexpr::named_value;
+using given_state = kanexpr::given_state<four_bar::System>;
+using given_parameters = kanexpr::given_parameters<four_bar::System>;
+using given_inputs = kanexpr::given_inputs<four_bar::System>;
+using bicycle_state = kanexpr::given_state<bicycle::BoundSystem>;
+using bicycle_parameters = kanexpr::given_parameters<bicycle::BoundSystem>;
+
+// as a parameter of a function, where the braces stand in a call
+kanexpr::state<four_bar::System> taken(const given_state& x) {
+  EXPECT_EQ(x.problem.view(), "");
+  return x.values;
+}
+
+std::string problem_of(const given_state& x) { return std::string(x.problem.view()); }
+std::string problem_of_parameters(const given_parameters& p) { return std::string(p.problem.view()); }
+
+TEST(named_values, come_in_any_order) {
+  using namespace four_bar;
+  Eigen::Matrix<double, 6, 1> expected;
+  expected << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
+  EXPECT_EQ(taken({{u3, 0.6}, {q1, 0.1}, {u1, 0.4}, {q3, 0.3}, {q2, 0.2}, {u2, 0.5}}), expected);
+  EXPECT_EQ(taken({{"u3", 0.6}, {q1, 0.1}, {"u1", 0.4}, {q3, 0.3}, {q2, 0.2}, {u2, 0.5}}), expected);
+  EXPECT_EQ(taken(expected), expected);
+  EXPECT_EQ(taken(2 * kanexpr::state<System>(expected) - expected), expected);
+  EXPECT_EQ(taken(Eigen::VectorXd(expected)), expected);
+}
+
+TEST(named_values, come_from_a_list_or_a_file) {
+  using namespace four_bar;
+  std::map<std::string, double> file;
+  std::vector<named_value> list;
+  kanexpr::parameter_values<System> expected;
+  const char* const names[]{"m3", "g",  "l1", "d1", "l0", "m1", "l3",
+                            "m2", "I2", "I1", "l2", "d2", "I3", "d3"};
+  double value = 0.1;
+  for (const char* name : names) file[name] = value, list.push_back({name, value}), value += 0.37;
+  expected[m3] = 0.1, expected[g] = 0.47, expected[l1] = 0.84, expected[d1] = 1.21, expected[l0] = 1.58;
+  expected[m1] = 1.95, expected[l3] = 2.32, expected[m2] = 2.69, expected[I2] = 3.06, expected[I1] = 3.43;
+  expected[l2] = 3.8, expected[d2] = 4.17, expected[I3] = 4.54, expected[d3] = 4.91;
+  const given_parameters by_file = file, by_list = list;
+  EXPECT_EQ(by_file.problem.view(), "");
+  EXPECT_EQ(by_list.problem.view(), "");
+  EXPECT_LE((by_file.values - expected).norm(), 1e-14);
+  EXPECT_EQ(by_list.values, by_file.values);
+}
+
+TEST(named_values, may_leave_out_what_depends) {
+  using namespace four_bar;
+  const auto x = taken({{q1, 0.1}, {u1, 0.4}, {q3, -1}});
+  EXPECT_EQ(x[q3], -1);
+  EXPECT_EQ(x[q2], 0);
+  const bicycle_state straight{{bicycle::q1, 0}, {bicycle::q2, 0}, {bicycle::q5, 0},
+                               {bicycle::u2, 0}, {bicycle::u3, 1}, {bicycle::u5, 0}};
+  EXPECT_EQ(straight.problem.view(), "");
+  EXPECT_EQ(bicycle_parameters().problem.view(), "");
+}
+
+TEST(named_values, are_missing) {
+  using namespace four_bar;
+  EXPECT_EQ(problem_of({{q1, 0.1}}), "speed u1 has no value");
+  EXPECT_EQ(problem_of({{u1, 0.1}, {q2, 1}}), "coordinate q1 has no value");
+  EXPECT_EQ(problem_of_parameters({}), "parameter m1 has no value");
+  EXPECT_EQ(given_inputs().problem.view(), "input T has no value");
+  EXPECT_EQ(given_inputs({{T, 1}}).problem.view(), "");
+  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}}).problem.view(),
+            "the rate of coordinate q1 has no value");
+  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {dot(q1), 2}}).values[dot(q1)], 2);
+  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {"q1'", 2}}).problem.view(), "");
+}
+
+TEST(named_values, are_doubled) {
+  using namespace four_bar;
+  EXPECT_EQ(problem_of({{q1, 0.1}, {u1, 1}, {"q1", 0.1}}), "coordinate q1 has two values");
+  EXPECT_EQ(problem_of_parameters({{m1, 1}, {l1, 2}, {m1, 1}}), "parameter m1 has two values");
+}
+
+TEST(named_values, are_unknown_or_elsewhere) {
+  using namespace four_bar;
+  constexpr kanexpr::parameter<"mm"> mm;
+  EXPECT_EQ(problem_of_parameters({{mm, 1}}), "the system System has no parameter mm");
+  EXPECT_EQ(problem_of({{q1, 0.1}, {"q7", 1}}), "the system System has no coordinate or speed q7");
+  EXPECT_EQ(problem_of({{q1, 0.1}, {m1, 1}}), "parameter m1 has no place in the state vector of System");
+  EXPECT_EQ(problem_of({{dot(q1), 1}}), "the system System has no coordinate or speed q1'");
+  EXPECT_EQ(problem_of({{kanexpr::rational<1, 2>, 1}}), "a value is given to something that is not a symbol");
+  EXPECT_EQ(bicycle_parameters({{bicycle::g, 9}}).problem.view(),
+            "parameter g has its value in the system BoundSystem");
+}
+
+TEST(named_values, are_no_numbers) {
+  using namespace four_bar;
+  const double none = std::nan(""), huge = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(problem_of({{q1, none}, {u1, 0}}), "the value of coordinate q1 is not a number");
+  EXPECT_EQ(problem_of({{q1, 1}, {u1, 0}, {u3, -huge}}), "the value of speed u3 is infinite");
+  kanexpr::state<System> x;
+  x[u2] = none;
+  EXPECT_EQ(problem_of(x), "the value of speed u2 is not a number");
+  EXPECT_EQ(problem_of(Eigen::VectorXd::Zero(5)), "the state vector of System has 6 entries, not 5");
+}
+
+} // namespace
