@@ -1,0 +1,108 @@
+#pragma once
+
+#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/lower/eliminate.hpp>
+
+#include <array>
+
+namespace kanexpr::compiled {
+
+/// One cost after another, so many times.
+constexpr symbolic::cost added(symbolic::cost total, const symbolic::cost& c, int times = 1) {
+  total.multiplications += times * c.multiplications;
+  total.additions += times * c.additions;
+  total.divisions += times * c.divisions;
+  total.trigonometric += times * c.trigonometric;
+  total.other += times * c.other;
+  total.nodes += times * c.nodes;
+  return total;
+}
+
+/// Brings a state that nearly satisfies its constraints back to them, in an amount of work that is known
+/// beforehand: some steps of Newton's method for the dependent coordinates, then the dependent speeds. What
+/// is independent stays.
+template <class System, int newton_steps>
+class correction {
+  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr int unknowns = known.configuration_constraints;
+  using eom = equations_of_motion<System>;
+
+public:
+  static constexpr bool is_needed = newton_steps > 0 && known.constraints > 0;
+
+  template <class Time, class T, class P, class R>
+  static kanexpr::status apply(const Time& t, state<System, T>& x, const P& p, const R& r) {
+    if constexpr (unknowns > 0)
+      for (int done = 0; done < newton_steps; ++done)
+        if (const kanexpr::status s = step(t, x, p, r); !s) return s;
+    const auto u = eom::dependent_speeds(t, x, p, r);
+    for (int i = 0; i < known.constraints; ++i) x(place(unknowns + i)) = u(i);
+    return status_of(u);
+  }
+
+  /// Operations of all evaluations and solutions.
+  static constexpr symbolic::cost cost() {
+    symbolic::cost total;
+    if constexpr (is_needed) total = added(total, eom::dependent_speeds.cost());
+    if constexpr (is_needed && unknowns > 0) {
+      symbolic::cost one = residual_and_slope().cost();
+      one.count_factorization(unknowns);
+      one.count_substitution(unknowns);
+      one.count_regularity(unknowns);
+      total = added(total, one, newton_steps);
+    }
+    return total;
+  }
+
+private:
+  static constexpr auto residual_and_slope() {
+    return eom::together(eom::configuration_residual, eom::configuration_jacobian);
+  }
+
+  /// One of Newton's steps; too near to singular is what it is for all results.
+  template <class Time, class T, class P, class R>
+  static kanexpr::status step(const Time& t, state<System, T>& x, const P& p, const R& r) {
+    using math = lower::elimination_math<T>;
+    constexpr symbolic::factors entry{unknowns};
+    const auto [residual, slope] = residual_and_slope()(t, x, p, r);
+    T f[entry.size()], scales[unknowns], change[unknowns];
+    for (int i = 0; i < unknowns; ++i) {
+      change[i] = residual(i);
+      scales[i] = lower::scalar_math<T>::from(0);
+      for (int j = 0; j < unknowns; ++j) {
+        f[entry.at(i, j)] = slope(i, j);
+        scales[i] = T(scales[i] + math::magnitude(slope(i, j)));
+      }
+    }
+    symbolic::factorize<math>(unknowns, f);
+    const T regularity = symbolic::regularity_of<math>(unknowns, f, scales);
+    if (!lower::scalar_math<T>::exceeds(regularity, mechanics::least_regularity<T>())) return {&singular, 1u};
+    symbolic::solve_factorized<math>(unknowns, f, change);
+    for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) - change[i]);
+    return {};
+  }
+
+  /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
+  static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
+  static constexpr auto places = [] {
+    std::array<int, static_cast<std::size_t>(unknowns + known.constraints + 1)> found{};
+    std::size_t next = 0;
+    for (int i = 0; i < known.coordinates + known.speeds; ++i)
+      if (known.dependent[i]) found[next++] = i;
+    return found;
+  }();
+
+  static constexpr mechanics::problem singular = [] {
+    mechanics::problem p = mechanics::sentence(
+        {"the constraints cannot be solved for the dependent coordinate", unknowns == 1 ? " " : "s "});
+    for (int i = 0; i < unknowns; ++i)
+      p = mechanics::sentence({p.view(),
+                               i == 0             ? ""
+                               : i + 1 < unknowns ? ", "
+                                                  : " and ",
+                               known.names[place(i)].view()});
+    return mechanics::sentence({p.view(), " at this state"});
+  }();
+};
+
+} // namespace kanexpr::compiled
