@@ -1,0 +1,185 @@
+#pragma once
+
+#include <kanexpr/simulate/table.hpp>
+
+#include <charconv>
+#include <istream>
+#include <system_error>
+
+namespace kanexpr {
+
+/// A table that was read; if it could not be, an empty one with the cause.
+struct csv_table : table, outcome {
+  csv_table() = default;
+  explicit csv_table(outcome failed) : outcome(std::move(failed)) {}
+};
+
+namespace simulated {
+
+/// The records of a text: a line each, or several where a quoted field holds the end of a line.
+class csv_records {
+public:
+  explicit csv_records(std::istream& in) : in_(&in) {}
+
+  /// Goes to the next record; false at the end of the text and where a record is not well formed.
+  bool next() {
+    line_ = last_ + 1;
+    if (!next_line()) return false;
+    if (is_blank()) { // which only the end of the text may be
+      while (next_line())
+        if (!is_blank()) return refuse(" is empty");
+      return false;
+    }
+    if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the mark of UTF-8
+    fields_.clear();
+    at_ = 0;
+    do {
+      skip_blanks();
+      if (!(holds('"') ? quoted() : plain())) return false;
+    } while (holds(',') && ++at_ != 0);
+    return true;
+  }
+
+  const std::vector<std::string>& fields() const { return fields_; }
+  /// The line at which the record begins, from 1.
+  long line() const { return line_; }
+  /// What is wrong with it, as the end of a sentence; empty: nothing.
+  const std::string& mistake() const { return mistake_; }
+
+private:
+  static constexpr const char* blanks = " \t\r";
+
+  bool next_line() {
+    if (!std::getline(*in_, text_)) return false;
+    ++last_;
+    return true;
+  }
+  bool is_blank() const { return text_.find_first_not_of(blanks) == std::string::npos; }
+  bool holds(char c) const { return at_ < text_.size() && text_[at_] == c; }
+  void skip_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
+  bool refuse(std::string what) {
+    mistake_ = std::move(what);
+    return false;
+  }
+
+  bool plain() {
+    const std::size_t end = std::min(text_.find(',', at_), text_.size());
+    std::string field = text_.substr(at_, end - at_);
+    field.erase(field.find_last_not_of(blanks) + 1);
+    fields_.push_back(std::move(field));
+    at_ = end;
+    return true;
+  }
+
+  bool quoted() {
+    std::string field;
+    ++at_;
+    for (std::size_t quote = text_.find('"', at_);; quote = text_.find('"', at_)) {
+      field.append(text_, at_, quote - at_);
+      if (quote == std::string::npos) { // goes on in the next line
+        field += '\n';
+        if (!next_line()) return refuse(" opens a quote that is not closed");
+        at_ = 0;
+        continue;
+      }
+      at_ = quote + 1;
+      if (!holds('"')) break;
+      field += '"'; // written twice
+      ++at_;
+    }
+    fields_.push_back(std::move(field));
+    skip_blanks();
+    if (at_ < text_.size() && !holds(',')) return refuse(" has text after a closing quote");
+    return true;
+  }
+
+  std::istream* in_;
+  std::string text_, mistake_;
+  std::size_t at_ = 0;
+  long line_ = 0, last_ = 0;
+  std::vector<std::string> fields_;
+};
+
+/// A number by its text; the end of a sentence about what it is instead, or empty.
+inline std::string_view read_number(std::string_view text, double& number) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc::result_out_of_range) return " is too large or too small for a double";
+  if (error != std::errc() || end != text.data() + text.size()) return " is not a number";
+  return {};
+}
+
+class table_reader {
+public:
+  table_reader(std::istream& in, const std::string& called) : in_(&in), called_(called), records_(in) {}
+
+  csv_table read() {
+    if (!header()) return csv_table(wrong_);
+    while (records_.next())
+      if (!row()) return csv_table(wrong_);
+    if (!well_formed()) return csv_table(wrong_);
+    csv_table all;
+    for (std::size_t j = 0; j < columns_.size(); ++j)
+      if (outcome added = all.add(header_.names()[j], std::move(columns_[j])); !added)
+        return csv_table(std::move(added));
+    return all;
+  }
+
+private:
+  bool header() {
+    const bool found = records_.next();
+    if (!well_formed()) return false;
+    if (!found) return refuse(source() + (in_->eof() ? " is empty" : " cannot be read"));
+    for (const std::string& name : records_.fields())
+      if (const outcome added = header_.add(name, {}); !added)
+        return refuse(line() + " is no header: " + added.cause());
+    columns_.resize(header_.columns());
+    return true;
+  }
+
+  bool row() {
+    const std::vector<std::string>& fields = records_.fields();
+    if (fields.size() != columns_.size())
+      return refuse(line() + " has " + std::to_string(fields.size()) +
+                    (fields.size() == 1 ? " field" : " fields") + ", the header " +
+                    std::to_string(columns_.size()));
+    for (std::size_t j = 0; j < fields.size(); ++j) {
+      double number = 0;
+      if (const std::string_view wrong = read_number(fields[j], number); !wrong.empty())
+        return refuse(line() + ": '" + fields[j] + "' in column " + header_.names()[j] + std::string(wrong));
+      columns_[j].push_back(number);
+    }
+    return true;
+  }
+
+  bool well_formed() {
+    if (!records_.mistake().empty()) return refuse(line() + records_.mistake());
+    return in_->bad() ? refuse(source() + " cannot be read") : true;
+  }
+
+  std::string source() const { return called_.empty() ? "the stream" : called_; }
+  std::string line() const {
+    return "line " + std::to_string(records_.line()) + (called_.empty() ? "" : " of " + called_);
+  }
+  bool refuse(std::string why) {
+    wrong_ = outcome(std::move(why));
+    return false;
+  }
+
+  std::istream* in_;
+  std::string called_;
+  csv_records records_;
+  table header_; ///< the names, without rows
+  std::vector<std::vector<double>> columns_;
+  outcome wrong_;
+};
+
+} // namespace simulated
+
+/// Reads a table as `write_csv` writes it, or as other programs do. `called` is the name of the text in
+/// sentences.
+inline csv_table read_csv(std::istream& in, const std::string& called = {}) {
+  return simulated::table_reader(in, called).read();
+}
+
+} // namespace kanexpr

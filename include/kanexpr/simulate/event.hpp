@@ -1,0 +1,86 @@
+#pragma once
+
+#include <kanexpr/compiled/function.hpp>
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace kanexpr {
+
+/// How a watched expression passes zero.
+enum class crossing { falling = -1, either = 0, rising = 1 };
+
+enum class after_event { go_on, stop };
+
+/// When something happened, and the state, which the handler of an event may change. What depends on it by a
+/// constraint follows after that.
+template <class System>
+struct moment {
+  double t;
+  state<System>& x;
+  const parameter_values<System>& p;
+  const input_values<System>& r;
+};
+
+/// What is done when an event happens: a function of the moment, which may change the state and say whether
+/// the simulation stops; or `after_event::stop` alone.
+template <class System>
+class event_handler {
+public:
+  event_handler() = default;
+  event_handler(after_event always) : do_([always](moment<System>&) { return always; }) {}
+  template <std::invocable<moment<System>&> Handler>
+  event_handler(Handler handler)
+      : do_([h = std::move(handler)](moment<System>& now) mutable {
+          if constexpr (std::is_void_v<std::invoke_result_t<Handler, moment<System>&>>) {
+            h(now);
+            return after_event::go_on;
+          } else {
+            return h(now);
+          }
+        }) {}
+
+  explicit operator bool() const { return static_cast<bool>(do_); }
+  after_event operator()(moment<System>& now) const { return do_(now); }
+
+private:
+  std::function<after_event(moment<System>&)> do_;
+};
+
+/// Something that happens where a function passes zero. Without a handler it is only noted.
+template <class System>
+struct event {
+  using function = std::function<double(double t, const state<System>&, const parameter_values<System>&,
+                                        const input_values<System>&)>;
+
+  event(std::string called, function of, crossing passing = crossing::either, event_handler<System> act = {})
+      : name(std::move(called)), value(std::move(of)), direction(passing), handler(std::move(act)) {}
+
+  std::string name;
+  function value;
+  crossing direction;
+  event_handler<System> handler;
+};
+
+/// The event that an expression of the model passes zero:
+/// `when<System, dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
+template <class System, auto expression>
+event<System> when(std::string name, crossing direction = crossing::either,
+                   event_handler<System> handler = {}) {
+  return {std::move(name),
+          [](double t, const state<System>& x, const parameter_values<System>& p,
+             const input_values<System>& r) -> double {
+            return kanexpr::function<System, expression>{}(t, x, p, r);
+          },
+          direction, std::move(handler)};
+}
+
+/// An event that happened.
+struct occurrence {
+  double t;
+  std::string name;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <kanexpr/compiled/named_values.hpp>
+
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace kanexpr {
+
+/// Where the inputs of a simulation come from: constants, by name or as a vector; a function of the time; or
+/// a controller, a function of the time and the state. A function gives an `input_values<System>`, or fills
+/// one:
+/// `[](double t, const state<System>& x, input_values<System>& r) { r[T] = -k * x[q]; }`.
+/// Prescribed motions are inputs together with their derivatives (see `prescribe`).
+template <class System>
+class input_source {
+  template <class T>
+  static constexpr bool is_vector = std::derived_from<T, Eigen::EigenBase<T>>; // Eigen's can be called
+
+public:
+  using state = kanexpr::state<System>;
+  using inputs = input_values<System>;
+
+  input_source() : input_source(given_inputs<System>()) {}
+  input_source(std::initializer_list<named_value> constants)
+      : input_source(given_inputs<System>(constants)) {}
+  input_source(const given_inputs<System>& constants)
+      : problem_(constants.problem),
+        give_([r = constants.values](double, const state&, inputs& out) { out = r; }) {}
+  template <class Derived>
+  input_source(const Eigen::MatrixBase<Derived>& constants) : input_source(given_inputs<System>(constants)) {}
+
+  template <std::invocable<double, const state&, inputs&> Fill>
+  input_source(Fill fill) : give_(std::move(fill)), depends_on_state_(true) {}
+
+  template <std::invocable<double, const state&> Controller>
+    requires(std::convertible_to<std::invoke_result_t<Controller, double, const state&>, inputs> &&
+             !is_vector<Controller>)
+  input_source(Controller control)
+      : give_([c = std::move(control)](double t, const state& x, inputs& r) { r = c(t, x); }),
+        depends_on_state_(true) {}
+
+  template <std::invocable<double> Function>
+    requires(std::convertible_to<std::invoke_result_t<Function, double>, inputs> && !is_vector<Function>)
+  input_source(Function of_time)
+      : give_([f = std::move(of_time)](double t, const state&, inputs& r) { r = f(t); }) {}
+
+  /// A mistake in constants, as a sentence.
+  const mechanics::problem& problem() const { return problem_; }
+  bool depends_on_state() const { return depends_on_state_; }
+
+  /// The inputs at a time and a state; what a function does not set is not a number.
+  void give(double t, const state& x, inputs& r) const {
+    r.setConstant(std::numeric_limits<double>::quiet_NaN());
+    give_(t, x, r);
+  }
+
+private:
+  mechanics::problem problem_;
+  std::function<void(double, const state&, inputs&)> give_;
+  bool depends_on_state_ = false;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,254 @@
+#pragma once
+
+#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/simulate/check_options.hpp>
+#include <kanexpr/simulate/departures.hpp>
+#include <kanexpr/simulate/moving_system.hpp>
+#include <kanexpr/simulate/output_schedule.hpp>
+#include <kanexpr/simulate/simulation.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace kanexpr::simulated {
+
+/// One simulation, from its first check to its end.
+template <class System, integrator by>
+class integration {
+public:
+  integration(const given_parameters<System>& p, const time_span& span,
+              const simulation_options<System>& options)
+      : options_(options), span_(span), around_(p.values, options.inputs, options.events), moving_(around_),
+        schedule_(span, options.output_every, options.output_times) {
+    result_.trajectory = kanexpr::trajectory<System>(p.values);
+    if (p.problem) fail(std::string(p.problem.view()));
+  }
+
+  simulation<System> run(const given_state<System>& x) {
+    result_.time = span_.from;
+    result_.state = x.values;
+    if (begin(x)) {
+      go();
+      end();
+    }
+    return std::move(result_);
+  }
+
+private:
+  using state = kanexpr::state<System>;
+  using sample = kanexpr::sample<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
+
+  sundials::stepper& stepper() { return moving_.stepper(); }
+
+  bool fail(std::string why) {
+    if (result_.reason.empty()) result_.reason = std::move(why);
+    return false;
+  }
+
+  /// Ends the simulation where it stands.
+  bool fail_here(const std::string& why) {
+    std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
+    for (int i = 0; i < known.coordinates + known.speeds; ++i)
+      where +=
+          (i == 0 ? "" : ", ") + surroundings<System>::name_of_state(i) + " = " + digits(result_.state(i));
+    const std::string& because = around_.reason();
+    return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
+  }
+
+  bool begin(const given_state<System>& x) {
+    if (!result_.reason.empty()) return false;
+    if (x.problem) return fail(std::string(x.problem.view()));
+    sundials::stepper_options o = stepper_options();
+    if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
+    if (std::string wrong = read_tolerances(options_, o.absolute_tolerances); !wrong.empty())
+      return fail(std::move(wrong));
+    if (!assemble_at(span_.from, result_.state)) return false;
+    if (moving_.start(span_.from, result_.state, o) != answer::given) return fail_here("");
+    if (stepper().failed()) return fail_here(stepper().failed().sentence);
+    return take_samples(false);
+  }
+
+  sundials::stepper_options stepper_options() const {
+    const double latest = std::max(std::abs(span_.from), std::abs(span_.to));
+    sundials::stepper_options o;
+    o.end = span_.to;
+    o.relative_tolerance = options_.relative_tolerance;
+    o.first_step = options_.first_step;
+    o.least_step = std::max(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
+    o.greatest_step = options_.greatest_step;
+    o.most_drift = options_.most_drift;
+    o.most_steps = options_.most_steps;
+    o.analytic_jacobian = options_.analytic_jacobian;
+    return o;
+  }
+
+  /// Lets the dependent coordinates and speeds follow.
+  bool assemble_at(double t, state& x) {
+    if (around_.take(t, x) != answer::given) return fail_here("");
+    if constexpr (is_constrained) {
+      const assembly built = kanexpr::assemble<System>(x, around_.p(), around_.r(), t);
+      if (!built) return fail_here(std::string(built.cause()));
+      if (around_.take(t, x) != answer::given) return fail_here("");
+    }
+    return true;
+  }
+
+  void go() {
+    const bool by_steps =
+        schedule_.takes_each_step() || options_.dense || options_.progress || stepper().goes_by_steps();
+    bool goes_on = true;
+    while (goes_on && result_.time < span_.to) {
+      const double target = by_steps || schedule_.is_over() ? span_.to : schedule_.next();
+      const sundials::arrival arrived = stepper().advance(target, !by_steps);
+      result_.time = stepper().time();
+      std::copy_n(stepper().state(), result_.state.size(), result_.state.begin());
+      if (arrived == sundials::arrival::failed) {
+        keep_last();
+        fail_here(stepper().failed().sentence);
+        return;
+      }
+      around_.forget();
+      if (options_.dense) keep_polynomial();
+      const std::vector<int> passed =
+          arrived == sundials::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
+      goes_on = take_samples(true) && is_seen(passed);
+      if (goes_on && arrived == sundials::arrival::event) goes_on = pass_event(passed);
+      if (options_.progress && goes_on)
+        goes_on = around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
+                      answer::given ||
+                  fail_here("");
+    }
+  }
+
+  /// Samples that are due up to the present time.
+  bool take_samples(bool is_within) {
+    if (schedule_.takes_each_step())
+      return record(result_.time, result_.state, is_within && stepper().goes_by_steps());
+    for (; !schedule_.is_over() && schedule_.next() <= result_.time; schedule_.pass()) {
+      const double t = schedule_.next();
+      state x = result_.state;
+      const bool between = is_within && t < result_.time;
+      if (between && !interpolate(t, x)) return fail_here("the solution could not be interpolated");
+      if (!record(t, x, is_within)) return false;
+    }
+    return true;
+  }
+
+  bool interpolate(double t, state& x) {
+    std::vector<double> y(static_cast<std::size_t>(moving_.motion.size()));
+    if (!stepper().derivative(t, 0, y.data())) return false;
+    std::copy_n(y.begin(), x.size(), x.begin());
+    return true;
+  }
+
+  /// A state that was interpolated, or may have drifted, is brought to the constraints for that.
+  bool record(double t, state x, bool may_be_off) {
+    if (around_.take(t, x) != answer::given) return fail_here("");
+    if constexpr (is_constrained)
+      if (may_be_off) {
+        const auto scale = options_.relative_tolerance * x.cwiseAbs().array().max(1e-3);
+        const state weights = state((scale + options_.absolute_tolerance).inverse());
+        if (projection_(t, x, around_.p(), around_.r(), weights)) x += projection_.correction();
+      }
+    const sample now{t, x, around_.r()};
+    if (options_.each_sample && around_.guarded("the function that is given each sample",
+                                                [&] { options_.each_sample(now); }) != answer::given)
+      return fail_here("");
+    if (options_.keep) result_.trajectory.add(now);
+    return true;
+  }
+
+  /// The last state that was reached, for one who looks for what went wrong.
+  void keep_last() {
+    const auto& path = result_.trajectory;
+    if (options_.keep && (path.empty() || path.back().t < result_.time) && result_.state.allFinite())
+      result_.trajectory.add(sample{result_.time, result_.state, around_.r()});
+  }
+
+  void keep_polynomial() {
+    const auto n = static_cast<std::size_t>(result_.state.size());
+    const double t = result_.time;
+    piece p{std::max(stepper().step_begin(), begun_), t, {}};
+    std::vector<double> y(static_cast<std::size_t>(moving_.motion.size()));
+    double factorial = 1;
+    for (int k = 0; k <= stepper().degree(); ++k) {
+      if (k > 0) factorial *= k;
+      if (!stepper().derivative(t, k, y.data())) break;
+      for (std::size_t i = 0; i < n; ++i) p.coefficients.push_back(y[i] / factorial);
+    }
+    if (!p.coefficients.empty() && p.begin < p.end) result_.trajectory.add(std::move(p));
+  }
+
+  /// Lets the handlers of what happened act, and goes on from the state that they leave.
+  bool pass_event(const std::vector<int>& passed) {
+    const double t = result_.time;
+    if (is_endless(passed)) return fail_here(ever_faster);
+    const auto& events = options_.events;
+    state x = result_.state;
+    if (around_.take(t, x) != answer::given) return fail_here("");
+    bool stops = false, handled = false;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (passed[i] == 0) continue;
+      result_.events.push_back({t, events[i].name});
+      if (!events[i].handler) continue;
+      handled = true;
+      moment<System> now{t, x, around_.p(), around_.r()};
+      const answer a = around_.guarded("the handler of the event " + events[i].name,
+                                       [&] { stops |= events[i].handler(now) == after_event::stop; });
+      if (a != answer::given) return fail_here("");
+    }
+    if (!handled) return true;
+    const bool changed = x != result_.state;
+    if (changed && !x.allFinite())
+      return fail_here("the handler of an event left a state that is not finite");
+    if (changed && !assemble_at(t, x)) return false;
+    result_.state = x;
+    if (changed && schedule_.takes_each_step() && !record(t, x, false)) return false;
+    result_.stopped_by_event = stops;
+    if (stops) return false;
+    begun_ = t;
+    if (changed) departures_.note(t, x, passed, around_);
+    return moving_.restart(x) || fail_here(stepper().failed().sentence);
+  }
+
+  bool is_seen(const std::vector<int>& passed) {
+    return !departures_.missed(result_.time, result_.state, passed, around_) || fail_here(ever_faster);
+  }
+
+  /// Whether events pile up at one time.
+  bool is_endless(const std::vector<int>& passed) {
+    const double scale = std::max({1.0, std::abs(span_.from), std::abs(span_.to)});
+    const double since = result_.time - last_event_;
+    events_at_once_ = since <= 1e-12 * scale ? events_at_once_ + 1 : 0;
+    last_event_ = result_.time;
+    return events_at_once_ > 20 ||
+           (since <= 1e-6 * scale && departures_.contradict(result_.time, result_.state, passed, around_));
+  }
+
+  void end() {
+    result_.statistics = stepper().statistics();
+    result_.statistics.rate_evaluations = moving_.motion.rate_evaluations();
+    result_.statistics.jacobian_evaluations = moving_.motion.jacobian_evaluations();
+    result_.statistics.projections = moving_.motion.projections();
+    result_.statistics.events = static_cast<long>(result_.events.size());
+  }
+
+  static constexpr const char* ever_faster = "events happen ever faster; a handler must end that";
+
+  const simulation_options<System>& options_;
+  const time_span span_;
+  surroundings<System> around_;
+  moving_system<System, by> moving_;
+  output_schedule schedule_;
+  constraint_projection<System> projection_;
+  departures<System> departures_;
+  simulation<System> result_;
+  double begun_ = -std::numeric_limits<double>::infinity();
+  double last_event_ = -std::numeric_limits<double>::infinity();
+  int events_at_once_ = 0;
+};
+
+} // namespace kanexpr::simulated

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kanexpr/simulate/explicit_motion.hpp>
+#include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/multiplier_motion.hpp>
+#include <kanexpr/simulate/sundials/arkode.hpp>
+#include <kanexpr/simulate/sundials/cvode.hpp>
+#include <kanexpr/simulate/sundials/ida.hpp>
+
+#include <optional>
+
+namespace kanexpr::simulated {
+
+/// A system with the integrator that moves it.
+template <class System, integrator by>
+class moving_system {
+public:
+  static constexpr bool is_implicit = by == integrator::differential_algebraic;
+  static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
+  using motion_type =
+      std::conditional_t<is_implicit, multiplier_motion<System>, explicit_motion<System, has_newton>>;
+
+  explicit moving_system(surroundings<System>& around) : motion(around) {}
+
+  /// Sets the integrator up; where that fails the stepper, or the surroundings, know why.
+  answer start(double t, const kanexpr::state<System>& x, const sundials::stepper_options& options) {
+    std::vector<double> y(static_cast<std::size_t>(motion.size()));
+    if constexpr (is_implicit) {
+      std::vector<double> ydot(y.size());
+      if (const answer a = motion.start(t, x, y.data(), ydot.data()); a != answer::given) return a;
+      sundials::stepper_options all = options;
+      all.absolute_tolerances.resize(y.size(), 1); // of multipliers, which no test looks at
+      integrating_.emplace(motion, t, y, ydot, all);
+    } else {
+      std::ranges::copy(x, y.begin());
+      integrating_.emplace(formulas, motion, t, y, options);
+    }
+    return answer::given;
+  }
+
+  sundials::stepper& stepper() { return *integrating_; }
+
+  /// Goes on from another state.
+  bool restart(const kanexpr::state<System>& x) {
+    sundials::stepper& s = stepper();
+    if constexpr (is_implicit) {
+      if (motion.start(s.time(), x, s.state(), s.rates()) != answer::given) return false;
+    } else {
+      std::ranges::copy(x, s.state());
+    }
+    return s.restart();
+  }
+
+  motion_type motion;
+
+private:
+  static constexpr auto formulas_of() {
+    if constexpr (by == integrator::adams)
+      return sundials::cvode::formulas::adams;
+    else if constexpr (by == integrator::bdf)
+      return sundials::cvode::formulas::backward_differences;
+    else if constexpr (by == integrator::implicit_runge_kutta)
+      return sundials::arkode::formulas::implicit_stages;
+    else
+      return sundials::arkode::formulas::explicit_stages;
+  }
+  static constexpr auto formulas = formulas_of();
+  using stepper_type = std::conditional_t<is_implicit, sundials::ida,
+                                          std::conditional_t<by == integrator::adams || by == integrator::bdf,
+                                                             sundials::cvode, sundials::arkode>>;
+
+  std::optional<stepper_type> integrating_;
+};
+
+} // namespace kanexpr::simulated

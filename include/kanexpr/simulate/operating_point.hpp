@@ -1,0 +1,120 @@
+#pragma once
+
+#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/runtime/linearization_point.hpp>
+#include <kanexpr/simulate/trim_search.hpp>
+
+namespace kanexpr {
+
+/// What is known of an operating point before it is found.
+template <class System>
+struct operating_point_options {
+  guessed_inputs<System> inputs = {};
+  std::vector<symbol_name> held = {};     ///< states and inputs that stay at their guess
+  std::vector<symbol_name> freed = {};    ///< parameters, and prescribed quantities, that are found too
+  std::vector<symbol_name> changing = {}; ///< coordinates, or speeds, whose rates may be any
+  std::vector<named_value> rates = {};    ///< `{dot(q1), 0.3}`: rates that are not zero
+  double t = 0;
+  double tolerance = 1e-10; ///< of every equation, beside what its unknowns make of it
+  int most_iterations = 200;
+};
+
+/// A state and inputs at which a system is in equilibrium or in steady motion: the constraints hold, and all
+/// rates of coordinates and speeds are zero but those that are told otherwise.
+/// `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
+///
+/// Found are all coordinates, speeds and inputs that are not held, and what is freed. Prescribed quantities
+/// and their derivatives are known, so they stay unless they are freed. There may be more equations than
+/// unknowns, if they agree; where there are fewer, the search ends near the guess.
+template <class System>
+class operating_point {
+public:
+  kanexpr::state<System> x;
+  parameter_values<System> p;
+  input_values<System> r;
+  int iterations = 0;
+  int freedom = 0; ///< directions in which the unknowns may move and it stays an operating point
+
+  /// A residual with its name: "the rate of speed u2".
+  struct residual {
+    std::string name;
+    double value;
+  };
+
+  explicit operating_point(const guessed_state<System>& guess,
+                           const given_parameters<System>& parameters = {},
+                           const operating_point_options<System>& options = {})
+      : x(guess.values), p(parameters.values), r(options.inputs.values) {
+    for (const mechanics::problem* wrong : {&guess.problem, &parameters.problem, &options.inputs.problem})
+      if (cause_.empty()) cause_ = wrong->view();
+    if (cause_.empty()) find(options);
+  }
+
+  explicit operator bool() const { return cause_.empty(); }
+  /// Why there is none, as a sentence; empty: it is one. What x, p and r hold then is where the search ended.
+  const std::string& cause() const { return cause_; }
+  /// What each equation leaves.
+  const std::vector<residual>& residuals() const { return residuals_; }
+
+  /// For `linearize` of a system that is derived while the program runs.
+  operator linearization_point() const {
+    linearization_point point;
+    const Eigen::VectorXd values = all();
+    for (int i = 0; i < known.symbols(); ++i) point.set(known.names[i].view(), values(i));
+    return point;
+  }
+
+private:
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr int states = known.coordinates + known.speeds;
+
+  Eigen::VectorXd all() const {
+    Eigen::VectorXd values(known.symbols());
+    values << x, p, r;
+    return values;
+  }
+
+  void find(const operating_point_options<System>& o) {
+    const trim::conditions asked(known, System::record, type_name<System>(),
+                                 {o.held, o.freed, o.changing, o.rates});
+    if (asked.problem()) {
+      cause_ = asked.problem().view();
+      return;
+    }
+    trim::trim_equations equations(asked, evaluate, o.t, all());
+    const trim::finding found = trim::search(asked, equations, o.tolerance, o.most_iterations).find();
+    x = found.values.template head<states>();
+    p = found.values.template segment<known.parameters>(states);
+    r = found.values.template tail<known.inputs>();
+    iterations = found.iterations;
+    freedom = found.freedom;
+    cause_ = found.cause;
+    Eigen::Index row = 0;
+    for (const trim::condition& c : asked.equations())
+      residuals_.push_back({asked.name_of(c), found.left(row++)});
+  }
+
+  static std::string_view evaluate(double t, const trim::complex_vector& at, trim::complex_vector& result) {
+    using number = std::complex<double>;
+    using mechanics::quantity;
+    const kanexpr::state<System, number> x_at = at.template head<states>();
+    const parameter_values<System, number> p_at = at.template segment<known.parameters>(states);
+    const input_values<System, number> r_at = at.template tail<known.inputs>();
+    if constexpr (known.constraints + known.configuration_constraints == 0) {
+      const auto rates = function<System, quantity::rhs>{}(t, x_at, p_at, r_at);
+      result = rates;
+      return compiled::status_of(rates).cause();
+    } else {
+      const auto [left, rates] =
+          function<System, quantity::constraint_residual, quantity::rhs>{}(t, x_at, p_at, r_at);
+      result << left, rates;
+      return compiled::status_of(rates).cause();
+    }
+  }
+
+  std::string cause_;
+  std::vector<residual> residuals_;
+};
+
+} // namespace kanexpr

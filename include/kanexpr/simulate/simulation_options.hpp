@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kanexpr/simulate/event.hpp>
+#include <kanexpr/simulate/input_source.hpp>
+#include <kanexpr/simulate/time_span.hpp>
+#include <kanexpr/simulate/trajectory.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace kanexpr {
+
+/// How a system is simulated: `simulate<System>(x, p, {0, 10}, {.output_every = 0.01})`.
+template <class System>
+struct simulation_options {
+  input_source<System> inputs = {};
+
+  double relative_tolerance = 1e-8; ///< of the error of each step, in each coordinate and speed
+  double absolute_tolerance = 1e-10;
+  std::vector<named_value> absolute_tolerances = {}; ///< of coordinates and speeds that need their own
+  /// How far Adams' method may drift from the constraints before it begins anew on them, in tolerances; the
+  /// other methods end each step on them.
+  double most_drift = 10;
+
+  double output_every = 0;               ///< seconds between samples; 0: each step of the integrator is one
+  std::vector<double> output_times = {}; ///< samples at these times alone, in their order
+  bool dense = false;                    ///< keep the integrator's polynomials for `trajectory::at`
+  bool keep = true;                      ///< false: samples are handed to `each_sample` only
+  std::function<void(const sample<System>&)> each_sample = {};
+
+  double first_step = 0; ///< 0: the integrator chooses
+  double least_step = 0;
+  double greatest_step = 0; ///< 0: any
+  long most_steps = 10'000'000;
+  bool analytic_jacobian = true; ///< false: by differences, for comparison
+
+  std::vector<event<System>> events = {};
+  /// Told after each step: the time, and the span.
+  std::function<void(double t, time_span)> progress = {};
+};
+
+} // namespace kanexpr

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace kanexpr {
+
+/// What an integration took.
+struct integration_statistics {
+  long steps = 0;
+  long rate_evaluations = 0; ///< of ẋ, or of the residual of the equations
+  long jacobian_evaluations = 0;
+  long error_test_failures = 0;
+  long solver_failures = 0; ///< of the iterations within implicit steps
+  long projections = 0;     ///< onto the constraints
+  long events = 0;
+};
+
+} // namespace kanexpr

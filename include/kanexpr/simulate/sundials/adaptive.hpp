@@ -1,0 +1,161 @@
+#pragma once
+
+#include <kanexpr/simulate/sundials/handles.hpp>
+#include <kanexpr/simulate/sundials/initial_value_problem.hpp>
+#include <kanexpr/simulate/sundials/stepper.hpp>
+
+#include <utility>
+
+namespace kanexpr::sundials {
+
+/// What the integrators of SUNDIALS have in common. `Calls` names the functions of one of them.
+template <class Calls>
+class adaptive : public stepper {
+public:
+  adaptive(const adaptive&) = delete;
+  adaptive& operator=(const adaptive&) = delete;
+  ~adaptive() override { Calls::free(&memory_); }
+
+  arrival advance(double target, bool to_target) override {
+    const int flag = solve(target, to_target);
+    if (flag < 0) {
+      failed_ = why(flag);
+      return arrival::failed;
+    }
+    if (flag == root_return) return arrival::event;
+    return to_target || t_ >= target ? arrival::target : arrival::step;
+  }
+
+  std::vector<int> events() const override {
+    std::vector<int> found(static_cast<std::size_t>(watched_.watched()));
+    Calls::root_info(memory_, found.data());
+    return found;
+  }
+
+  bool derivative(double t, int order, double* out) override {
+    const vector_handle v = vector_on(out, size(), context_);
+    return Calls::derivative(memory_, t, order, v.get()) == 0;
+  }
+  double step_begin() const override {
+    double length = 0;
+    Calls::last_step(memory_, &length);
+    return step_end() - length;
+  }
+  double step_end() const override {
+    double end = 0;
+    Calls::current_time(memory_, &end);
+    return end;
+  }
+
+  integration_statistics statistics() const override {
+    integration_statistics all = before_restart_;
+    const auto add = [&](auto get, long& to) {
+      long count = 0;
+      if (get(memory_, &count) == 0) to += count;
+    };
+    add(Calls::steps, all.steps);
+    add(Calls::error_test_failures, all.error_test_failures);
+    add(Calls::solver_failures, all.solver_failures);
+    return all;
+  }
+
+protected:
+  static constexpr int root_return = 2; // of all three
+
+  adaptive(watched_problem& problem, double from, std::vector<double> start, stepper_options options)
+      : watched_(problem), options_(std::move(options)) {
+    t_ = from;
+    y_ = std::move(start);
+    at_ = vector_on(y_.data(), size(), context_);
+    tolerances_ = vector_on(options_.absolute_tolerances.data(), size(), context_);
+    weights_ = new_vector(size(), context_);
+  }
+
+  /// One call of the integrator, which moves t and y.
+  virtual int solve(double target, bool to_target) = 0;
+
+  sunindextype size() const { return static_cast<sunindextype>(y_.size()); }
+
+  bool has_memory() {
+    if (memory_ != nullptr && at_ && tolerances_ && weights_)
+      return done(Calls::set_error_handler(memory_, last_error::take, &error_), "an error handler");
+    failed_ = {"there is no memory left for the integrator"};
+    return false;
+  }
+
+  /// Settings that all of them take, for one whose first state is set.
+  bool set_common() {
+    return done(Calls::set_user_data(memory_, this), "its user's data") &&
+           done(Calls::set_tolerances(memory_, options_.relative_tolerance, tolerances_.get()),
+                "the tolerances") &&
+           done(Calls::set_first_step(memory_, options_.first_step), "the first step") &&
+           done(Calls::set_least_step(memory_, options_.least_step), "the least step") &&
+           done(Calls::set_greatest_step(memory_, options_.greatest_step), "the greatest step") &&
+           done(Calls::set_most_steps(memory_, options_.most_steps), "the most steps") && set_end() &&
+           set_watched();
+  }
+  bool set_end() { return done(Calls::set_end(memory_, options_.end), "the end of the time span"); }
+
+  bool done(int flag, const char* what) {
+    if (flag == 0) return true;
+    failed_ = {std::string("SUNDIALS does not take ") + what +
+               (error_.message.empty() ? "" : ": " + error_.message)};
+    return false;
+  }
+
+  const double* weights() {
+    Calls::error_weights(memory_, weights_.get());
+    return numbers_of(weights_.get());
+  }
+
+  /// A new start may clear what was counted.
+  void keep_counts() { before_restart_ = statistics(); }
+
+  watched_problem& watched_;
+  stepper_options options_;
+  ::sundials::Context context_;
+  vector_handle at_, tolerances_, weights_;
+  void* memory_ = nullptr;
+
+private:
+  bool set_watched() {
+    const int count = watched_.watched();
+    if (count == 0) return true;
+    std::vector<int> directions;
+    for (int i = 0; i < count; ++i) directions.push_back(watched_.direction(i));
+    return done(Calls::watch(memory_, count, watch), "the events") &&
+           done(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
+           done(Calls::no_warnings(memory_), "to be silent");
+  }
+
+  static int watch(double t, N_Vector y, double* values, void* of) {
+    return static_cast<int>(static_cast<adaptive*>(of)->watched_.watch(t, numbers_of(y), values));
+  }
+  static int watch(double t, N_Vector y, N_Vector, double* values, void* of) {
+    return watch(t, y, values, of);
+  }
+
+  /// Codes up to −7 are those of all three.
+  failure why(int flag) const {
+    switch (flag) {
+    case -1: return {"the most steps that are allowed were taken"};
+    case -2: return {"the tolerances ask for more digits than numbers have"};
+    case -3:
+      return {"the step size collapsed: no step was short enough to keep the error within the tolerances"};
+    case -4: return {"the step size collapsed: the iteration within a step did not converge"};
+    case -5:
+    case -6:
+    case -7: return {"the linear equations within a step could not be solved"};
+    default: break;
+    }
+    if (flag == Calls::event_failed) return {"an event could not be evaluated"};
+    if (Calls::is_projection(flag)) return {"the state could not be brought back to the constraints"};
+    if (Calls::is_evaluation(flag)) return {"the equations of motion could not be evaluated"};
+    return {"SUNDIALS gave up: " + error_.message};
+  }
+
+  last_error error_;
+  integration_statistics before_restart_;
+};
+
+} // namespace kanexpr::sundials

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <kanexpr/simulate/sundials/adaptive.hpp>
+
+#include <arkode/arkode_arkstep.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+namespace kanexpr::sundials {
+
+struct arkode_calls {
+  static constexpr auto free = ARKStepFree;
+  static constexpr auto set_error_handler = ARKStepSetErrHandlerFn;
+  static constexpr auto set_user_data = ARKStepSetUserData;
+  static constexpr auto set_tolerances = ARKStepSVtolerances;
+  static constexpr auto set_first_step = ARKStepSetInitStep;
+  static constexpr auto set_least_step = ARKStepSetMinStep;
+  static constexpr auto set_greatest_step = ARKStepSetMaxStep;
+  static constexpr auto set_most_steps = ARKStepSetMaxNumSteps;
+  static constexpr auto set_end = ARKStepSetStopTime;
+  static constexpr auto watch = ARKStepRootInit;
+  static constexpr auto set_directions = ARKStepSetRootDirection;
+  static constexpr auto no_warnings = ARKStepSetNoInactiveRootWarn;
+  static constexpr auto root_info = ARKStepGetRootInfo;
+  static constexpr auto derivative = ARKStepGetDky;
+  static constexpr auto last_step = ARKStepGetLastStep;
+  static constexpr auto current_time = ARKStepGetCurrentTime;
+  static constexpr auto steps = ARKStepGetNumSteps;
+  static constexpr auto error_test_failures = ARKStepGetNumErrTestFails;
+  static constexpr auto solver_failures = ARKStepGetNumStepSolveFails;
+  static constexpr auto error_weights = ARKStepGetErrWeights;
+
+  static constexpr int event_failed = ARK_RTFUNC_FAIL;
+  static constexpr bool is_evaluation(int flag) {
+    return flag <= ARK_RHSFUNC_FAIL && flag >= ARK_UNREC_RHSFUNC_ERR;
+  }
+  static constexpr bool is_projection(int flag) { return flag == ARK_POSTPROCESS_STEP_FAIL; }
+};
+
+/// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): Verner's of order 6, explicit, and Kvaerno's of
+/// order 5, implicit and L-stable. Each step begins anew, so that events and projections cost them nothing.
+class arkode final : public adaptive<arkode_calls> {
+public:
+  enum class formulas { explicit_stages, implicit_stages };
+
+  arkode(formulas of, explicit_problem& problem, double from, std::vector<double> start,
+         stepper_options options)
+      : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem) {
+    const bool implicit = of == formulas::implicit_stages;
+    (implicit ? implicit_ : explicit_) = rates;
+    memory_ = ARKStepCreate(explicit_, implicit_, t_, at_.get(), context_);
+    if (!has_memory() || !set_common()) return;
+    const ARKODE_DIRKTableID stages = implicit ? ARKODE_KVAERNO_7_4_5 : ARKODE_DIRK_NONE;
+    const ARKODE_ERKTableID explicit_stages = implicit ? ARKODE_ERK_NONE : ARKODE_VERNER_8_5_6;
+    if (done(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
+        done(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE), "the degree of interpolation") &&
+        (!implicit || set_solver()) && problem_.has_constraints())
+      done(ARKStepSetPostprocessStepFn(memory_, project), "the projection onto the constraints");
+  }
+
+  int degree() const override { return ARK_INTERP_MAX_DEGREE; }
+
+  // ARKStepReset would keep the size of the steps, but finds no events after it.
+  bool restart() override {
+    keep_counts();
+    return done(ARKStepReInit(memory_, explicit_, implicit_, t_, at_.get()), "a new state") && set_end();
+  }
+
+private:
+  int solve(double target, bool to_target) override {
+    return ARKStepEvolve(memory_, target, at_.get(), &t_, to_target ? ARK_NORMAL : ARK_ONE_STEP);
+  }
+
+  bool set_solver() {
+    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
+    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
+    if (!done(ARKStepSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver"))
+      return false;
+    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
+           done(ARKStepSetJacFn(memory_, jacobian), "the Jacobian");
+  }
+
+  static arkode& self(void* of) { return static_cast<arkode&>(*static_cast<adaptive*>(of)); }
+  static int rates(double t, N_Vector y, N_Vector ydot, void* of) {
+    return static_cast<int>(self(of).problem_.rates(t, numbers_of(y), numbers_of(ydot)));
+  }
+  static int jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, N_Vector, N_Vector) {
+    return static_cast<int>(self(of).problem_.jacobian(t, numbers_of(y), SUNDenseMatrix_Data(j)));
+  }
+  static int project(double t, N_Vector y, void* of) {
+    arkode& a = self(of);
+    a.correction_.resize(a.y_.size());
+    const answer found = a.problem_.project(t, numbers_of(y), a.weights(), a.correction_.data(), nullptr);
+    for (std::size_t i = 0; i < a.y_.size(); ++i) numbers_of(y)[i] += a.correction_[i];
+    return static_cast<int>(found);
+  }
+
+  explicit_problem& problem_;
+  ARKRhsFn explicit_ = nullptr, implicit_ = nullptr;
+  matrix_handle matrix_;
+  linear_solver_handle solver_;
+  std::vector<double> correction_;
+};
+
+} // namespace kanexpr::sundials

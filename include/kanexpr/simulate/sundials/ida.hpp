@@ -1,0 +1,122 @@
+#pragma once
+
+#include <kanexpr/simulate/sundials/adaptive.hpp>
+
+#include <ida/ida.h>
+#include <ida/ida_ls.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kanexpr::sundials {
+
+struct ida_calls {
+  static constexpr auto free = IDAFree;
+  static constexpr auto set_error_handler = IDASetErrHandlerFn;
+  static constexpr auto set_user_data = IDASetUserData;
+  static constexpr auto set_tolerances = IDASVtolerances;
+  static constexpr auto set_first_step = IDASetInitStep;
+  static constexpr auto set_least_step = IDASetMinStep;
+  static constexpr auto set_greatest_step = IDASetMaxStep;
+  static constexpr auto set_most_steps = IDASetMaxNumSteps;
+  static constexpr auto set_end = IDASetStopTime;
+  static constexpr auto watch = IDARootInit;
+  static constexpr auto set_directions = IDASetRootDirection;
+  static constexpr auto no_warnings = IDASetNoInactiveRootWarn;
+  static constexpr auto root_info = IDAGetRootInfo;
+  static constexpr auto derivative = IDAGetDky;
+  static constexpr auto last_step = IDAGetLastStep;
+  static constexpr auto current_time = IDAGetCurrentTime;
+  static constexpr auto steps = IDAGetNumSteps;
+  static constexpr auto error_test_failures = IDAGetNumErrTestFails;
+  static constexpr auto solver_failures = IDAGetNumStepSolveFails;
+  static constexpr auto error_weights = IDAGetErrWeights;
+
+  static constexpr int event_failed = IDA_RTFUNC_FAIL;
+  static constexpr bool is_evaluation(int flag) {
+    return flag == IDA_RES_FAIL || flag == IDA_REP_RES_ERR || flag == IDA_FIRST_RES_FAIL;
+  }
+  static constexpr bool is_projection(int) { return false; }
+};
+
+/// Backward differentiation of a differential-algebraic system by IDA (Brenan, Campbell & Petzold 1996).
+/// Entries whose rates are in no equation are left out of the error test, as multipliers must be.
+class ida final : public adaptive<ida_calls> {
+public:
+  ida(implicit_problem& problem, double from, std::vector<double> start, std::vector<double> start_rates,
+      stepper_options options)
+      : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem),
+        ydot_(std::move(start_rates)) {
+    if (options_.first_step == 0) options_.first_step = first_step();
+    rates_at_ = vector_on(ydot_.data(), size(), context_);
+    kinds_ = new_vector(size(), context_);
+    memory_ = IDACreate(context_);
+    if (!has_memory() || !rates_at_ || !kinds_) return;
+    for (int i = 0; i < problem_.size(); ++i) numbers_of(kinds_.get())[i] = problem_.is_algebraic(i) ? 0 : 1;
+    if (done(IDAInit(memory_, residual, t_, at_.get(), rates_at_.get()), "the first state") && set_common() &&
+        done(IDASetId(memory_, kinds_.get()), "the algebraic entries") &&
+        done(IDASetSuppressAlg(memory_, SUNTRUE), "the error test without algebraic entries"))
+      set_solver();
+  }
+
+  int degree() const override {
+    int order = 0;
+    IDAGetLastOrder(memory_, &order);
+    return order;
+  }
+
+  double* rates() override { return ydot_.data(); }
+
+  bool restart() override {
+    keep_counts();
+    return done(IDAReInit(memory_, t_, at_.get(), rates_at_.get()), "a new state") && set_end();
+  }
+
+private:
+  /// A hundredth of the time in which the state would change by its own size, in tolerances (Hairer, Nørsett
+  /// & Wanner, II.4). IDA itself asks that it change by less than a tolerance, and numbers are too coarse for
+  /// that.
+  double first_step() const {
+    double size_of_state = 0, size_of_rates = 0;
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      if (problem_.is_algebraic(static_cast<int>(i))) continue;
+      const double unit = options_.relative_tolerance * std::abs(y_[i]) + options_.absolute_tolerances[i];
+      size_of_state += (y_[i] / unit) * (y_[i] / unit);
+      size_of_rates += (ydot_[i] / unit) * (ydot_[i] / unit);
+    }
+    const double guess = 0.01 * std::sqrt(size_of_state / size_of_rates);
+    return std::isfinite(guess) && guess > 0 ? std::min(guess, 1e-3 * (options_.end - t_)) : 0;
+  }
+
+  int solve(double target, bool to_target) override {
+    return IDASolve(memory_, target, &t_, at_.get(), rates_at_.get(), to_target ? IDA_NORMAL : IDA_ONE_STEP);
+  }
+
+  bool set_solver() {
+    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
+    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
+    if (!done(IDASetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver")) return false;
+    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
+           done(IDASetJacFn(memory_, jacobian), "the Jacobian");
+  }
+
+  static ida& self(void* of) { return static_cast<ida&>(*static_cast<adaptive*>(of)); }
+  static int residual(double t, N_Vector y, N_Vector ydot, N_Vector left, void* of) {
+    return static_cast<int>(self(of).problem_.residual(t, numbers_of(y), numbers_of(ydot), numbers_of(left)));
+  }
+  static int jacobian(double t, double c, N_Vector y, N_Vector ydot, N_Vector, SUNMatrix j, void* of,
+                      N_Vector, N_Vector, N_Vector) {
+    return static_cast<int>(
+        self(of).problem_.jacobian(t, c, numbers_of(y), numbers_of(ydot), SUNDenseMatrix_Data(j)));
+  }
+
+  implicit_problem& problem_;
+  std::vector<double> ydot_;
+  vector_handle rates_at_, kinds_;
+  matrix_handle matrix_;
+  linear_solver_handle solver_;
+};
+
+} // namespace kanexpr::sundials

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <kanexpr/simulate/statistics.hpp>
+#include <kanexpr/simulate/sundials/failure.hpp>
+
+#include <vector>
+
+namespace kanexpr::sundials {
+
+struct stepper_options {
+  double end = 0; ///< nothing is evaluated beyond it
+  double relative_tolerance = 1e-8;
+  std::vector<double> absolute_tolerances; ///< one for each entry
+  double first_step = 0;                   ///< 0: the integrator chooses
+  double least_step = 0;
+  double greatest_step = 0; ///< 0: any
+  double most_drift = 10;   ///< from the constraints, in tolerances, where no step is projected
+  long most_steps = -1;     ///< to one target; −1: any
+  bool analytic_jacobian = true;
+};
+
+enum class arrival { step, target, event, failed };
+
+/// An integrator with adaptive steps, behind one face.
+class stepper {
+public:
+  virtual ~stepper() = default;
+
+  /// What went wrong when it was made or in its last step.
+  const failure& failed() const { return failed_; }
+
+  /// Goes one step, or with `to_target` on to the time of a target.
+  virtual arrival advance(double target, bool to_target) = 0;
+  /// Whether it must be taken step by step, so that the drift from the constraints is seen.
+  virtual bool goes_by_steps() const { return false; }
+
+  /// Where it stands: the end of its last step, the target or the event.
+  double time() const { return t_; }
+  double* state() { return y_.data(); }
+  const double* state() const { return y_.data(); }
+  /// The rates there, where the integrator keeps them; they are set before it goes on from another state.
+  virtual double* rates() { return nullptr; }
+
+  /// Whether a watched function passed zero: its sign there, 1 where it rises; 0: it did not.
+  virtual std::vector<int> events() const = 0;
+
+  /// The derivative of some order of the solution's polynomial over the last step.
+  virtual bool derivative(double t, int order, double* out) = 0;
+  /// The degree of that polynomial.
+  virtual int degree() const = 0;
+  /// Where the last step began and ended.
+  virtual double step_begin() const = 0;
+  virtual double step_end() const = 0;
+
+  /// Goes on from what `state` was changed to.
+  virtual bool restart() = 0;
+
+  /// What it counts itself; evaluations are counted by the problem.
+  virtual integration_statistics statistics() const = 0;
+
+protected:
+  failure failed_;
+  double t_ = 0;
+  std::vector<double> y_;
+};
+
+} // namespace kanexpr::sundials

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/simulate/dense_output.hpp>
+#include <kanexpr/simulate/table.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kanexpr {
+
+/// The state and the inputs at a time.
+template <class System>
+struct sample {
+  double t;
+  state<System> x;
+  input_values<System> r;
+};
+
+/// Energies along a trajectory.
+struct energies {
+  std::vector<double> kinetic, potential, total;
+};
+
+/// What a simulation kept of a motion: samples in the order of time. Where an event changed the state there
+/// are two of one time, before and after.
+template <class System>
+class trajectory {
+public:
+  using sample = kanexpr::sample<System>;
+  using parameters_type = parameter_values<System>;
+
+  trajectory() = default;
+  explicit trajectory(const parameters_type& p) : p_(p) {}
+
+  void add(const sample& s) { samples_.push_back(s); }
+  /// The solution's polynomial over a step, for `at`.
+  void add(simulated::piece piece) { pieces_.add(std::move(piece)); }
+
+  std::size_t size() const { return samples_.size(); }
+  bool empty() const { return samples_.empty(); }
+  auto begin() const { return samples_.begin(); }
+  auto end() const { return samples_.end(); }
+  const sample& operator[](std::size_t i) const { return samples_[i]; }
+  const sample& front() const { return samples_.front(); }
+  const sample& back() const { return samples_.back(); }
+  const parameters_type& parameters() const { return p_; }
+
+  std::vector<double> times() const {
+    return collect([](const sample& s) { return s.t; });
+  }
+
+  /// A coordinate, speed or input over the samples: `path[q1]`.
+  template <text called, int index>
+  std::vector<double> operator[](const coordinate<called, index>& q) const {
+    return collect([&](const sample& s) { return s.x[q]; });
+  }
+  template <text called, int index>
+  std::vector<double> operator[](const speed<called, index>& u) const {
+    return collect([&](const sample& s) { return s.x[u]; });
+  }
+  template <text called, int index>
+  std::vector<double> operator[](const coordinate_rate<called, index>& rate) const {
+    return collect([&](const sample& s) { return s.x[rate]; });
+  }
+  template <text called, int index>
+  std::vector<double> operator[](const input<called, index>& r) const {
+    return collect([&](const sample& s) { return s.r[r]; });
+  }
+  template <text called, int index, int order>
+  std::vector<double> operator[](const prescribed<called, index, order>& r) const {
+    return collect([&](const sample& s) { return s.r[r]; });
+  }
+
+  /// Results of a compiled function at each sample, with their status where they have one:
+  /// `path.along(eom::kinetic_energy)`.
+  template <auto... wanted>
+  auto along(function<System, wanted...> f) const {
+    return collect([&](const sample& s) { return f(s.t, s.x, p_, s.r); });
+  }
+  /// An expression of the model at each sample: `path.along<velocity_of<Dmc>>()`.
+  template <auto expression>
+  auto along() const {
+    return along(function<System, expression>{});
+  }
+
+  kanexpr::energies energies() const {
+    using eom = equations_of_motion<System>;
+    const auto both = along(eom::together(eom::kinetic_energy, eom::potential_energy));
+    kanexpr::energies all;
+    for (const auto& [kinetic, potential] : both) {
+      all.kinetic.push_back(kinetic);
+      all.potential.push_back(potential);
+      all.total.push_back(kinetic + potential);
+    }
+    return all;
+  }
+
+  /// The largest magnitude that the constraints leave at each sample.
+  std::vector<double> constraint_residuals() const {
+    using constraints = compiled::constraints_at<System, parameters_type, input_values<System>>;
+    return collect([&](const sample& s) {
+      const constraints here(s.t, p_, s.r);
+      return std::max(numeric::largest(here.configuration_residual(s.x)),
+                      numeric::largest(here.velocity_residual(s.x)));
+    });
+  }
+
+  /// Between the samples: by the integrator's own polynomials where the simulation kept them (`dense`), else
+  /// by cubics through the states and their rates; the inputs on straight lines. Nothing outside the
+  /// trajectory's span. After an event at that very time.
+  std::optional<sample> at(double t) const {
+    if (empty() || !(t >= front().t && t <= back().t)) return std::nullopt;
+    const auto after = std::ranges::upper_bound(samples_, t, {}, &sample::t);
+    const sample& a = *std::prev(after);
+    if (a.t == t || after == samples_.end()) return a;
+    const sample& b = *after;
+    const double part = (t - a.t) / (b.t - a.t);
+    sample found{t, a.x, a.r + part * (b.r - a.r)};
+    if (!pieces_.evaluate(t, found.x.data(), static_cast<std::size_t>(found.x.size())))
+      found.x = simulated::cubic(part, b.t - a.t, a.x, rates(a), b.x, rates(b));
+    return found;
+  }
+
+  /// The time, the state and the inputs as named columns.
+  kanexpr::table table() const {
+    kanexpr::table all;
+    all.add("t", times());
+    const auto add = [&](symbolic::symbol_kind kind, int count, auto entry) {
+      for (int i = 0; i < count; ++i)
+        all.add(std::string(known.names[known.first_of(kind) + i].view()),
+                collect([&](const sample& s) -> double { return entry(s, i); }));
+    };
+    add(symbolic::symbol_kind::coordinate, known.coordinates, [](const sample& s, int i) { return s.x(i); });
+    add(symbolic::symbol_kind::speed, known.speeds,
+        [](const sample& s, int i) { return s.x(known.coordinates + i); });
+    add(symbolic::symbol_kind::input, known.inputs, [](const sample& s, int i) { return s.r(i); });
+    return all;
+  }
+
+private:
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+
+  auto rates(const sample& s) const { return equations_of_motion<System>::rhs(s.t, s.x, p_, s.r); }
+
+  template <class Function>
+  auto collect(const Function& of) const {
+    std::vector<std::invoke_result_t<const Function&, const sample&>> all;
+    all.reserve(size());
+    for (const sample& s : samples_) all.push_back(of(s));
+    return all;
+  }
+
+  std::vector<sample> samples_;
+  simulated::dense_output pieces_;
+  parameters_type p_;
+};
+
+} // namespace kanexpr

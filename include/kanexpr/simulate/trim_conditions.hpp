@@ -1,0 +1,143 @@
+#pragma once
+
+#include <kanexpr/compiled/named_values.hpp>
+
+#include <string>
+#include <vector>
+
+/// The search for operating points.
+namespace kanexpr::trim {
+
+/// What is asked of an operating point.
+struct wishes {
+  const std::vector<symbol_name>&held, &freed, &changing;
+  const std::vector<named_value>& rates;
+};
+
+/// One of the equations that hold at an operating point: what a constraint leaves, or a rate.
+struct condition {
+  int place = 0; ///< in [constraints; ẋ]
+  double wanted = 0;
+};
+
+/// Which symbols an operating point finds, and which equations hold there, by names. The symbols are numbered
+/// as in a survey: [x; p; r].
+class conditions {
+public:
+  conditions(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+             const wishes& asked)
+      : known_(known), told_(told), system_(system), states_(known.coordinates + known.speeds),
+        residuals_(known.configuration_constraints + known.constraints) {
+    const std::vector<bool> held = read(asked.held, "held"), freed = read(asked.freed, "freed"),
+                            changing = read(asked.changing, "changing");
+    for (int place = 0; place < known_.symbols(); ++place) {
+      const auto i = static_cast<std::size_t>(place);
+      if (held[i] && freed[i]) fail({called(place).view(), " is both held and freed"});
+      if (changing[i] && place >= states_)
+        fail({called(place).view(), " is named as changing, and is no part of the state"});
+      if (freed[i] || (is_free_by_itself(place) && !held[i])) unknowns_.push_back(place);
+    }
+    for (int i = 0; i < residuals_; ++i) equations_.push_back({i, 0});
+    add_rates(changing, asked.rates);
+  }
+
+  const std::vector<int>& unknowns() const { return unknowns_; }
+  const std::vector<condition>& equations() const { return equations_; }
+  int states() const { return states_; }
+  int residuals() const { return residuals_; }
+
+  /// What is wrong with the names, as a sentence.
+  const mechanics::problem& problem() const { return problem_; }
+
+  /// "configuration constraint 1", "the rate of speed u1".
+  std::string name_of(const condition& c) const {
+    const int configuration = known_.configuration_constraints;
+    if (c.place < configuration) return "configuration constraint " + std::to_string(c.place + 1);
+    if (c.place < residuals_) return "velocity constraint " + std::to_string(c.place - configuration + 1);
+    return rate_of(c.place - residuals_);
+  }
+
+private:
+  std::string rate_of(int state) const {
+    if (state < known_.coordinates || !known_.takes_rates_as_speeds)
+      return "the rate of " + std::string(called(state).view());
+    return "the second derivative of " + std::string(called(state - known_.coordinates).view());
+  }
+
+  std::vector<bool> read(const std::vector<symbol_name>& names, std::string_view as) {
+    std::vector<bool> named(static_cast<std::size_t>(known_.symbols()));
+    for (const symbol_name& each : names) {
+      const int place = place_of(each.name());
+      if (place < 0) {
+        fail({each.name(), " is named as ", as, ", and the system ", system_, " does not have it"});
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(place);
+      if (named[i]) fail({called(place).view(), " is named twice as ", as});
+      named[i] = true;
+    }
+    return named;
+  }
+
+  void add_rates(const std::vector<bool>& changing, const std::vector<named_value>& rates) {
+    std::vector<bool> asked(static_cast<std::size_t>(states_));
+    for (const named_value& rate : rates) {
+      const int place = place_of_rate(rate.what.name());
+      if (place < 0) {
+        fail({rate.what.name(), " is asked for as a rate, and is no rate of the system ", system_});
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(place);
+      if (asked[i]) fail({rate_of(place), " is asked for twice"});
+      if (!std::isfinite(rate.value)) fail({"the value asked of ", rate_of(place), " is not finite"});
+      asked[i] = true;
+      equations_.push_back({residuals_ + place, rate.value});
+    }
+    for (int place = 0; place < states_; ++place) {
+      const auto i = static_cast<std::size_t>(place);
+      if (!changing[i] && !asked[i]) equations_.push_back({residuals_ + place, 0});
+    }
+  }
+
+  bool is_free_by_itself(int place) const {
+    if (place < states_) return true;
+    const int input = place - known_.first_of(symbolic::symbol_kind::input);
+    return input >= 0 && !is_prescribed(input);
+  }
+
+  /// Whether an input is known as a function of time: by the list of inputs, or by its derivatives, which
+  /// stand with it where there is no list.
+  bool is_prescribed(int input) const {
+    if (input < told_.inputs.size)
+      return told_.inputs[input].tokens[0].symbol->order != describe::unprescribed;
+    const std::string name(known_.names[known_.first_of(symbolic::symbol_kind::input) + input].view());
+    return name.ends_with('\'') || place_of(name + "'") >= 0;
+  }
+
+  int place_of(std::string_view name) const {
+    for (int place = 0; place < known_.symbols(); ++place)
+      if (known_.names[place].view() == name) return place;
+    return -1;
+  }
+  int place_of_rate(std::string_view name) const {
+    if (!name.ends_with('\'')) return -1;
+    const int place = place_of(name.substr(0, name.size() - 1));
+    return place < states_ ? place : -1;
+  }
+
+  mechanics::problem called(int place) const { return compiled::symbol_called(known_, place); }
+
+  void fail(std::initializer_list<std::string_view> pieces) {
+    if (!problem_) problem_ = mechanics::sentence(pieces);
+  }
+
+  const derivation::survey& known_;
+  const describe::system_record& told_;
+  std::string_view system_;
+  int states_, residuals_;
+  std::vector<int> unknowns_;
+  std::vector<condition> equations_;
+  mechanics::problem problem_;
+};
+
+} // namespace kanexpr::trim

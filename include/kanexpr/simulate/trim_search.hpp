@@ -1,0 +1,123 @@
+#pragma once
+
+#include <kanexpr/simulate/trim_equations.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace kanexpr::trim {
+
+/// What a search found.
+struct finding {
+  Eigen::VectorXd values; ///< [x; p; r]
+  Eigen::VectorXd left;   ///< of each equation
+  int iterations = 0;
+  int freedom = 0;
+  std::string cause;
+};
+
+/// KINSOL's search, then Newton's steps as long as they lower what is left.
+class search {
+public:
+  search(const conditions& asked, trim_equations& equations, double tolerance, int most_iterations)
+      : asked_(asked), equations_(equations), tolerance_(tolerance), most_iterations_(most_iterations),
+        z_(equations.start()) {}
+
+  finding find() {
+    if (const std::string wrong = look_at_start(); !wrong.empty()) {
+      found_.cause = wrong;
+    } else {
+      if (z_.size() != 0) go();
+      judge();
+    }
+    found_.values = equations_.values(z_);
+    return found_;
+  }
+
+private:
+  std::string look_at_start() {
+    if (equations_.residual(z_, found_.left))
+      return equations_.jacobian(z_, slope_) ? ""
+                                             : "the derivatives of the equations are not finite at the guess";
+    if (!equations_.unsolved().empty()) return "at the guess: " + std::string(equations_.unsolved());
+    Eigen::Index i = 0;
+    while (std::isfinite(found_.left(i))) ++i;
+    return name_of(i) + " is not finite at the guess";
+  }
+
+  void go() {
+    sundials::kinsol newton(equations_, equations_.magnitudes_at(z_, slope_), tolerance_, most_iterations_);
+    const sundials::search_end end = newton.solve(z_);
+    found_.iterations = end.iterations;
+    reason_ = end.reason;
+    if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) return;
+    const sundials::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
+  }
+
+  bool improve(const sundials::magnitudes& sizes) {
+    sundials::least_squares_step step(sizes, equations_.stiff_unknowns());
+    step.prepare(slope_, equations_.limits(z_));
+    const Eigen::VectorXd tried = z_ + step(-found_.left);
+    Eigen::VectorXd left;
+    const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
+    if (!equations_.residual(tried, left) || !(size(left) < size(found_.left))) return false;
+    z_ = tried;
+    found_.left = left;
+    return equations_.jacobian(z_, slope_);
+  }
+
+  void judge() {
+    if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) {
+      found_.cause = "no operating point: where the search ended, " +
+                     (equations_.unsolved().empty() ? "the equations are not finite"
+                                                    : std::string(equations_.unsolved()));
+      return;
+    }
+    const sundials::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    found_.freedom = equations_.unknowns() - rank(slope_, sizes);
+    if (found_.left.size() == 0) return;
+    Eigen::Index worst = 0;
+    if (!(found_.left.cwiseQuotient(sizes.equations).cwiseAbs().maxCoeff(&worst) <= tolerance_))
+      found_.cause = "no operating point: " + left_at(worst) + " where the search ended" +
+                     (reason_.empty() ? "" : " (" + reason_ + ")");
+  }
+
+  /// With columns of one length, so that an unknown of small effect counts.
+  static int rank(Eigen::MatrixXd slope, const sundials::magnitudes& sizes) {
+    for (Eigen::Index j = 0; j < slope.cols(); ++j) {
+      slope.col(j).array() *= sizes.unknowns(j) / sizes.equations.array();
+      const double length = slope.col(j).norm();
+      slope.col(j) *= length < 1e-12 ? 0 : 1 / length;
+    }
+    return static_cast<int>(numeric::orthonormal_columns(slope, 1e-9).cols());
+  }
+
+  std::string name_of(Eigen::Index i) const {
+    return asked_.name_of(asked_.equations()[static_cast<std::size_t>(i)]);
+  }
+  /// "the rate of speed u2 is 0.31", "… in place of 0.3", "velocity constraint 1 is off by 0.31".
+  std::string left_at(Eigen::Index i) const {
+    const condition& c = asked_.equations()[static_cast<std::size_t>(i)];
+    const double left = found_.left(i);
+    if (c.place < asked_.residuals()) return name_of(i) + " is off by " + digits(left);
+    return name_of(i) + " is " + digits(left + c.wanted) +
+           (c.wanted == 0 ? "" : " in place of " + digits(c.wanted));
+  }
+  static std::string digits(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", number);
+    return text;
+  }
+
+  const conditions& asked_;
+  trim_equations& equations_;
+  double tolerance_;
+  int most_iterations_;
+  Eigen::VectorXd z_;
+  Eigen::MatrixXd slope_;
+  std::string reason_;
+  finding found_;
+};
+
+} // namespace kanexpr::trim

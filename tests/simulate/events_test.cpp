@@ -1,0 +1,133 @@
+// builds: sanitize
+#include "simulate/falling_ball.hpp"
+
+#include <kanexpr/simulate.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+using namespace kanexpr;
+using namespace falling_ball;
+
+constexpr double height = 2, gravity_strength = 9.81, restitution = 0.8;
+
+const std::initializer_list<named_value> start{{h, height}, {v, 0}};
+const std::initializer_list<named_value> ball{{m, 0.3}, {g, gravity_strength}};
+
+void bounce(moment<System>& now) { now.x[v] = -restitution * now.x[v]; }
+
+event<System> contact(event_handler<System> handler) {
+  return when<System, dot(position_of<P, O>, N::z)>("contact", crossing::falling, std::move(handler));
+}
+
+// The ball meets the ground first after √(2h/g), then after twice that times the restitution's powers.
+double time_of_bounce(int k) {
+  const double first = std::sqrt(2 * height / gravity_strength);
+  double t = first;
+  for (int i = 1; i <= k; ++i) t += 2 * first * std::pow(restitution, i);
+  return t;
+}
+
+template <integrator by>
+void bounces_at_the_right_times() {
+  const auto run = simulate<System, by>(
+      start, ball, {0, 4.5},
+      {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-14, .events = {contact(bounce)}});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_GE(run.events.size(), 6u);
+  for (std::size_t k = 0; k < run.events.size(); ++k)
+    EXPECT_NEAR(run.events[k].t, time_of_bounce(static_cast<int>(k)), 1e-10) << k;
+  EXPECT_GT(time_of_bounce(static_cast<int>(run.events.size())), 4.5);
+  EXPECT_EQ(run.statistics.events, static_cast<long>(run.events.size()));
+}
+
+TEST(events, are_found_where_a_ball_bounces) {
+  bounces_at_the_right_times<integrator::adams>();
+  bounces_at_the_right_times<integrator::bdf>();
+  bounces_at_the_right_times<integrator::explicit_runge_kutta>();
+  bounces_at_the_right_times<integrator::implicit_runge_kutta>();
+  bounces_at_the_right_times<integrator::differential_algebraic>();
+}
+
+TEST(events, leave_the_state_before_and_after) {
+  const auto run = simulate<System>(start, ball, {0, 1}, {.events = {contact(bounce)}});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_EQ(run.events.size(), 1u);
+  const double t = run.events[0].t, before = -std::sqrt(2 * height * gravity_strength);
+  std::vector<double> speeds;
+  for (const auto& s : run.trajectory)
+    if (s.t == t) speeds.push_back(s.x[v]);
+  ASSERT_EQ(speeds.size(), 2u);
+  EXPECT_NEAR(speeds[0], before, 1e-7);
+  EXPECT_NEAR(speeds[1], -restitution * before, 1e-7);
+  EXPECT_EQ(run.trajectory.at(t)->x[v], speeds[1]);
+}
+
+TEST(events, may_stop_a_simulation) {
+  const auto run = simulate<System>(start, ball, {0, 9}, {.events = {contact(after_event::stop)}});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_TRUE(run.stopped_by_event);
+  EXPECT_NEAR(run.time, time_of_bounce(0), 1e-9);
+  EXPECT_NEAR(run.state[h], 0, 1e-9);
+}
+
+// At the top of the flight after a bounce the speed falls through zero; nothing is done about it.
+TEST(events, without_a_handler_are_noted) {
+  const auto run =
+      simulate<System>({{h, 0}, {v, 3}}, ball, {0, 0.6},
+                       {.events = {when<System, v>("top", crossing::falling),
+                                   when<System, v>("bottom", crossing::rising),
+                                   {"halfway", [](double t, auto&, auto&, auto&) { return t - 0.5; }}}});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_EQ(run.events.size(), 2u);
+  EXPECT_EQ(run.events[0].name, "top");
+  EXPECT_NEAR(run.events[0].t, 3 / gravity_strength, 1e-10);
+  EXPECT_EQ(run.events[1].name, "halfway");
+  EXPECT_NEAR(run.events[1].t, 0.5, 1e-12);
+  EXPECT_EQ(run.time, 0.6);
+}
+
+// A handler that leaves the ball where the event happens again at once.
+TEST(events, that_happen_ever_faster_end_a_simulation) {
+  const auto run = simulate<System>(start, ball, {0, 20}, {.events = {contact(bounce)}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::HasSubstr("events happen ever faster"));
+  EXPECT_NEAR(run.time, 9 * time_of_bounce(0), 1e-3); // the sum of all flights
+  EXPECT_GT(run.trajectory.size(), 100u);
+}
+
+TEST(events, whose_handler_throws_end_a_simulation) {
+  const auto run = simulate<System>(
+      start, ball, {0, 9},
+      {.events = {contact([](moment<System>&) { throw std::runtime_error("the floor broke"); })}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::StartsWith("the simulation ended at t = 0.638"));
+  EXPECT_THAT(run.cause(), testing::HasSubstr("h = "));
+  EXPECT_THAT(run.cause(), testing::EndsWith(": the handler of the event contact threw: the floor broke"));
+  EXPECT_GT(run.trajectory.size(), 3u);
+  EXPECT_NEAR(run.trajectory.back().t, time_of_bounce(0), 1e-9);
+}
+
+TEST(events, whose_handler_leaves_no_state_end_a_simulation) {
+  const auto run =
+      simulate<System>(start, ball, {0, 9},
+                       {.events = {contact([](moment<System>& now) { now.x[v] = std::sqrt(now.x[v]); })}});
+  EXPECT_THAT(run.cause(), testing::EndsWith("the handler of an event left a state that is not finite"));
+  EXPECT_TRUE(run.state.allFinite());
+}
+
+TEST(events, whose_value_is_not_a_number_end_a_simulation) {
+  const auto run = simulate<System>(start, ball, {0, 9},
+                                    {.events = {{"depth", [](double, const state<System>& x, auto&, auto&) {
+                                                   return std::sqrt(x[h] - 1);
+                                                 }}}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::HasSubstr("the value of the event depth is not a number"));
+  EXPECT_GT(run.trajectory.size(), 1u);
+}
+
+} // namespace

@@ -1,0 +1,141 @@
+// Controllers, prescribed motions, and the derivatives that stiff methods need of them.
+#include <kanexpr/simulate.hpp>
+#include <kanexpr/simulate/prescribe.hpp>
+
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace kanexpr;
+
+namespace on_a_cart { // A pendulum whose pivot is moved to and fro.
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr prescribed<"x"> x;
+constexpr parameter<"g"> g;
+constexpr parameter<"l"> l;
+
+struct N : inertial_frame<N> {}; // y points up
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct Pivot : offset<Pivot, O, x * N::x> {};
+struct P : offset<P, Pivot, -l * A::y> {};
+struct Bob : particle<Bob, P, 1> {};
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<g, l>,
+                            inputs<x, dot(x), dot(dot(x))>, bodies<Bob>, loads<gravity<-g * N::y>>> {};
+
+} // namespace on_a_cart
+
+TEST(inputs, are_prescribed_with_their_derivatives) {
+  using namespace on_a_cart;
+  const double amplitude = 0.1, frequency = 5;
+  const auto by_hand = [&](double t, const state<System>&, input_values<System>& r) {
+    r[x] = amplitude * std::sin(frequency * t);
+    r[dot(x)] = amplitude * frequency * std::cos(frequency * t);
+    r[dot(dot(x))] = -amplitude * frequency * frequency * std::sin(frequency * t);
+  };
+  const auto derived = [&](double t, const state<System>&, input_values<System>& r) {
+    prescribe(r, x, t, [&](auto time) {
+      using std::sin;
+      return amplitude * sin(frequency * time);
+    });
+  };
+  const auto simulated_with = [](const input_source<System>& inputs) {
+    return simulate<System>({{q, 0.2}, {u, 0}}, {{g, 9.81}, {l, 0.5}}, {0, 5},
+                            {.inputs = inputs, .relative_tolerance = 1e-12, .absolute_tolerance = 1e-13});
+  };
+  const auto one = simulated_with(by_hand), other = simulated_with(derived);
+  ASSERT_TRUE(one) << one.cause();
+  ASSERT_TRUE(other) << other.cause();
+  EXPECT_LT((one.state - other.state).norm(), 1e-10);
+
+  // In the pivot's frame it is a pendulum in a gravity that swings: l q̈ = −g sin q − ẍ cos q.
+  double angle = 0.2, rate = 0;
+  const int steps = 200000;
+  const double dt = 5.0 / steps;
+  const auto acceleration = [&](double t, double at) {
+    const double pivot = -amplitude * frequency * frequency * std::sin(frequency * t);
+    return (-9.81 * std::sin(at) - pivot * std::cos(at)) / 0.5;
+  };
+  for (int i = 0; i < steps; ++i) { // velocity Verlet
+    const double half = rate + dt / 2 * acceleration(i * dt, angle);
+    angle += dt * half;
+    rate = half + dt / 2 * acceleration((i + 1) * dt, angle);
+  }
+  EXPECT_NEAR(one.state[q], angle, 1e-8);
+  EXPECT_NEAR(one.state[u], rate, 1e-7);
+}
+
+namespace controlled {
+
+using namespace simple_pendulum;
+const std::initializer_list<named_value> numbers{{m, 1}, {l, 1}, {g, 9.81}, {c, 0}};
+
+// A stiff controller that holds the pendulum at an angle of 0.4: a fast root near −2000/s.
+input_values<System> hold(double, const state<System>& now) {
+  input_values<System> r;
+  r[T] = 9.81 * std::sin(now[q]) + 4000 * (0.4 - now[q]) - 2000 * now[u];
+  return r;
+}
+
+} // namespace controlled
+
+// T cancels gravity, so q̈ = 4000 (0.4 − q) − 2000 q̇.
+TEST(inputs, come_from_a_stiff_controller) {
+  using namespace controlled;
+  const double root = std::sqrt(1e6 - 4000), slow = -1000 + root, fast = -1000 - root;
+  const auto exactly = [&](double t) {
+    return 0.4 + (-0.4 * fast * std::exp(slow * t) + 0.4 * slow * std::exp(fast * t)) / (fast - slow);
+  };
+  const auto check = [&]<integrator by>() {
+    const auto run =
+        simulate<System, by>({{q, 0}, {u, 0}}, numbers, {0, 2}, {.inputs = hold, .output_every = 0.1});
+    ASSERT_TRUE(run) << run.cause();
+    for (const auto& s : run.trajectory) EXPECT_NEAR(s.x[q], exactly(s.t), 2e-7) << s.t;
+    EXPECT_LT(run.statistics.steps, 1000);
+  };
+  check.operator()<integrator::bdf>();
+  check.operator()<integrator::implicit_runge_kutta>();
+  check.operator()<integrator::differential_algebraic>();
+}
+
+TEST(inputs, need_fewer_rates_with_exact_derivatives) {
+  using namespace controlled;
+  const auto count = [](bool exact) {
+    const auto run = simulate<System, integrator::bdf>({{q, 2.5}, {u, 0}}, numbers, {0, 20},
+                                                       {.inputs = {{T, 0}}, .analytic_jacobian = exact});
+    EXPECT_TRUE(run) << run.cause();
+    EXPECT_GT(run.statistics.jacobian_evaluations, exact ? 10 : -1);
+    return run.statistics.rate_evaluations;
+  };
+  EXPECT_LT(count(true), count(false));
+}
+
+TEST(inputs, that_a_function_forgets_are_told) {
+  using namespace simple_pendulum;
+  const auto run = simulate<System>({{q, 0}, {u, 0}}, controlled::numbers, {0, 1},
+                                    {.inputs = [](double, const state<System>&, input_values<System>&) {}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::HasSubstr("the function of the inputs gives input T no finite value"));
+}
+
+TEST(inputs, whose_function_throws_end_a_simulation) {
+  using namespace simple_pendulum;
+  const auto run = simulate<System>({{q, 0.3}, {u, 0}}, controlled::numbers, {0, 9}, {.inputs = [](double t) {
+                                      if (t > 1) throw std::runtime_error("no more torque");
+                                      return input_values<System>();
+                                    }});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::EndsWith("the function of the inputs threw: no more torque"));
+  EXPECT_GT(run.trajectory.size(), 10u);
+  EXPECT_LE(run.trajectory.back().t, 1);
+  EXPECT_EQ(run.time, run.trajectory.back().t);
+}
+
+} // namespace

@@ -1,0 +1,151 @@
+// builds: sanitize
+// How a simulation is asked for, and what it gives.
+#include <kanexpr/simulate.hpp>
+
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace {
+
+using namespace kanexpr;
+using namespace simple_pendulum;
+
+const std::initializer_list<named_value> start{{q, 0.3}, {u, 0}};
+const std::initializer_list<named_value> numbers{{m, 1}, {l, 1}, {g, 9.81}, {c, 0.1}};
+
+simulation<System> run_with(const simulation_options<System>& options, time_span span = {0, 1}) {
+  return simulate<System>(start, numbers, span, options);
+}
+std::string cause_with(const simulation_options<System>& options, time_span span = {0, 1}) {
+  const auto run = run_with(options, span);
+  EXPECT_TRUE(run.trajectory.empty());
+  EXPECT_EQ(run.statistics.rate_evaluations, 0);
+  return run.cause();
+}
+
+const std::initializer_list<named_value> idle{{T, 0}};
+
+TEST(simulate, takes_values_by_name) {
+  const std::map<std::string, double> from_a_file{{"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0.1}};
+  state<System> x;
+  x[q] = 0.3;
+  const auto one = run_with({.inputs = idle});
+  const auto other = simulate<System>(x, from_a_file, {0, 1}, {.inputs = input_values<System>::Zero()});
+  ASSERT_TRUE(one) << one.cause();
+  ASSERT_TRUE(other) << other.cause();
+  EXPECT_EQ(one.state, other.state);
+}
+
+TEST(simulate, tells_what_is_missing_before_the_first_step) {
+  EXPECT_EQ(simulate<System>({{q, 0.3}}, numbers, {0, 1}, {.inputs = idle}).cause(), "speed u has no value");
+  EXPECT_EQ(simulate<System>(start, {{m, 1}, {l, 1}, {g, 9.81}}, {0, 1}, {.inputs = idle}).cause(),
+            "parameter c has no value");
+  EXPECT_EQ(
+      simulate<System>(start, {{m, 1}, {l, 1}, {g, 9.81}, {c, 0}, {m, 2}}, {0, 1}, {.inputs = idle}).cause(),
+      "parameter m has two values");
+  EXPECT_EQ(cause_with({}), "input T has no value");
+}
+
+TEST(simulate, refuses_what_it_cannot_do) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(cause_with({.inputs = idle}, {1, 0}), "the time span ends at 0, before it begins at 1");
+  EXPECT_EQ(cause_with({.inputs = idle}, {0, nan}), "the time span is not finite");
+  EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 0}), "a tolerance must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{u, -1}}}), "a tolerance must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{m, 1}}}),
+            "of the tolerances, parameter m has no place in the state vector of System");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_every = -1}),
+            "the time between two samples must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 2}}),
+            "the output time 2 is outside the time span");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 0.2}}), "the output time 0.2 comes after 0.5");
+  EXPECT_EQ(cause_with({.inputs = idle, .keep = false}), "samples are neither kept nor handed to a function");
+  EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = nan}), "the size of a step must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .events = {{"odd", nullptr}}}),
+            "the event odd has no function whose zeros it is");
+}
+
+TEST(simulate, gives_samples_when_they_are_asked_for) {
+  const auto steps = run_with({.inputs = idle});
+  EXPECT_EQ(steps.trajectory.front().t, 0);
+  EXPECT_EQ(steps.trajectory.back().t, 1);
+  EXPECT_EQ(static_cast<long>(steps.trajectory.size()), steps.statistics.steps + 1);
+
+  const auto regular = run_with({.inputs = idle, .output_every = 0.3});
+  EXPECT_THAT(regular.trajectory.times(), testing::ElementsAre(0, 0.3, 0.6, testing::DoubleEq(0.9), 1));
+  const auto tenths = run_with({.inputs = idle, .output_every = 0.1});
+  EXPECT_EQ(tenths.trajectory.size(), 11u);
+
+  const auto listed = run_with({.inputs = idle, .output_times = {0.25, 0.5}});
+  EXPECT_THAT(listed.trajectory.times(), testing::ElementsAre(0.25, 0.5));
+  EXPECT_EQ(listed.time, 1);
+  EXPECT_LT((listed.state - steps.state).norm(), 1e-7);
+  EXPECT_LT((listed.trajectory[1].x - steps.trajectory.at(0.5)->x).norm(), 1e-6);
+}
+
+TEST(simulate, of_no_time_gives_the_start) {
+  const auto run = run_with({.inputs = idle}, {2, 2});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_EQ(run.trajectory.size(), 1u);
+  EXPECT_EQ(run.trajectory[0].x[q], 0.3);
+}
+
+TEST(simulate, hands_samples_on_without_keeping_them) {
+  std::vector<double> seen;
+  const auto run =
+      run_with({.inputs = idle, .output_every = 0.25, .keep = false, .each_sample = [&](const auto& s) {
+                  seen.push_back(s.t);
+                }});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_TRUE(run.trajectory.empty());
+  EXPECT_THAT(seen, testing::ElementsAre(0, 0.25, 0.5, 0.75, 1));
+}
+
+TEST(simulate, tells_how_far_it_is) {
+  std::vector<double> told;
+  const auto run = run_with({.inputs = idle, .progress = [&](double t, time_span span) {
+                               EXPECT_EQ(span.to, 1);
+                               told.push_back(t);
+                             }});
+  EXPECT_EQ(static_cast<long>(told.size()), run.statistics.steps);
+  EXPECT_EQ(told.back(), 1);
+}
+
+TEST(simulate, keeps_to_the_greatest_step) {
+  const auto run = run_with({.inputs = idle, .greatest_step = 0.01});
+  EXPECT_GE(run.statistics.steps, 100);
+}
+
+// A pendulum driven so hard that no step is short enough.
+TEST(simulate, ends_where_the_step_size_collapses) {
+  const auto run = run_with({.inputs = [](double t) {
+    input_values<System> r;
+    r[T] = 1 / (0.5 - t) / (0.5 - t) / (0.5 - t);
+    return r;
+  }});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::HasSubstr("with q = "));
+  EXPECT_NEAR(run.time, 0.5, 1e-2);
+  EXPECT_GT(run.trajectory.size(), 50u);
+  EXPECT_TRUE(run.trajectory.back().x.allFinite());
+}
+
+TEST(simulate, ends_after_the_most_steps) {
+  const auto run = run_with({.inputs = idle, .output_times = {1}, .most_steps = 5});
+  EXPECT_THAT(run.cause(), testing::EndsWith("the most steps that are allowed were taken"));
+}
+
+TEST(simulate, ends_where_a_function_given_to_it_throws) {
+  const auto run = run_with({.inputs = idle, .each_sample = [](const auto& s) {
+                               if (s.t > 0.5) throw 7;
+                             }});
+  EXPECT_THAT(run.cause(), testing::EndsWith("threw something that is no std::exception"));
+  EXPECT_GT(run.trajectory.size(), 3u);
+}
+
+} // namespace
