@@ -1,0 +1,56 @@
+# kanexpr::animate: moving systems as pages for a browser. Needs nlohmann-json, and npm for the page itself.
+find_package(nlohmann_json 3.2 QUIET)
+find_program(KANEXPR_NPM npm DOC "npm, which builds the page on which systems move")
+
+# kanexpr_npm_install(<variable> <source directory> <directory> <file>...): copies the files and installs what
+# the package-lock.json beside them pins. The variable holds what to depend on.
+function(kanexpr_npm_install result from to)
+  set(files package.json package-lock.json .npmrc ${ARGN})
+  list(TRANSFORM files PREPEND ${from}/ OUTPUT_VARIABLE sources)
+  set(pinned ${from}/package.json ${from}/package-lock.json ${from}/.npmrc)
+  add_custom_command(OUTPUT ${to}/installed DEPENDS ${pinned}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${to}
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${pinned} ${to}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${to} ${KANEXPR_NPM} ci --ignore-scripts --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${to}/installed
+    COMMENT "Installing the packages of ${to}" VERBATIM)
+  add_custom_command(OUTPUT ${to}/copied DEPENDS ${sources} ${to}/installed
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${sources} ${to}
+    COMMAND ${CMAKE_COMMAND} -E touch ${to}/copied VERBATIM)
+  set(${result} ${to}/copied PARENT_SCOPE)
+endfunction()
+
+set(KANEXPR_PAGE ${PROJECT_BINARY_DIR}/page/kanexpr.html)
+if(KANEXPR_NPM)
+  set(page_sources ${PROJECT_SOURCE_DIR}/include/kanexpr/animate/page)
+  file(GLOB page_files CONFIGURE_DEPENDS RELATIVE ${page_sources}
+    ${page_sources}/*.js ${page_sources}/*.css ${page_sources}/*.html)
+  kanexpr_npm_install(installed ${page_sources} ${PROJECT_BINARY_DIR}/page ${page_files})
+  add_custom_command(OUTPUT ${KANEXPR_PAGE} DEPENDS ${installed}
+    COMMAND ${KANEXPR_NPM} run --silent build -- ${KANEXPR_PAGE}
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/page
+    COMMENT "Building the page on which systems move" VERBATIM)
+  add_custom_target(kanexpr_page DEPENDS ${KANEXPR_PAGE})
+else()
+  add_custom_target(kanexpr_page
+    COMMAND ${CMAKE_COMMAND} -E echo "The page on which systems move needs npm, which is not here."
+    COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
+endif()
+
+if(NOT nlohmann_json_FOUND)
+  message(STATUS "nlohmann-json is not installed: there is no kanexpr::animate")
+  return()
+endif()
+add_library(kanexpr_animate INTERFACE)
+add_library(kanexpr::animate ALIAS kanexpr_animate)
+set_target_properties(kanexpr_animate PROPERTIES EXPORT_NAME animate)
+target_link_libraries(kanexpr_animate INTERFACE kanexpr nlohmann_json::nlohmann_json)
+target_compile_definitions(kanexpr_animate INTERFACE
+  $<BUILD_INTERFACE:KANEXPR_PAGE="${KANEXPR_PAGE}">
+  $<INSTALL_INTERFACE:KANEXPR_PAGE="$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/kanexpr/kanexpr.html">)
+if(KANEXPR_NPM)
+  add_dependencies(kanexpr_animate kanexpr_page)
+endif()
+install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
+install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+install(FILES ${KANEXPR_PAGE} DESTINATION ${CMAKE_INSTALL_DATADIR}/kanexpr OPTIONAL)

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <kanexpr/animate/check_shape.hpp>
+
+/// Mistakes that a person can make in a picture.
+namespace kanexpr::animate {
+
+template <class Word>
+struct check_word {
+  static constexpr problem mistake() {
+    if constexpr (requires { Word::shape; }) {
+      return sentence(
+          {Word::shape, "<...> stands among the words of the picture; write show<...> around it"});
+    } else if constexpr (!picture_word<Word>) {
+      return sentence({name_of<Word>(), " is no word of a picture"});
+    } else {
+      if constexpr (requires { Word::size_names; })
+        return check_sizes(Word::still, Word::size_names, Word::word);
+      if constexpr (requires { Word::vector_name; })
+        return check_vector(Word::still[0], "the direction of ", Word::word);
+      return {};
+    }
+  }
+};
+
+template <class Shape, class... Options>
+struct check_word<show<Shape, Options...>> {
+  static constexpr problem mistake() {
+    using shown = show<Shape, Options...>;
+    if constexpr (!shown_word<shown>) {
+      return sentence({"the picture shows ", name_of<Shape>(), ", which is no shape"});
+    } else {
+      constexpr title whom = title_of<shown>();
+      problem found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
+      if constexpr (requires { Shape::axis; })
+        if (!found) found = check_vector(Shape::axis, "the axis of the ", whom.view());
+      if (!found) found = check_options<Shape, Options...>(whom.view());
+      return found ? found : check_look(shown::look, whom.view());
+    }
+  }
+};
+
+template <class Point, class... Options>
+struct check_word<trace<Point, Options...>> {
+  static constexpr problem mistake() {
+    using traced = trace<Point, Options...>;
+    constexpr title whom = title_of<traced>();
+    const problem found = check_options<at<Point>, Options...>(whom.view());
+    return found ? found : check_look(traced::look, whom.view());
+  }
+};
+
+constexpr const point_record* origin_under(const point_record* p) {
+  for (int steps = 0; p->parent != nullptr && steps < 10000; ++steps) p = p->parent;
+  return p;
+}
+
+/// Positions are measured from one origin.
+struct origin_check {
+  const point_record* first = nullptr;
+  problem mistake;
+
+  template <class Word>
+  constexpr void look_at() {
+    if constexpr (shown_word<Word>)
+      for (const point_record* p : Word::attachment::points) compare(p);
+    else if constexpr (requires { Word::points; })
+      for (const point_record* p : Word::points) compare(p);
+  }
+
+private:
+  constexpr void compare(const point_record* p) {
+    if (first == nullptr) first = p;
+    const point_record *here = origin_under(p), *there = origin_under(first);
+    if (here->origin_of == nullptr || there->origin_of == nullptr) return; // no points: told by the reader
+    if (here != there && !mistake)
+      mistake = sentence({"point ", p->called, " hangs on the origin ", here->called, ", and ", first->called,
+                          " on the origin ", there->called, ": the way between them is not known"});
+  }
+};
+
+template <class Word>
+constexpr bool is_told(std::string_view word) {
+  if constexpr (picture_word<Word>)
+    return Word::word == word;
+  else
+    return false;
+}
+
+template <class... Words>
+constexpr problem check_words() {
+  problem found;
+  ((found = found ? found : check_word<Words>::mistake()), ...);
+  if (found) return found;
+  const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
+  if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
+  if (times("up") == 0) return sentence({"the picture is not told which way is up; write up<vector>"});
+  for (std::string_view word : {"up", "seen_from", "ground", "carried"})
+    if (times(word) > 1) return sentence({"the picture is told ", word, "<...> twice"});
+  origin_check origins;
+  (origins.look_at<Words>(), ...);
+  return origins.mistake;
+}
+
+} // namespace kanexpr::animate

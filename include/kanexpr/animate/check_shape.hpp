@@ -1,0 +1,131 @@
+#pragma once
+
+#include <kanexpr/animate/words.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derivation/wording.hpp>
+
+/// Mistakes that a person can make in a shape.
+namespace kanexpr::animate {
+
+using describe::point_record;
+using mechanics::problem;
+using mechanics::sentence;
+
+template <class Word>
+concept picture_word = requires { Word::word; };
+template <class Word>
+concept shown_word = picture_word<Word> && requires { typename Word::attachment; };
+
+/// "sphere at P" or "rod from O to P".
+struct title {
+  symbolic::name letters;
+  constexpr std::string_view view() const { return letters.view(); }
+};
+
+template <shown_word Word>
+constexpr std::string_view kind_of() {
+  if constexpr (requires { Word::attachment::shape; })
+    return Word::attachment::shape;
+  else
+    return Word::word;
+}
+
+template <class Word>
+constexpr title title_of() {
+  title t;
+  if constexpr (shown_word<Word>) {
+    constexpr auto& points = Word::attachment::points;
+    const bool two = std::size(points) == 2;
+    for (std::string_view piece : {kind_of<Word>(), std::string_view(two ? " from " : " at "),
+                                   points[0]->called, std::string_view(two ? " to " : "")})
+      t.letters.append(piece);
+    if (two) t.letters.append(points[std::size(points) - 1]->called);
+  } else {
+    t.letters.append(Word::word);
+  }
+  return t;
+}
+
+/// A size holds numbers and parameters.
+constexpr problem check_size(const phrase& given, std::string_view size, std::string_view whom) {
+  if (given.kind != shape::scalar)
+    return sentence({"the ", size, " of the ", whom, derivation::is_a(given.kind), "it must be a scalar"});
+  for (int i = 0; i < given.size; ++i) {
+    const describe::token& t = given.tokens[i];
+    std::string_view kind, name;
+    if (t.symbol != nullptr && t.symbol->kind != symbolic::symbol_kind::parameter) {
+      kind = derivation::kind_of(*t.symbol);
+      name = t.symbol->called.view();
+    } else if (t.point != nullptr) {
+      kind = "point ";
+      name = t.point->called;
+    } else if (t.frame != nullptr) {
+      kind = "frame ";
+      name = t.frame->called;
+    }
+    if (!kind.empty())
+      return sentence(
+          {"the ", size, " of the ", whom, " holds the ", kind, name, "; it may hold parameters only"});
+  }
+  return {};
+}
+
+constexpr problem check_vector(const phrase& given, std::string_view what, std::string_view whom) {
+  if (given.kind == shape::vector) return {};
+  return sentence({what, whom, derivation::is_a(given.kind), "it must be a vector"});
+}
+
+constexpr bool is_colour(std::string_view given) {
+  if (given.size() != 7 || given[0] != '#') return false;
+  for (char c : given.substr(1))
+    if (!((c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'))) return false;
+  return true;
+}
+
+constexpr problem check_look(const look& l, std::string_view whom) {
+  if (!l.colour.empty() && !is_colour(l.colour))
+    return sentence({"the colour of the ", whom, ", ", l.colour, ", is not of the form #1f5fa8"});
+  if (!(l.opacity > 0 && l.opacity <= 1))
+    return sentence({"the opacity of the ", whom, " is not above 0 and at most 1"});
+  return {};
+}
+
+template <std::size_t size>
+constexpr problem check_sizes(const phrases<size>& sizes, const std::string_view (&names)[size],
+                              std::string_view whom) {
+  problem found;
+  for (std::size_t i = 0; i < size; ++i)
+    if (!found) found = check_size(sizes[i], names[i], whom);
+  return found;
+}
+
+/// The name of a type without its template arguments.
+template <class Type>
+constexpr std::string_view name_of() {
+  return type_name<Type>().substr(0, type_name<Type>().find('<'));
+}
+
+template <class Option, class Shape>
+constexpr problem check_option(std::string_view whom) {
+  if constexpr (!option_of_shape<Option>)
+    return sentence({"the ", whom, " is shown with ", name_of<Option>(), ", which is no option of a shape"});
+  if constexpr (requires { Option::spin; }) {
+    if constexpr (!requires { Shape::axis; })
+      return sentence({"the ", whom, " is spinning, and has no axis"});
+    if (Option::spin.kind != shape::scalar)
+      return sentence({"the spin of the ", whom, derivation::is_a(Option::spin.kind), "it must be a scalar"});
+  }
+  return {};
+}
+
+template <class Shape, class... Options>
+constexpr problem check_options(std::string_view whom) {
+  problem found;
+  int spins = 0;
+  ((found = found ? found : check_option<Options, Shape>(whom)), ...);
+  ((spins += requires { Options::spin; } ? 1 : 0), ...);
+  if (!found && spins > 1) found = sentence({"the ", whom, " is spinning twice"});
+  return found;
+}
+
+} // namespace kanexpr::animate

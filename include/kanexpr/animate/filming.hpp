@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/word_record.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <span>
+
+/// From the numbers of a picture at each time to its shapes.
+namespace kanexpr::animate {
+
+/// The numbers of a picture and the integrals of its rates, a column for each time.
+struct footage {
+  Eigen::MatrixXd numbers, integrals;
+};
+
+inline Eigen::Vector3d triple(const Eigen::MatrixXd& m, int row, Eigen::Index column) {
+  return m.block<3, 1>(row, column);
+}
+
+inline animation::shape shape_of(const word_record& r, const footage& f) {
+  animation::shape s;
+  s.name = r.looks.name.empty() ? r.name.view() : r.looks.name;
+  s.kind = r.shape;
+  s.colour = r.looks.colour;
+  s.opacity = r.looks.opacity;
+  s.placed_by = r.placed_by;
+  for (int i = 0; i < r.still; ++i) s.sizes.push_back(f.numbers(r.first_still + i, 0));
+  for (Eigen::Index k = 0; k < f.numbers.cols(); ++k) {
+    placement here = r.placed(f.numbers.col(k).data() + r.first_moving);
+    if (r.rates == 1)
+      here.orientation *= Eigen::AngleAxisd(f.integrals(r.first_rate, k), Eigen::Vector3d::UnitZ()).matrix();
+    s.placements.push_back(here);
+  }
+  return s;
+}
+
+/// Moves all shapes along the way of the origin, from that of a point: see `carried`.
+inline void carry(animation& a, const word_record& r, const footage& f) {
+  a.carried = true;
+  for (Eigen::Index k = 0; k < f.numbers.cols(); ++k) {
+    const Eigen::Vector3d way = triple(f.integrals, r.first_rate, k) - triple(f.numbers, r.first_moving, k) +
+                                triple(f.numbers, r.first_moving, 0);
+    const Eigen::Vector3d level = way - way.dot(a.up) * a.up;
+    for (animation::shape& s : a.shapes) {
+      s.placements[static_cast<std::size_t>(k)].position += level;
+      s.placements[static_cast<std::size_t>(k)].end += level;
+    }
+  }
+}
+
+inline void develop(animation& a, std::span<const word_record> words, const footage& f) {
+  for (const word_record& r : words) {
+    if (!r.shape.empty()) a.shapes.push_back(shape_of(r, f));
+    if (r.word == "up") a.up = triple(f.numbers, r.first_still, 0).normalized();
+    if (r.word == "seen_from") a.seen_from = triple(f.numbers, r.first_still, 0).normalized();
+    if (r.word == "ground") a.ground = f.numbers(r.first_still, 0);
+  }
+  for (const word_record& r : words)
+    if (r.word == "carried") carry(a, r, f);
+}
+
+inline std::string at_time(double t) {
+  char digits[32];
+  return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
+}
+
+/// What in an animation is no number, as a sentence; empty: nothing.
+inline std::string check_numbers(const animation& a) {
+  if (!(a.up.norm() > 0.5)) return "the direction of up has no length";
+  if (a.seen_from && !(a.seen_from->norm() > 0.5)) return "the direction of seen_from has no length";
+  if (a.ground && !std::isfinite(*a.ground)) return "the height of the ground is no number";
+  for (const animation::shape& s : a.shapes) {
+    for (double size : s.sizes)
+      if (!std::isfinite(size) || size <= 0) return "a size of the " + s.name + " is no positive number";
+    for (std::size_t k = 0; k < s.placements.size(); ++k) {
+      const placement& here = s.placements[k];
+      if (!here.position.allFinite() || !here.end.allFinite())
+        return "the position of the " + s.name + " is no number" + at_time(a.times[k]);
+      if (!here.orientation.allFinite())
+        return "the orientation of the " + s.name + " is no number" + at_time(a.times[k]);
+    }
+  }
+  return {};
+}
+
+} // namespace kanexpr::animate

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <kanexpr/animate/picture.hpp>
+#include <kanexpr/compiled/function.hpp>
+
+namespace kanexpr {
+
+namespace animate {
+
+/// Phrases of several words one after another, and where the numbers of each word begin.
+template <std::size_t... sizes>
+struct layout {
+  static constexpr std::size_t words = sizeof...(sizes);
+  phrases<(sizes + ... + 0)> all{};
+  std::array<int, words + 1> begin{};
+
+  constexpr explicit layout(const phrases<sizes>&... lists) {
+    std::size_t word = 0, next = 0;
+    (
+        [&] {
+          for (const phrase& p : lists) all[next++] = p;
+          begin[word + 1] = begin[word] + numbers_in(lists);
+          ++word;
+        }(),
+        ...);
+  }
+  constexpr int numbers() const { return begin[words]; }
+};
+
+/// All numbers of a picture at one time, which one function gives, so that they share their work: those that
+/// move, then those that stay, then rates.
+template <class Picture>
+struct numbers_of;
+
+template <class System, class... Words>
+struct numbers_of<picture<System, Words...>> {
+  static constexpr layout moving{Words::moving...};
+  static constexpr layout still{Words::still...};
+  static constexpr layout rates{Words::rates...};
+  static constexpr layout all{moving.all, still.all, rates.all};
+  static constexpr int first_still = all.begin[1];
+  static constexpr int first_rate = all.begin[2];
+  static constexpr int count = all.numbers();
+  static constexpr int rate_count = rates.numbers();
+};
+
+} // namespace animate
+
+namespace derivation {
+
+template <class Picture, animate::numbers_of<Picture> wanted>
+struct request<wanted> {
+  static constexpr const auto& words = animate::numbers_of<Picture>::all.all;
+  static constexpr extent of(const survey&) { return {animate::numbers_of<Picture>::count, 1}; }
+  static constexpr void visit(reader& r) {
+    for (const phrase& p : words) r.visit(p.tokens, p.size);
+  }
+  static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
+    const mechanism& m = *e.skeleton_used().model;
+    symbolic::matrix numbers(*m.g, animate::numbers_of<Picture>::count, 1);
+    int next = 0;
+    for (const phrase& p : words) {
+      const value v = r.evaluate(p, "the picture");
+      if (p.kind == shape::vector) {
+        const components c = mechanics::express(m, v.vector, mechanism::inertial);
+        for (int i = 0; i < 3; ++i) numbers.entries[next++] = c[i];
+      } else {
+        numbers.entries[next++] = v.scalar;
+      }
+    }
+    return e.in_motion(numbers);
+  }
+};
+
+} // namespace derivation
+
+} // namespace kanexpr

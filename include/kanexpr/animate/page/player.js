@@ -1,0 +1,45 @@
+// The time that is shown, and its passing.
+export class Player {
+  constructor(first, last, changed) {
+    this.first = first;
+    this.last = last;
+    this.speed = 1;
+    this.time = first;
+    this.playing = false;
+    this.changed = changed;
+  }
+
+  seek(t) {
+    this.time = Math.min(this.last, Math.max(this.first, Number(t)));
+    this.changed();
+  }
+
+  play() {
+    if (this.playing || this.last <= this.first) return;
+    if (this.time >= this.last) this.time = this.first;
+    this.playing = true;
+    this.before = undefined;
+    requestAnimationFrame((now) => this.#step(now));
+    this.changed();
+  }
+
+  pause() {
+    this.playing = false;
+    this.changed();
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  #step(now) {
+    if (!this.playing) return;
+    const passed = (now - (this.before ?? now)) / 1000;
+    this.before = now;
+    this.time = Math.min(this.last, this.time + passed * this.speed);
+    if (this.time >= this.last) this.playing = false;
+    else requestAnimationFrame((later) => this.#step(later));
+    this.changed();
+  }
+}

@@ -1,0 +1,77 @@
+// A system that moves: reads the motion out of the page and shows it.
+import { controls } from './controls.js';
+import { moment } from './motion.js';
+import { picture } from './picture.js';
+import { Player } from './player.js';
+import { renderer } from './stage.js';
+import { values } from './values.js';
+
+const motion = JSON.parse(document.getElementById('motion').textContent);
+document.getElementById('title').textContent = motion.title;
+document.getElementById('text').textContent = motion.text;
+
+function withoutPicture(error) {
+  const trouble = document.getElementById('trouble');
+  trouble.textContent =
+    'This browser has no WebGL, which draws the picture; the values at each time are shown all the same.';
+  trouble.hidden = false;
+  document.getElementById('panel').open = true;
+  console.warn(error.message);
+  return { camera: { follows: false, home() {} }, pose() {}, show() {} };
+}
+
+let due = false;
+function changed() {
+  if (due) return;
+  due = true;
+  requestAnimationFrame(() => {
+    due = false;
+    show();
+  });
+}
+
+function withPicture() {
+  const view = document.getElementById('view');
+  let draw;
+  try {
+    draw = renderer(view);
+  } catch (error) {
+    return withoutPicture(error);
+  }
+  return picture(motion, draw, view, changed);
+}
+
+const player = new Player(motion.times[0], motion.times.at(-1), changed);
+const seen = withPicture();
+const showControls = controls(player, seen.camera);
+const showValues = values(motion.columns);
+
+function show() {
+  const now = moment(motion.times, player.time);
+  seen.show(now);
+  showControls();
+  showValues(player.time, now);
+}
+
+/// For scripts: the same as the controls, and where a shape is, in inertial axes.
+window.kanexpr = {
+  shapes: motion.shapes.map((shape) => shape.name),
+  seek(t) {
+    player.seek(t);
+    show();
+  },
+  play: () => player.play(),
+  pause: () => player.pause(),
+  get time() {
+    return player.time;
+  },
+  get playing() {
+    return player.playing;
+  },
+  pose(name) {
+    return seen.pose(this.shapes.indexOf(name));
+  },
+};
+
+show();
+if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();

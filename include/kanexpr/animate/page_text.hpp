@@ -1,0 +1,85 @@
+#pragma once
+
+#include <kanexpr/animate/animation.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+
+/// An animation as the text that the page reads.
+namespace kanexpr::animate {
+
+/// To seven digits: that is finer than what can be seen.
+inline double rounded(double value) {
+  char digits[32];
+  const char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 7).ptr;
+  double shorter = value;
+  std::from_chars(digits, end, shorter);
+  return shorter == 0 ? 0 : shorter; // no −0
+}
+
+inline nlohmann::json list_of(const std::vector<double>& values) {
+  nlohmann::json all = nlohmann::json::array();
+  for (double v : values) all.push_back(rounded(v));
+  return all;
+}
+
+inline nlohmann::json list_of(const Eigen::Vector3d& v) {
+  return list_of(std::vector<double>(v.begin(), v.end()));
+}
+
+/// One row of numbers after the other: 3 for a place, 6 for two ends, 7 for a pose, whose last four are
+/// the quaternion x, y, z, w.
+inline std::vector<double> rows_of(const animation::shape& s) {
+  std::vector<double> all;
+  for (const placement& here : s.placements) {
+    all.insert(all.end(), here.position.begin(), here.position.end());
+    if (s.placed_by == placing::ends) all.insert(all.end(), here.end.begin(), here.end.end());
+    if (s.placed_by != placing::pose) continue;
+    const Eigen::Quaterniond turned(here.orientation);
+    all.insert(all.end(), {turned.x(), turned.y(), turned.z(), turned.w()});
+  }
+  return all;
+}
+
+inline std::string_view word_for(placing p) {
+  switch (p) {
+  case placing::place: return "place";
+  case placing::ends: return "ends";
+  case placing::pose: return "pose";
+  }
+  return "";
+}
+
+inline nlohmann::json shape_text(const animation::shape& s) {
+  nlohmann::json one{{"name", s.name},
+                     {"kind", s.kind},
+                     {"placed", word_for(s.placed_by)},
+                     {"opacity", s.opacity},
+                     {"sizes", list_of(s.sizes)},
+                     {"rows", list_of(rows_of(s))}};
+  if (!s.colour.empty()) one["colour"] = s.colour;
+  return one;
+}
+
+/// Holds no `<`, so that it can stand in a page as it is.
+inline std::string page_text(const animation& a, const std::string& title, const std::string& text) {
+  nlohmann::json all{{"title", title},
+                     {"text", text},
+                     {"times", list_of(a.times)},
+                     {"up", list_of(a.up)},
+                     {"carried", a.carried},
+                     {"shapes", nlohmann::json::array()},
+                     {"columns", nlohmann::json::array()}};
+  if (a.seen_from) all["seenFrom"] = list_of(*a.seen_from);
+  if (a.ground) all["ground"] = rounded(*a.ground);
+  for (const animation::shape& s : a.shapes) all["shapes"].push_back(shape_text(s));
+  for (const animation::column& c : a.columns)
+    all["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
+  std::string written = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  for (std::size_t at = written.find('<'); at != std::string::npos; at = written.find('<', at))
+    written.replace(at, 1, "\\u003c");
+  return written;
+}
+
+} // namespace kanexpr::animate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kanexpr/describe/motion.hpp>
+#include <kanexpr/describe/record.hpp>
+
+#include <array>
+
+/// The scalars and vectors of a model of which a picture takes the numbers.
+namespace kanexpr::animate {
+
+using describe::phrase;
+using describe::shape;
+
+template <std::size_t size>
+using phrases = std::array<phrase, size>;
+
+constexpr int numbers_in(const phrase& p) { return p.kind == shape::vector ? 3 : 1; }
+
+template <std::size_t size>
+constexpr int numbers_in(const phrases<size>& list) {
+  int sum = 0;
+  for (const phrase& p : list) sum += numbers_in(p);
+  return sum;
+}
+
+template <auto... expressions>
+inline constexpr phrases<sizeof...(expressions)> phrases_of{describe::phrase_of<expressions>...};
+
+/// Position of a point from its origin.
+template <class Point>
+inline constexpr phrase place =
+    describe::phrase_of<describe::motion_of(describe::word::position, &describe::point_of<Point>)>;
+
+/// Two axes of a frame; the third is their product.
+template <class Frame>
+inline constexpr phrase x_of = describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 0)>;
+template <class Frame>
+inline constexpr phrase y_of = describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 1)>;
+
+} // namespace kanexpr::animate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <kanexpr/animate/check.hpp>
+namespace kanexpr {
+
+/// What a moving system looks like: simple shapes on its frames and points, the paths of points, the ground.
+///
+///     using picture = kanexpr::picture<System, up<N::z>, ground<>, trace<P>,
+///                                      show<rod<O, P, 0.02>>, show<sphere<P, 0.1>, colour<"#c0392b">>>;
+template <class System, class... Words>
+struct picture;
+
+namespace animate {
+
+template <class Picture>
+struct sound_picture {
+  static constexpr problem mistake = Picture::mistake;
+  static_assert(derivation::tell<sound_picture>());
+  static constexpr bool value = !static_cast<bool>(mistake);
+};
+
+} // namespace animate
+
+template <class System_, class... Words>
+struct picture {
+  using System = System_;
+  static constexpr mechanics::problem mistake = animate::check_words<Words...>();
+};
+
+} // namespace kanexpr

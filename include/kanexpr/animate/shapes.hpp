@@ -1,0 +1,91 @@
+#pragma once
+
+#include <kanexpr/animate/attachment.hpp>
+
+#include <string_view>
+
+/// Simple shapes, attached to the frames and points of a model. Sizes are numbers or expressions of
+/// parameters.
+namespace kanexpr {
+
+/// Its centre at `Point`, its edges along the axes of `Frame`.
+template <class Frame, class Point, auto along_x, auto along_y, auto along_z>
+struct box : animate::attached<Frame, Point> {
+  static constexpr std::string_view shape = "box";
+  static constexpr std::string_view size_names[]{"edge along x", "edge along y", "edge along z"};
+  static constexpr auto sizes = animate::phrases_of<along_x, along_y, along_z>;
+};
+
+/// With semi-axes along the axes of `Frame`.
+template <class Frame, class Point, auto along_x, auto along_y, auto along_z>
+struct ellipsoid : animate::attached<Frame, Point> {
+  static constexpr std::string_view shape = "ellipsoid";
+  static constexpr std::string_view size_names[]{"semi-axis along x", "semi-axis along y",
+                                                 "semi-axis along z"};
+  static constexpr auto sizes = animate::phrases_of<along_x, along_y, along_z>;
+};
+
+template <class Point, auto radius>
+struct sphere : animate::at<Point> {
+  static constexpr std::string_view shape = "sphere";
+  static constexpr std::string_view size_names[]{"radius"};
+  static constexpr auto sizes = animate::phrases_of<radius>;
+};
+
+/// Its centre at `Point`, its axis along the vector `axis`; marks on its ends show how it turns with `Frame`.
+template <class Frame, class Point, auto axis, auto radius, auto length>
+struct cylinder : animate::attached_along<Frame, Point, axis> {
+  static constexpr std::string_view shape = "cylinder";
+  static constexpr std::string_view size_names[]{"radius", "length"};
+  static constexpr auto sizes = animate::phrases_of<radius, length>;
+};
+
+/// Its tip at `Point`; it opens along the vector `axis`.
+template <class Frame, class Point, auto axis, auto radius, auto length>
+struct cone : animate::attached_along<Frame, Point, axis> {
+  static constexpr std::string_view shape = "cone";
+  static constexpr std::string_view size_names[]{"radius", "length"};
+  static constexpr auto sizes = animate::phrases_of<radius, length>;
+};
+
+/// A torus of the outer radius `radius`, as thick as `thickness`.
+template <class Frame, class Point, auto axis, auto radius, auto thickness>
+struct ring : animate::attached_along<Frame, Point, axis> {
+  static constexpr std::string_view shape = "ring";
+  static constexpr std::string_view size_names[]{"radius", "thickness"};
+  static constexpr auto sizes = animate::phrases_of<radius, thickness>;
+};
+
+/// A tyre of the outer radius `radius` with spokes, one of which has a colour of its own.
+template <class Frame, class Point, auto axis, auto radius, auto thickness>
+struct wheel : animate::attached_along<Frame, Point, axis> {
+  static constexpr std::string_view shape = "wheel";
+  static constexpr std::string_view size_names[]{"radius", "thickness"};
+  static constexpr auto sizes = animate::phrases_of<radius, thickness>;
+};
+
+/// From one point to another, whose distance may change.
+template <class From, class To, auto radius>
+struct rod : animate::between<From, To> {
+  static constexpr std::string_view shape = "rod";
+  static constexpr std::string_view size_names[]{"radius"};
+  static constexpr auto sizes = animate::phrases_of<radius>;
+};
+
+/// A coil spring from one point to another.
+template <class From, class To, auto radius, auto turns>
+struct coil : animate::between<From, To> {
+  static constexpr std::string_view shape = "coil";
+  static constexpr std::string_view size_names[]{"radius", "number of turns"};
+  static constexpr auto sizes = animate::phrases_of<radius, turns>;
+};
+
+/// The axes of `Frame` as arrows from `Point`: x red, y green, z blue.
+template <class Frame, class Point, auto length>
+struct axes : animate::attached<Frame, Point> {
+  static constexpr std::string_view shape = "axes";
+  static constexpr std::string_view size_names[]{"length"};
+  static constexpr auto sizes = animate::phrases_of<length>;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,195 @@
+// node drive.js CHROMIUM DIRECTORY: opens the page in DIRECTORY without a network and looks at what it does.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const [browserPath, directory] = process.argv.slice(2);
+const address = pathToFileURL(join(directory, 'disc.html')).href;
+const expected = JSON.parse(readFileSync(join(directory, 'disc.json'), 'utf8'));
+const home = mkdtempSync(join(tmpdir(), 'kanexpr-page-'));
+
+const context = await chromium.launchPersistentContext(home, {
+  executablePath: browserPath,
+  offline: true,
+  reducedMotion: 'reduce',
+  viewport: { width: 640, height: 400 },
+  args: [
+    '--no-sandbox', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+    '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+  ],
+});
+
+try {
+  const page = await context.newPage();
+  const troubles = listen(page);
+  await page.goto(address);
+  await checkTitle(page);
+  await checkPoses(page);
+  await checkBetween(page);
+  await checkPicture(page);
+  await checkScrubbing(page);
+  await checkKeys(page);
+  await checkPlaying(page);
+  await checkResizing(page);
+  await checkMotionByItself(page);
+  assert.deepEqual(troubles, []);
+  await page.close();
+  await checkWithoutWebGL(context);
+} finally {
+  await context.close();
+  rmSync(home, { recursive: true, force: true });
+}
+
+/// Everything that the page says, and every request beyond the file itself.
+function listen(page) {
+  const troubles = [];
+  page.on('console', (message) => troubles.push(message.text()));
+  page.on('pageerror', (error) => troubles.push(error.message));
+  page.on('request', (request) => {
+    if (request.url() !== address && !request.url().startsWith('data:')) troubles.push(request.url());
+  });
+  return troubles;
+}
+
+async function checkTitle(page) {
+  assert.equal(await page.title(), 'A disc <on a circle>');
+  assert.equal(await page.locator('h1').textContent(), 'A disc <on a circle>');
+  assert.equal(await page.locator('#text').textContent(), 'A shape of every kind.');
+  assert.equal(await page.locator('#trouble').isVisible(), false);
+}
+
+/// A vector turned by the quaternion x, y, z, w.
+function turned([x, y, z, w], [a, b, c]) {
+  const t = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+  return [
+    a + w * t[0] + y * t[2] - z * t[1],
+    b + w * t[1] + z * t[0] - x * t[2],
+    c + w * t[2] + x * t[1] - y * t[0],
+  ];
+}
+
+function assertNear(actual, wanted, what) {
+  const near = wanted.every((value, i) => Math.abs(actual[i] - value) < 2e-6);
+  assert.ok(near, `${what}: ${actual} not ${wanted}`);
+}
+
+async function checkPoses(page) {
+  for (const { t, q3, poses } of expected) {
+    const seen = await page.evaluate((time) => {
+      const { kanexpr } = window;
+      kanexpr.seek(time);
+      const poses = kanexpr.shapes.map((name) => kanexpr.pose(name));
+      return { time: kanexpr.time, poses, names: kanexpr.shapes };
+    }, t);
+    assert.equal(seen.time, t);
+    for (const { name, position, axes } of poses) {
+      const pose = seen.poses[seen.names.indexOf(name)];
+      assertNear(pose.position, position, `${name} at ${t}`);
+      axes?.forEach((axis, i) => {
+        const unit = [0, 0, 0];
+        unit[i] = 1;
+        assertNear(turned(pose.quaternion, unit), axis, `axis ${i} of ${name} at ${t}`);
+      });
+    }
+    const row = page.locator('#values tr', { hasText: 'q3' }).locator('td');
+    assert.equal(await row.textContent(), q3 === 0 ? '0' : q3.toFixed(4));
+  }
+}
+
+/// Halfway between two samples things are halfway.
+async function checkBetween(page) {
+  const [before, middle, after] = await page.evaluate(() =>
+    [0.52, 0.53, 0.54].map((t) => {
+      window.kanexpr.seek(t);
+      return window.kanexpr.pose('rod from Dmc to Beside').position;
+    }));
+  assertNear(middle, before.map((value, i) => (value + after[i]) / 2), 'halfway');
+  assert.ok(Math.hypot(...middle.map((value, i) => value - before[i])) > 1e-3);
+}
+
+/// The share of the points of the picture that something is drawn on, and the number of their colours.
+function drawn(page, t) {
+  return page.evaluate((time) => {
+    window.kanexpr.seek(time);
+    const source = document.querySelector('#view canvas');
+    const copy = document.createElement('canvas');
+    Object.assign(copy, { width: source.width, height: source.height });
+    const paper = copy.getContext('2d');
+    paper.drawImage(source, 0, 0);
+    const points = new Uint32Array(paper.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    const solid = points.filter((point) => point >>> 24 > 200);
+    return { share: solid.length / points.length, colours: new Set(solid).size };
+  }, t);
+}
+
+async function checkPicture(page) {
+  const pictures = [];
+  for (const t of [0, 1.4]) {
+    const { share, colours } = await drawn(page, t);
+    assert.ok(share > 0.02 && share < 0.8, `the picture covers ${share}`);
+    assert.ok(colours > 200, `the picture has ${colours} colours`);
+    pictures.push(await page.screenshot());
+  }
+  assert.notDeepEqual(pictures[0], pictures[1]);
+}
+
+async function checkScrubbing(page) {
+  await page.locator('#time').fill('4.5');
+  assert.equal(await page.evaluate(() => window.kanexpr.time), 4.5);
+  await page.waitForFunction(() => document.getElementById('clock').textContent === '4.50 / 6.00 s');
+  assert.equal(await page.locator('#time').getAttribute('aria-valuetext'), '4.50 seconds');
+}
+
+async function checkKeys(page) {
+  const time = () => page.evaluate(() => window.kanexpr.time);
+  await page.keyboard.press('Home');
+  assert.equal(await time(), 0);
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs((await time()) - 0.06) < 1e-9);
+  await page.keyboard.press('End');
+  assert.equal(await time(), 6);
+}
+
+async function checkPlaying(page) {
+  const state = () => page.evaluate(() => [window.kanexpr.playing, window.kanexpr.time]);
+  assert.deepEqual(await state(), [false, 6]);
+  await page.keyboard.press(' '); // at the end: from the beginning
+  await page.waitForFunction(() => {
+    const { playing, time } = window.kanexpr;
+    return playing && time > 0.1 && time < 5;
+  });
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const [playing, time] = await state();
+  assert.equal(playing, false);
+  await page.waitForTimeout(150);
+  assert.deepEqual(await state(), [false, time]);
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+}
+
+async function checkResizing(page) {
+  await page.setViewportSize({ width: 420, height: 500 });
+  await page.waitForFunction(() => document.querySelector('#view canvas').clientWidth === 420);
+  assert.ok((await drawn(page, 2)).share > 0.01);
+}
+
+/// It plays by itself, unless the reader wants less motion.
+async function checkMotionByItself(page) {
+  assert.equal(await page.evaluate(() => window.kanexpr.playing), false);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  await page.reload();
+  await page.waitForFunction(() => window.kanexpr.playing && window.kanexpr.time > 0);
+}
+
+async function checkWithoutWebGL(context) {
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(address);
+  assert.match(await page.locator('#trouble').innerText(), /^This browser has no WebGL/);
+  await page.locator('#time').fill('1.4');
+  await page.waitForFunction(() => document.getElementById('clock').textContent.startsWith('1.40'));
+}

@@ -1,0 +1,52 @@
+#include "animate/disc_on_a_circle.hpp"
+
+#include <kanexpr/animate.hpp>
+
+#include <cstdio>
+
+// page DIRECTORY: writes a page with a shape of every kind, and where its shapes are at some times.
+
+namespace {
+
+using namespace rolling_disc;
+
+struct Above : offset<Above, Dmc, 0.5 * N::z> {};
+struct Beside : offset<Beside, Dmc, 0.4 * L::y> {};
+
+using shapes =
+    kanexpr::picture<System, up<N::z>, ground<>, carried<Dmc>, seen_from<N::x - N::y + N::z / 2>,
+                     trace<C, colour<"#2f5d8a">>, show<wheel<R, Dmc, R::y, r, r / 10>>,
+                     show<cylinder<R, Dmc, R::y, r / 3, r / 3>>, show<ring<R, Beside, R::x, r / 4, r / 15>>,
+                     show<cone<R, Above, -N::z, r / 6, r / 2>>, show<box<R, Beside, r / 5, r / 6, r / 7>>,
+                     show<ellipsoid<R, Above, r / 4, r / 6, r / 8>, opacity<0.6>>, show<sphere<Dmc, r / 5>>,
+                     show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>, show<coil<Dmc, Above, r / 8, 7>>>;
+
+nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
+  nlohmann::json poses = nlohmann::json::array();
+  for (const auto& s : a.shapes) {
+    if (s.kind == "trace") continue;
+    const Eigen::Vector3d& p = s.placements[k].position;
+    const Eigen::Matrix3d& r = s.placements[k].orientation;
+    nlohmann::json one{{"name", s.name}, {"position", {p(0), p(1), p(2)}}};
+    if (s.placed_by == kanexpr::animate::placing::pose)
+      one["axes"] = {{r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)}, {r(0, 2), r(1, 2), r(2, 2)}};
+    poses.push_back(one);
+  }
+  return {{"t", a.times[k]}, {"q3", a.columns[2].values[k]}, {"poses", poses}};
+}
+
+} // namespace
+
+int main(int, char** arguments) {
+  const std::string directory = arguments[1];
+  const tests::disc_on_a_circle closed_form;
+  const tests::known_motion<System, tests::disc_on_a_circle> run(closed_form.parameters(), closed_form, 300,
+                                                                 0.02);
+  const auto report = kanexpr::write_page<shapes>(
+      directory + "/disc.html", run, {.title = "A disc <on a circle>", .text = "A shape of every kind."});
+  if (!report) return std::fprintf(stderr, "%s\n", report.cause().c_str()), 1;
+
+  const kanexpr::animation a = kanexpr::animated<shapes>(run);
+  std::ofstream(directory + "/disc.json")
+      << nlohmann::json{poses_at(a, 0), poses_at(a, 70), poses_at(a, 300)};
+}

@@ -1,0 +1,166 @@
+#include "animate/samples.hpp"
+
+#include <kanexpr/animate.hpp>
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+
+namespace {
+
+using namespace simple_pendulum;
+using kanexpr::write_page;
+using testing::HasSubstr;
+using testing::Not;
+
+using pendulum =
+    kanexpr::picture<System, up<-N::x>, ground<-2 * l>, seen_from<N::z>, trace<P>, show<rod<O, P, 0.02>>,
+                     show<sphere<P, l / 10>, colour<"#c0392b">>, show<axes<A, P, 0.3>, opacity<0.5>>>;
+
+tests::samples<System> swing(std::initializer_list<double> angles) {
+  tests::samples<System> run;
+  run.p[m] = 1, run.p[l] = 0.7, run.p[g] = 9.81;
+  for (double angle : angles) {
+    tests::sample<System> s;
+    s.t = 0.1 * static_cast<double>(run.all.size());
+    s.x[q] = angle;
+    run.all.push_back(s);
+  }
+  return run;
+}
+
+kanexpr::animation pendulum_along(const tests::samples<System>& run) {
+  return kanexpr::animated<pendulum>(run);
+}
+
+class page : public testing::Test {
+protected:
+  void SetUp() override {
+    directory_ = std::filesystem::path(testing::TempDir()) /
+                 testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(directory_);
+    write("empty.html", "<title>@title@</title><p>@motion@</p>");
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+
+  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  kanexpr::page_options options(const std::string& title) const {
+    return {.title = title, .empty_page = path("empty.html")};
+  }
+
+private:
+  std::filesystem::path directory_;
+};
+
+TEST(animation, is_that_of_a_pendulum) {
+  const kanexpr::animation a = pendulum_along(swing({0.3, -1.2, 2.9}));
+  ASSERT_TRUE(a) << a.cause();
+  const double angles[]{0.3, -1.2, 2.9};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d bob(0.7 * std::cos(angles[k]), 0.7 * std::sin(angles[k]), 0);
+    EXPECT_LT((a.find("sphere at P")->placements[k].position - bob).norm(), 1e-15);
+    EXPECT_LT((a.find("trace at P")->placements[k].position - bob).norm(), 1e-15);
+    EXPECT_EQ(a.find("rod from O to P")->placements[k].position, Eigen::Vector3d::Zero());
+    EXPECT_LT((a.find("rod from O to P")->placements[k].end - bob).norm(), 1e-15);
+    EXPECT_LT((a.find("axes at P")->placements[k].orientation.col(0) - bob / 0.7).norm(), 1e-15);
+  }
+  EXPECT_EQ(a.up, -Eigen::Vector3d::UnitX());
+  EXPECT_EQ(a.ground, -1.4);
+  EXPECT_FALSE(a.carried);
+}
+
+TEST(animation, tells_what_is_no_number) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  tests::samples<System> run = swing({0.1, 0.2, nan});
+  EXPECT_EQ(pendulum_along(run).cause(), "the state holds what is no number at t = 0.2");
+  EXPECT_FALSE(pendulum_along(run));
+  run = swing({0.1, 0.2});
+  run.p[l] = nan;
+  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground is no number");
+  run.p[l] = -0.5;
+  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P is no positive number");
+}
+
+TEST(animation, tells_which_place_is_no_number) {
+  using far = kanexpr::picture<System, up<-N::x>, show<sphere<P, 0.1>>>;
+  tests::samples<System> run = swing({0.1, 0.2});
+  run.p[l] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is no number at t = 0");
+}
+
+TEST(animation, wants_samples_in_the_order_of_time) {
+  EXPECT_EQ(pendulum_along(swing({})).cause(), "the trajectory holds no sample");
+  tests::samples<System> run = swing({0.1, 0.2, 0.3});
+  run.all[1].t = 0.5;
+  EXPECT_EQ(pendulum_along(run).cause(), "the samples are not in the order of time at t = 0.2");
+}
+
+TEST(page_text, holds_everything_to_seven_digits) {
+  const kanexpr::animation a = pendulum_along(swing({0.3, -1.2}));
+  const auto text = nlohmann::json::parse(kanexpr::animate::page_text(a, "A pendulum", "It swings."));
+  EXPECT_EQ(text["title"], "A pendulum");
+  EXPECT_EQ(text["times"], nlohmann::json({0.0, 0.1}));
+  EXPECT_EQ(text["ground"], -1.4);
+  EXPECT_EQ(text["columns"][0], nlohmann::json({{"name", "q"}, {"values", {0.3, -1.2}}}));
+  ASSERT_EQ(text["shapes"].size(), 4u);
+  const auto &sphere = text["shapes"][2], &axes = text["shapes"][3];
+  EXPECT_EQ(sphere["rows"], nlohmann::json({0.6687355, 0.2068641, 0.0, 0.2536504, -0.6524274, 0.0}));
+  EXPECT_EQ(sphere["sizes"], nlohmann::json::array({0.07}));
+  EXPECT_EQ(sphere["colour"], "#c0392b");
+  EXPECT_EQ(axes["placed"], "pose");
+  EXPECT_EQ(axes["opacity"], 0.5);
+  EXPECT_EQ(axes["rows"].size(), 14u);
+  EXPECT_EQ(axes["rows"][5], 0.1494381); // sin 0.15
+  EXPECT_FALSE(axes.contains("colour"));
+}
+
+TEST(page_text, cannot_end_the_element_it_stands_in) {
+  const kanexpr::animation a = pendulum_along(swing({0.3}));
+  const std::string text = kanexpr::animate::page_text(a, "</script><b>", "<!--");
+  EXPECT_THAT(text, Not(HasSubstr("<")));
+  EXPECT_EQ(nlohmann::json::parse(text)["title"], "</script><b>");
+}
+
+TEST_F(page, is_written) {
+  const auto report = write_page<pendulum>(path("page.html"), swing({0.3}), options("a < b & c"));
+  ASSERT_TRUE(report) << report.cause();
+  EXPECT_THAT(read("page.html"), testing::StartsWith("<title>a &lt; b &amp; c</title><p>{"));
+  EXPECT_THAT(read("page.html"), testing::EndsWith("}</p>"));
+}
+
+TEST_F(page, has_the_name_of_the_system_for_a_title) {
+  ASSERT_TRUE(write_page<pendulum>(path("page.html"), swing({0.3}), options("")));
+  EXPECT_THAT(read("page.html"), HasSubstr("<title>System</title>"));
+}
+
+TEST_F(page, is_not_written_where_something_is_no_number) {
+  const auto report = write_page<pendulum>(path("page.html"),
+                                           swing({std::numeric_limits<double>::quiet_NaN()}), options("A"));
+  EXPECT_FALSE(report);
+  EXPECT_EQ(report.cause(), "the state holds what is no number at t = 0");
+  EXPECT_FALSE(std::filesystem::exists(path("page.html")));
+}
+
+TEST_F(page, tells_why_it_is_not_written) {
+  const auto run = swing({0.3});
+  EXPECT_EQ(write_page<pendulum>(path("no/page.html"), run, options("A")).cause(),
+            path("no/page.html") + " cannot be written");
+  write("other.html", "<p>");
+  EXPECT_EQ(
+      write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("other.html")}).cause(),
+      path("other.html") + " is no page for a motion");
+  EXPECT_EQ(
+      write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
+      "the page without a motion is not there, " + path("none.html") +
+          "; the target kanexpr_page makes it, with npm");
+}
+
+} // namespace
