@@ -18,16 +18,24 @@ function(kanexpr_test_builds file result)
   set(${result} ${builds} PARENT_SCOPE)
 endfunction()
 
-# Compiles every public header alone, and twice in one file.
+# kanexpr_headers_alone(<name> [ONLY <regex>] [EXCEPT <regex>]): compiles every public header alone, and twice in
+# one file.
 function(kanexpr_headers_alone name)
+  cmake_parse_arguments(PARSE_ARGV 1 headers "" "ONLY;EXCEPT" "")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include
     ${PROJECT_SOURCE_DIR}/include/*.hpp)
+  if(headers_ONLY)
+    list(FILTER headers INCLUDE REGEX ${headers_ONLY})
+  endif()
+  if(headers_EXCEPT)
+    list(FILTER headers EXCLUDE REGEX ${headers_EXCEPT})
+  endif()
   add_library(${name} OBJECT)
   foreach(header IN LISTS headers)
     string(REGEX REPLACE "\\.hpp$" ".cpp" source ${name}/${header})
     file(CONFIGURE OUTPUT ${source} CONTENT "#include <@header@>\n#include <@header@>\n" @ONLY)
     target_sources(${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${source})
   endforeach()
-  target_link_libraries(${name} PRIVATE kanexpr kanexpr_strict)
+  target_link_libraries(${name} PRIVATE kanexpr kanexpr_simulate kanexpr_animate kanexpr_strict)
   target_compile_options(${name} PRIVATE -O0)
 endfunction()

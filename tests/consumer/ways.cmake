@@ -4,7 +4,7 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
 
-foreach(way IN ITEMS add_subdirectory FetchContent find_package)
+foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate)
   add_test(NAME consumer_${way}
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/${way}
       --build-generator ${CMAKE_GENERATOR}
@@ -12,4 +12,4 @@ foreach(way IN ITEMS add_subdirectory FetchContent find_package)
         -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
       --test-command consumer)
 endforeach()
-set_tests_properties(consumer_find_package PROPERTIES FIXTURES_REQUIRED installed)
+set_tests_properties(consumer_find_package consumer_simulate PROPERTIES FIXTURES_REQUIRED installed)

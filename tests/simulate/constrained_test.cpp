@@ -1,0 +1,92 @@
+// builds: sanitize
+// How systems with constraints begin, and how they end where a constraint cannot be met.
+#include <kanexpr/simulate.hpp>
+#include <kanexpr/simulate/prescribe.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace kanexpr;
+
+// Two bars on a pin; the end of the second is led along a line that stands across the ground.
+namespace led_bars {
+
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr prescribed<"x"> x;
+
+struct N : inertial_frame<N> {}; // y points up
+struct A : rotated<A, N, q1, N::z> {};
+struct B : rotated<B, N, q2, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, A::x> {};
+struct Q : offset<Q, P, B::x> {};
+struct Upper : particle<Upper, P, 1> {};
+struct Lower : particle<Lower, Q, 2> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>, kinematics<dot(q1) == u1, dot(q2) == u2>,
+                  configuration_constraints<dot(position_of<Q, O>, N::x) == x>, dependent<q2, u2>,
+                  inputs<x, dot(x), dot(dot(x))>, bodies<Upper, Lower>, loads<gravity<-9.81 * N::y>>> {};
+
+} // namespace led_bars
+
+using led_bars::System;
+
+auto led_at(double start, double speed) {
+  return [=](double t, const state<System>&, input_values<System>& r) {
+    prescribe(r, led_bars::x, t, [&](auto time) { return start + speed * time; });
+  };
+}
+
+TEST(constrained, begins_on_its_constraints) {
+  using namespace led_bars;
+  // The second bar's angle and rate are found; the angle that is given is where the search starts.
+  for (const double guess : {0.5, -0.5}) {
+    const auto run =
+        simulate<System>({{q1, 0.3}, {q2, guess}, {u1, 0.2}}, {}, {0, 1}, {.inputs = led_at(1.5, 0.1)});
+    ASSERT_TRUE(run) << run.cause();
+    const auto& first = run.trajectory[0].x;
+    EXPECT_NEAR(first[q2], std::copysign(std::acos(1.5 - std::cos(0.3)), guess), 1e-12);
+    EXPECT_NEAR(-std::sin(0.3) * 0.2 - std::sin(first[q2]) * first[u2], 0.1, 1e-12);
+    EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-12);
+  }
+}
+
+TEST(constrained, cannot_begin_where_no_state_is_near) {
+  using namespace led_bars;
+  const auto run =
+      simulate<System>({{q1, 0.3}, {q2, 0.5}, {u1, 0.2}}, {}, {0, 1}, {.inputs = led_at(2.5, 0)});
+  EXPECT_FALSE(run);
+  EXPECT_TRUE(run.trajectory.empty());
+  EXPECT_THAT(run.cause(), testing::HasSubstr("the search for the dependent coordinates"));
+}
+
+// At x = 2 both bars are in line and the constraint is singular; beyond, there is no state.
+template <integrator by>
+void ends_where_the_bars_are_stretched() {
+  using namespace led_bars;
+  const auto run =
+      simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 9}, {.inputs = led_at(1.8, 0.1)});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::StartsWith("the simulation ended at t = "));
+  EXPECT_THAT(run.cause(), testing::HasSubstr("q1 = "));
+  EXPECT_NEAR(run.time, 2, 1e-2);
+  ASSERT_GT(run.trajectory.size(), 5u);
+  EXPECT_TRUE(run.trajectory.back().x.allFinite());
+  EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-7);
+}
+
+TEST(constrained, ends_at_a_singular_configuration) {
+  ends_where_the_bars_are_stretched<integrator::explicit_runge_kutta>();
+  ends_where_the_bars_are_stretched<integrator::adams>();
+  ends_where_the_bars_are_stretched<integrator::bdf>();
+  ends_where_the_bars_are_stretched<integrator::differential_algebraic>();
+}
+
+} // namespace
