@@ -10,8 +10,8 @@ enum class integrator {
   adams,
   /// Backward differentiation of order 1 to 5 with exact derivatives (CVODE): stiff systems.
   bdf,
-  /// Verner's explicit Runge-Kutta pair of order 6 (ARKODE): constraints and many events, as each step begins
-  /// anew.
+  /// Dormand & Prince's explicit Runge-Kutta pair of order 5 (ARKODE): constraints and many events, as each
+  /// step begins anew.
   explicit_runge_kutta,
   /// Kvaerno's implicit pair of order 5 with exact derivatives (ARKODE): stiff systems with many events.
   implicit_runge_kutta,

@@ -127,12 +127,15 @@ public:
   /// The time, the state and the inputs as named columns.
   kanexpr::table table() const {
     kanexpr::table all;
-    all.add("t", times());
+    const auto put = [&](std::string_view name, std::vector<double> values) {
+      static_cast<void>(all.add(std::string(name), std::move(values)));
+    };
     const auto add = [&](symbolic::symbol_kind kind, int count, auto entry) {
       for (int i = 0; i < count; ++i)
-        all.add(std::string(known.names[known.first_of(kind) + i].view()),
-                collect([&](const sample& s) -> double { return entry(s, i); }));
+        put(known.names[known.first_of(kind) + i].view(),
+            collect([&](const sample& s) -> double { return entry(s, i); }));
     };
+    put("t", times());
     add(symbolic::symbol_kind::coordinate, known.coordinates, [](const sample& s, int i) { return s.x(i); });
     add(symbolic::symbol_kind::speed, known.speeds,
         [](const sample& s, int i) { return s.x(known.coordinates + i); });

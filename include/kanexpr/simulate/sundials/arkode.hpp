@@ -37,8 +37,8 @@ struct arkode_calls {
   static constexpr bool is_projection(int flag) { return flag == ARK_POSTPROCESS_STEP_FAIL; }
 };
 
-/// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): Verner's of order 6, explicit, and Kvaerno's of
-/// order 5, implicit and L-stable. Each step begins anew, so that events and projections cost them nothing.
+/// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): Dormand & Prince's, explicit, and Kvaerno's,
+/// implicit and L-stable, both of order 5. Each step begins anew, so that events and projections cost them nothing.
 class arkode final : public adaptive<arkode_calls> {
 public:
   enum class formulas { explicit_stages, implicit_stages };
@@ -51,7 +51,7 @@ public:
     memory_ = ARKStepCreate(explicit_, implicit_, t_, at_.get(), context_);
     if (!has_memory() || !set_common()) return;
     const ARKODE_DIRKTableID stages = implicit ? ARKODE_KVAERNO_7_4_5 : ARKODE_DIRK_NONE;
-    const ARKODE_ERKTableID explicit_stages = implicit ? ARKODE_ERK_NONE : ARKODE_VERNER_8_5_6;
+    const ARKODE_ERKTableID explicit_stages = implicit ? ARKODE_ERK_NONE : ARKODE_DORMAND_PRINCE_7_4_5;
     if (done(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
         done(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE), "the degree of interpolation") &&
         (!implicit || set_solver()) && problem_.has_constraints())
