@@ -105,6 +105,10 @@ public:
   Scalar& operator[](const Symbol&) {
     return (*this)(compiled::misplaced<System, Symbol, "state vector">::place);
   }
+  template <std::derived_from<scalar<1>> Symbol>
+  const Scalar& operator[](const Symbol&) const {
+    return (*this)(compiled::misplaced<System, Symbol, "state vector">::place);
+  }
 
   auto q() { return this->template head<coordinates>(); }
   auto q() const { return this->template head<coordinates>(); }
@@ -133,6 +137,10 @@ public:
   }
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {
+    return (*this)(compiled::misplaced<System, Symbol, "parameter vector">::place);
+  }
+  template <std::derived_from<scalar<1>> Symbol>
+  const Scalar& operator[](const Symbol&) const {
     return (*this)(compiled::misplaced<System, Symbol, "parameter vector">::place);
   }
 };
@@ -167,6 +175,10 @@ public:
   }
   template <std::derived_from<scalar<1>> Symbol>
   Scalar& operator[](const Symbol&) {
+    return (*this)(compiled::misplaced<System, Symbol, "input vector">::place);
+  }
+  template <std::derived_from<scalar<1>> Symbol>
+  const Scalar& operator[](const Symbol&) const {
     return (*this)(compiled::misplaced<System, Symbol, "input vector">::place);
   }
 };

@@ -5,6 +5,7 @@
 #include <kanexpr/simulate/table.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,25 +54,15 @@ public:
   }
 
   /// A coordinate, speed or input over the samples: `path[q1]`.
-  template <text called, int index>
-  std::vector<double> operator[](const coordinate<called, index>& q) const {
-    return collect([&](const sample& s) { return s.x[q]; });
-  }
-  template <text called, int index>
-  std::vector<double> operator[](const speed<called, index>& u) const {
-    return collect([&](const sample& s) { return s.x[u]; });
-  }
-  template <text called, int index>
-  std::vector<double> operator[](const coordinate_rate<called, index>& rate) const {
-    return collect([&](const sample& s) { return s.x[rate]; });
-  }
-  template <text called, int index>
-  std::vector<double> operator[](const input<called, index>& r) const {
-    return collect([&](const sample& s) { return s.r[r]; });
-  }
-  template <text called, int index, int order>
-  std::vector<double> operator[](const prescribed<called, index, order>& r) const {
-    return collect([&](const sample& s) { return s.r[r]; });
+  template <std::derived_from<scalar<1>> Symbol>
+  std::vector<double> operator[](const Symbol& symbol) const {
+    constexpr auto* told = Symbol().tokens[0].symbol;
+    return collect([&](const sample& s) -> double {
+      if constexpr (told != nullptr && told->kind == symbolic::symbol_kind::input)
+        return s.r[symbol];
+      else
+        return s.x[symbol];
+    });
   }
 
   /// Results of a compiled function at each sample, with their status where they have one:

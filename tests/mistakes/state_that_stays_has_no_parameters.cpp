@@ -1,0 +1,11 @@
+// expect: m has no place in the state vector of System
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<weight, torque<A, T * N::z>>> {};
+using eom = equations_of_motion<System>;
+
+int main() {
+  const eom::state x;
+  return x[m] > 0 ? 1 : 0;
+}
