@@ -4,6 +4,9 @@
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace kanexpr::sundials {
@@ -17,6 +20,10 @@ public:
   ~adaptive() override { Calls::free(&memory_); }
 
   arrival advance(double target, bool to_target) override {
+    if (is_at(target)) { // as after an event, from where SUNDIALS would find it too close to begin
+      t_ = target;
+      return arrival::target;
+    }
     const int flag = solve(target, to_target);
     if (flag < 0) {
       failed_ = why(flag);
@@ -69,6 +76,11 @@ protected:
     at_ = vector_on(y_.data(), size(), context_);
     tolerances_ = vector_on(options_.absolute_tolerances.data(), size(), context_);
     weights_ = new_vector(size(), context_);
+  }
+
+  bool is_at(double target) const {
+    const double latest = std::max(std::abs(t_), std::abs(target));
+    return target - t_ <= 8 * std::numeric_limits<double>::epsilon() * latest;
   }
 
   /// One call of the integrator, which moves t and y.

@@ -38,7 +38,8 @@ struct arkode_calls {
 };
 
 /// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): Dormand & Prince's, explicit, and Kvaerno's,
-/// implicit and L-stable, both of order 5. Each step begins anew, so that events and projections cost them nothing.
+/// implicit and L-stable, both of order 5. Each step begins anew, so that events and projections cost them
+/// nothing.
 class arkode final : public adaptive<arkode_calls> {
 public:
   enum class formulas { explicit_stages, implicit_stages };
