@@ -1,6 +1,8 @@
 #pragma once
 
-/// Simulate a system with SUNDIALS, and find its operating points. Link kanexpr::simulate.
+/// Simulate a system with SUNDIALS. Link kanexpr::simulate.
 
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/progress.hpp>
 #include <kanexpr/simulate/simulate.hpp>

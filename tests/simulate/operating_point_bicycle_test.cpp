@@ -1,7 +1,7 @@
 // A bicycle that circles by itself.
 #include "models/bicycle.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "models/rotating_tube.hpp"
 #include "models/simple_pendulum.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // An operating point as a system that is derived while the program runs is linearized about it.
 #include "models/simple_pendulum.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // A four-bar linkage that a motor holds: more equations than unknowns, which agree.
 #include "models/four_bar.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Steady motions in closed form: a disc that rolls in a circle, and a bead on a hoop that spins.
 #include "models/rolling_disc_constrained.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // for.
 #include "models/simple_pendulum.hpp"
 
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/operating_point.hpp>
 
 #include <gmock/gmock.h>
 

@@ -133,8 +133,8 @@ private:
   bool set_watched() {
     const int count = watched_.watched();
     if (count == 0) return true;
-    std::vector<int> directions;
-    for (int i = 0; i < count; ++i) directions.push_back(watched_.direction(i));
+    std::vector<int> directions(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) directions[static_cast<std::size_t>(i)] = watched_.direction(i);
     return done(Calls::watch(memory_, count, watch), "the events") &&
            done(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
            done(Calls::no_warnings(memory_), "to be silent");
