@@ -56,6 +56,7 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle}, {1, 0}), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(cause_with({.inputs = idle}, {0, nan}), "the time span is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 0}), "a tolerance must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = 0}), "a tolerance must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{u, -1}}}), "a tolerance must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{m, 1}}}),
             "of the tolerances, parameter m has no place in the state vector of System");
@@ -136,6 +137,8 @@ TEST(simulate, ends_where_the_step_size_collapses) {
 }
 
 TEST(simulate, ends_after_the_most_steps) {
+  EXPECT_THAT(run_with({.inputs = idle, .most_steps = 5}).cause(),
+              testing::EndsWith("the most steps that are allowed were taken"));
   const auto run = run_with({.inputs = idle, .output_times = {1}, .most_steps = 5});
   EXPECT_THAT(run.cause(), testing::EndsWith("the most steps that are allowed were taken"));
 }

@@ -61,9 +61,8 @@ TEST(trajectory, has_cubics_between_samples_otherwise) {
   using namespace swinging;
   double errors[2];
   for (const int fine : {0, 1}) {
-    const auto run = run_with<integrator::adams>({.relative_tolerance = 1e-11,
-                                                  .absolute_tolerance = 1e-12,
-                                                  .output_every = fine == 1 ? 0.01 : 0.02});
+    const auto run = run_with<integrator::adams>(
+        {.relative_tolerance = 1e-11, .absolute_tolerance = 1e-12, .output_every = fine == 1 ? 0.01 : 0.02});
     const auto exact = run_with<integrator::adams>(
         {.relative_tolerance = 1e-11, .absolute_tolerance = 1e-12, .output_every = 0.0025});
     errors[fine] = 0;
@@ -81,9 +80,8 @@ TEST(trajectory, is_dense_on_both_sides_of_an_event) {
       {{h, 1}, {v, 0}}, {{m, 1}, {g, 10}}, {0, 1},
       {.output_times = {0, 1},
        .dense = true,
-       .events = {when<System, falling_ball::h>("contact", crossing::falling, [](moment<System>& now) {
-         now.x[v] = -now.x[v];
-       })}});
+       .events = {when<System, falling_ball::h>("contact", crossing::falling,
+                                                [](moment<System>& now) { now.x[v] = -now.x[v]; })}});
   ASSERT_TRUE(run) << run.cause();
   ASSERT_EQ(run.events.size(), 1u);
   const double bounce = std::sqrt(0.2);
@@ -109,7 +107,8 @@ TEST(trajectory, evaluates_expressions_of_the_model) {
     EXPECT_EQ(k[i], kinetic[i]);
     EXPECT_NEAR(v[i] - v[0], -9.81 * (std::cos(angle) - std::cos(path[0].x[q])), 1e-12);
     EXPECT_NEAR(total[i], k[i] + v[i], 1e-15 + 1e-15 * std::abs(v[i]));
-    EXPECT_LT((velocities[i] - 0.5 * rate * Eigen::Vector3d(-std::sin(angle), std::cos(angle), 0)).norm(), 1e-14);
+    EXPECT_LT((velocities[i] - 0.5 * rate * Eigen::Vector3d(-std::sin(angle), std::cos(angle), 0)).norm(),
+              1e-14);
   }
   EXPECT_THAT(path.constraint_residuals(), testing::Each(0.0));
 }

@@ -13,7 +13,7 @@
 namespace kanexpr {
 
 struct page_options {
-  std::string title;                    ///< the name of the system, unless given
+  std::string title{};                  ///< the name of the system, unless given
   std::string text{};                   ///< a sentence under the title
   std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
 };

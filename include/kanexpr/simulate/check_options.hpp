@@ -39,7 +39,7 @@ template <class System>
 std::string check_options(const simulation_options<System>& o, const time_span& span) {
   if (const std::string wrong = check_span(span); !wrong.empty()) return wrong;
   if (o.inputs.problem()) return std::string(o.inputs.problem().view());
-  if (!(o.relative_tolerance > 0) || !(o.absolute_tolerance >= 0)) return "a tolerance must be positive";
+  if (!(o.relative_tolerance > 0) || !(o.absolute_tolerance > 0)) return "a tolerance must be positive";
   if (!(o.most_drift > 0)) return "the drift that is allowed must be positive";
   if (!(o.output_every >= 0)) return "the time between two samples must be positive";
   if (o.output_every > 0 && !o.output_times.empty())
@@ -63,7 +63,7 @@ std::string read_tolerances(const simulation_options<System>& o, std::vector<dou
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
   reader.look_for_infinite();
   if (reader.problem()) return "of the tolerances, " + std::string(reader.problem().view());
-  if (!(each.array() >= 0).all()) return "a tolerance must be positive";
+  if (!(each.array() > 0).all()) return "a tolerance must be positive";
   tolerances.assign(each.begin(), each.end());
   return {};
 }

@@ -51,7 +51,7 @@ public:
   const mechanics::problem& problem() const { return problem_; }
   bool depends_on_state() const { return depends_on_state_; }
 
-  /// The inputs at a time and a state; what a function does not set is not a number.
+  /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
   void give(double t, const state& x, inputs& r) const {
     r.setConstant(std::numeric_limits<double>::quiet_NaN());
     give_(t, x, r);

@@ -110,6 +110,10 @@ private:
         fail_here(stepper().failed().sentence);
         return;
       }
+      if (stepper().statistics().steps > options_.most_steps) {
+        fail_here("the most steps that are allowed were taken");
+        return;
+      }
       around_.forget();
       if (options_.dense) keep_polynomial();
       const std::vector<int> passed =
@@ -125,14 +129,13 @@ private:
 
   /// Samples that are due up to the present time.
   bool take_samples(bool is_within) {
-    if (schedule_.takes_each_step())
-      return record(result_.time, result_.state, is_within && stepper().goes_by_steps());
+    if (schedule_.takes_each_step()) return record(result_.time, result_.state, false);
     for (; !schedule_.is_over() && schedule_.next() <= result_.time; schedule_.pass()) {
       const double t = schedule_.next();
       state x = result_.state;
       const bool between = is_within && t < result_.time;
       if (between && !interpolate(t, x)) return fail_here("the solution could not be interpolated");
-      if (!record(t, x, is_within)) return false;
+      if (!record(t, x, between || !stepper().goes_by_steps())) return false;
     }
     return true;
   }
@@ -144,7 +147,7 @@ private:
     return true;
   }
 
-  /// A state that was interpolated, or may have drifted, is brought to the constraints for that.
+  /// A state that was interpolated is brought to the constraints for that.
   bool record(double t, state x, bool may_be_off) {
     if (around_.take(t, x) != answer::given) return fail_here("");
     if constexpr (is_constrained)

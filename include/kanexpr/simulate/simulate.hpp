@@ -9,8 +9,8 @@ namespace kanexpr {
 /// held there. What goes wrong is told by the result, with all that was reached until then; nothing is
 /// thrown.
 ///
-/// The method is named as in `simulate<System, integrator::bdf>(…)`, or chosen by the constraints.
-template <class System, integrator by = natural_integrator<System>>
+/// Another method is named as in `simulate<System, integrator::bdf>(…)`.
+template <class System, integrator by = integrator::adams>
 simulation<System> simulate(const given_state<System>& x, const given_parameters<System>& p, time_span span,
                             const simulation_options<System>& options = {}) {
   return simulated::integration<System, by>(p, span, options).run(x);

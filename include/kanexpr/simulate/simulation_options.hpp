@@ -18,8 +18,7 @@ struct simulation_options {
   double relative_tolerance = 1e-8; ///< of the error of each step, in each coordinate and speed
   double absolute_tolerance = 1e-10;
   std::vector<named_value> absolute_tolerances = {}; ///< of coordinates and speeds that need their own
-  /// How far Adams' method may drift from the constraints before it begins anew on them, in tolerances; the
-  /// other methods end each step on them.
+  /// How far Adams' method may drift from the constraints in a step before it begins anew, in tolerances.
   double most_drift = 10;
 
   double output_every = 0;               ///< seconds between samples; 0: each step of the integrator is one
@@ -30,8 +29,8 @@ struct simulation_options {
 
   double first_step = 0; ///< 0: the integrator chooses
   double least_step = 0;
-  double greatest_step = 0; ///< 0: any
-  long most_steps = 10'000'000;
+  double greatest_step = 0;      ///< 0: any
+  long most_steps = 10'000'000;  ///< in all
   bool analytic_jacobian = true; ///< false: by differences, for comparison
 
   std::vector<event<System>> events = {};

@@ -25,8 +25,8 @@ struct energies {
   std::vector<double> kinetic, potential, total;
 };
 
-/// What a simulation kept of a motion: samples in the order of time. Where an event changed the state there
-/// are two of one time, before and after.
+/// What a simulation kept of a motion: samples in the order of time. Where each step is a sample and an event
+/// changed the state there are two of one time, before and after.
 template <class System>
 class trajectory {
 public:
@@ -100,8 +100,8 @@ public:
   }
 
   /// Between the samples: by the integrator's own polynomials where the simulation kept them (`dense`), else
-  /// by cubics through the states and their rates; the inputs on straight lines. Nothing outside the
-  /// trajectory's span. After an event at that very time.
+  /// by cubics through the states and their rates, which an event between two samples bends; the inputs on
+  /// straight lines. Nothing outside the trajectory's span. After an event at that very time.
   std::optional<sample> at(double t) const {
     if (empty() || !(t >= front().t && t <= back().t)) return std::nullopt;
     const auto after = std::ranges::upper_bound(samples_, t, {}, &sample::t);
@@ -115,18 +115,19 @@ public:
     return found;
   }
 
-  /// The time, the state and the inputs as named columns.
+  /// The time, the state and the inputs as named columns: "t", or "time" where the model calls something t.
   kanexpr::table table() const {
     kanexpr::table all;
     const auto put = [&](std::string_view name, std::vector<double> values) {
-      static_cast<void>(all.add(std::string(name), std::move(values)));
+      static_cast<void>(all.add(std::string(name), std::move(values))); // no two symbols have one name
     };
     const auto add = [&](symbolic::symbol_kind kind, int count, auto entry) {
       for (int i = 0; i < count; ++i)
         put(known.names[known.first_of(kind) + i].view(),
             collect([&](const sample& s) -> double { return entry(s, i); }));
     };
-    put("t", times());
+    put(std::ranges::any_of(known.names, [](const auto& n) { return n.view() == "t"; }) ? "time" : "t",
+        times());
     add(symbolic::symbol_kind::coordinate, known.coordinates, [](const sample& s, int i) { return s.x(i); });
     add(symbolic::symbol_kind::speed, known.speeds,
         [](const sample& s, int i) { return s.x(known.coordinates + i); });

@@ -9,7 +9,6 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace kanexpr::sundials {
@@ -63,9 +62,9 @@ public:
   bool goes_by_steps() const override { return projects_itself(); }
 
   arrival advance(double target, bool to_target) override {
-    if (has_moved_ && projects_itself() && !return_to_constraints()) return arrival::failed;
-    has_moved_ = true;
-    return adaptive::advance(target, to_target);
+    if (has_drifted_ && !restart()) return arrival::failed;
+    const arrival at = adaptive::advance(target, to_target);
+    return at == arrival::failed || !projects_itself() || return_to_constraints() ? at : arrival::failed;
   }
 
   int degree() const override {
@@ -75,6 +74,7 @@ public:
   }
 
   bool restart() override {
+    has_drifted_ = false;
     keep_counts();
     return done(CVodeReInit(memory_, t_, at_.get()), "a new state") && set_end();
   }
@@ -96,21 +96,22 @@ private:
            done(CVodeSetJacFn(memory_, jacobian), "the Jacobian");
   }
 
-  /// Adams' formulas cannot be projected from within: they begin anew where the drift has become too large.
+  /// Adams' formulas cannot be projected from within. The state that is shown is on the constraints, and the
+  /// formulas begin anew from there where they have drifted too far.
   bool projects_itself() const { return formulas_ == formulas::adams && problem_.has_constraints(); }
 
   bool return_to_constraints() {
-    std::vector<double> correction(y_.size());
+    correction_.resize(y_.size());
     const double* weight = weights();
-    if (problem_.project(t_, y_.data(), weight, correction.data(), nullptr) != answer::given) {
+    if (problem_.project(t_, y_.data(), weight, correction_.data(), nullptr) != answer::given) {
       failed_ = {"the state could not be brought back to the constraints"};
       return false;
     }
-    double drift = 0;
-    for (std::size_t i = 0; i < y_.size(); ++i) drift = std::max(drift, std::abs(correction[i]) * weight[i]);
-    if (drift <= options_.most_drift) return true;
-    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += correction[i];
-    return restart();
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      y_[i] += correction_[i];
+      if (std::abs(correction_[i]) * weight[i] > options_.most_drift) has_drifted_ = true;
+    }
+    return true;
   }
 
   static cvode& self(void* of) { return static_cast<cvode&>(*static_cast<adaptive*>(of)); }
@@ -131,7 +132,8 @@ private:
   matrix_handle matrix_;
   linear_solver_handle solver_;
   nonlinear_solver_handle iteration_;
-  bool has_moved_ = false;
+  std::vector<double> correction_;
+  bool has_drifted_ = false;
 };
 
 } // namespace kanexpr::sundials
