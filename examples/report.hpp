@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 class report {
@@ -23,6 +24,11 @@ public:
       for (Eigen::Index j = 0; j < result.cols(); ++j)
         std::printf("    %24.16g %24.16g\n", result(i, j), reference(i, j));
     if (!(error <= tolerance_)) missed_ = true;
+  }
+
+  void at_most(const char* what, double size, double bound) {
+    std::printf("  %s %.1e, at most %.1e\n", what, size, bound);
+    if (!(std::abs(size) <= bound)) missed_ = true;
   }
 
   // What main returns.

@@ -14,7 +14,9 @@ demo::compiled demo::compiled_iiwa() {
       -4.1536102078199875, -7.5263821324586715, -3.3813444387841574;
   reference << 6.772213739024573, 6.049036213371251, -36.87733612753212, -1.837199245099049,
       -824.8790924669422, -860.4540008063422, -4120.95347335856;
-  return {eom::udot(x, eom::parameters(), torques), reference,
-          eom::cost(eom::together(eom::mass_matrix, eom::forcing)), eom::cost(eom::udot),
+  return {eom::udot(x, eom::parameters(), torques),
+          reference,
+          {{"mass matrix and forcing", eom::cost(eom::together(eom::mass_matrix, eom::forcing))},
+           {"u'", eom::cost(eom::udot)}},
           time_of(x, [&](const eom::state& at) { return eom::udot(at, eom::parameters(), torques); })};
 }

@@ -2,19 +2,30 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// What the demo shows of a system, from a file of its own for each, so that the build can tell what the
-/// compiler needed to derive it.
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What the demo shows, from a file of its own for each system, so that the build can tell what the compiler
+/// needed to derive it.
 namespace demo {
 
 struct compiled {
   Eigen::VectorXd udot;
   Eigen::VectorXd reference;
-  kanexpr::symbolic::cost mass_matrix_and_forcing;
-  kanexpr::symbolic::cost udot_cost;
-  double nanoseconds; ///< of one evaluation of u'
+  std::vector<std::pair<const char*, kanexpr::symbolic::cost>> costs;
+  double nanoseconds; ///< of one evaluation of the last of them
 };
 
 compiled compiled_rolling_disc();
 compiled compiled_iiwa();
+compiled compiled_bicycle();
+
+// Each prints its part, and says whether it is as it should be.
+bool show_rolling_disc();
+bool show_iiwa();
+bool show_bicycle();
+/// Leaves the motions of the bicycle in a folder.
+bool show_rides(const std::string& folder);
 
 } // namespace demo

@@ -16,8 +16,8 @@ double time_of(State x, Function f) {
   for (int round = 0; round < rounds; ++round) {
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < calls; ++i) {
-      x(0) += 1e-9;
-      keep = f(x)(0);
+      x.array() += 1e-9;
+      keep = f(x).sum();
     }
     const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
     times.push_back(taken.count() / calls);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/animate.hpp>
+#include <kanexpr/animate/animated.hpp>
 #include <models/double_pendulum.hpp>
 
 namespace double_pendulum {

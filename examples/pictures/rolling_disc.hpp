@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/animate.hpp>
+#include <kanexpr/animate/animated.hpp>
 #include <models/rolling_disc.hpp>
 
 namespace rolling_disc {

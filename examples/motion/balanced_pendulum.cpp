@@ -1,0 +1,75 @@
+// A cart balances a pendulum: the equations are linearized about the upright equilibrium, a state feedback is
+// designed by its poles, and the nonlinear system moves under it.
+#include "output.hpp"
+#include "report.hpp"
+
+#include <kanexpr/animate/animated.hpp>
+#include <kanexpr/operating_point.hpp>
+#include <kanexpr/simulate.hpp>
+#include <models/n_pendulum_cart.hpp>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace n_pendulum_cart;
+using balanced = System<1>;
+using lin = linearization<balanced>;
+
+using picture_of_cart =
+    kanexpr::picture<balanced, up<N::y>, ground<-0.075>, seen_from<N::z + 0.3 * N::x + 0.2 * N::y>,
+                     trace<P<1>>, show<box<N, P<0>, 0.4, 0.15, 0.2>, colour<"#3d6b99">>,
+                     show<rod<P<0>, P<1>, 0.02>>, show<sphere<P<1>, 0.07>, colour<"#b5382f">>>;
+
+constexpr Eigen::Index order = lin::states;
+using square = Eigen::Matrix<double, order, order>;
+using column = Eigen::Vector<double, order>;
+using row = Eigen::RowVector<double, order>;
+
+// K in r = −K x so that A − B K has the poles: Ackermann's formula.
+row feedback(const square& A, const column& B, const column& poles) {
+  square controllability, polynomial = square::Identity();
+  column next = B;
+  for (Eigen::Index i = 0; i < order; ++i) {
+    controllability.col(i) = next;
+    next = A * next;
+    polynomial = polynomial * (A - poles(i) * square::Identity());
+  }
+  return controllability.inverse().row(order - 1) * polynomial;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  const output files("A balanced pendulum", "The cart pushes so that the pendulum stays up.", count, words);
+  const kanexpr::operating_point<balanced> upright(
+      {{q<1>, 1.4}}, {{m<0>, 1.5}, {m<1>, 0.4}, {l<0>, 0.8}, {g, 9.81}}, {.held = {q<0>}});
+  if (!upright) return std::fprintf(stderr, "%s\n", upright.cause().c_str()), 1;
+  const auto [A, B] = lin::explicit_form(upright.x, upright.p, upright.r);
+  const column poles{-5, -4, -3, -2};
+  const row K = feedback(A, B, poles);
+
+  state<balanced> start = upright.x;
+  start[q<0>] = -1;
+  start[q<1>] += 0.4;
+  const auto run =
+      simulate<balanced>(start, upright.p, {0, 8},
+                         {.inputs = [&](double, const state<balanced>& x,
+                                        input_values<balanced>& r) { r = upright.r - K * (x - upright.x); },
+                          .output_every = 0.01});
+  if (!run) return std::fprintf(stderr, "%s\n", run.cause().c_str()), 1;
+
+  report check("balanced_pendulum", 1e-12);
+  check("angle of the equilibrium", upright.x[q<1>], std::numbers::pi / 2);
+  for (const double pole : poles)
+    check.at_most("characteristic polynomial at a pole",
+                  (A - B * K - pole * square::Identity()).determinant(), 1e-9);
+  // In the end the slowest of them is left: e^(−2 t).
+  const double before = run.trajectory.at(7)->x[q<0>], end = run.state[q<0>];
+  check.at_most("place of the cart at the end", end, 1e-5);
+  check.at_most("relative error of its decay in the last second", before / end / std::exp(2) - 1, 1e-3);
+  return files.leave<picture_of_cart>(run.trajectory) ? check.exit_code() : 1;
+}

@@ -1,0 +1,69 @@
+// A ball that is thrown over the ground bounces until it hardly leaves it: an event changes the state, and in
+// the end stops the simulation.
+#include "output.hpp"
+#include "report.hpp"
+
+#include <kanexpr/simulate.hpp>
+#include <kanexpr/simulate/progress.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace kanexpr;
+
+constexpr coordinate<"x"> x;
+constexpr coordinate<"h"> h; // of its lowest point
+constexpr speed<"vx"> vx;
+constexpr speed<"vh"> vh;
+constexpr parameter<"m"> m;
+constexpr parameter<"R"> R;
+constexpr parameter<"g"> g;
+
+struct N : inertial_frame<N> {}; // z points up
+struct O : origin<O, N> {};
+struct Centre : offset<Centre, O, x * N::x + (h + R) * N::z> {};
+struct Ball : particle<Ball, Centre, m> {};
+
+struct System
+    : kane_system<inertial<N>, coordinates<x, h>, speeds<vx, vh>, kinematics<dot(x) == vx, dot(h) == vh>,
+                  parameters<m, R, g>, bodies<Ball>, loads<gravity<-g * N::z>>> {};
+
+using picture_of_ball = kanexpr::picture<System, up<N::z>, ground<>, trace<Centre>, show<sphere<Centre, R>>>;
+
+constexpr double restitution = 0.8, least_speed = 0.3;
+
+after_event bounce(moment<System>& now) {
+  now.x[vh] *= -restitution;
+  return now.x[vh] < least_speed ? after_event::stop : after_event::go_on;
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  const output files("A bouncing ball", "A ball that loses a fifth of its speed at each bounce.", count,
+                     words);
+  const double height = 1.2, strength = 9.81;
+  const auto run = simulate<System>({{x, 0}, {h, height}, {vx, 0.7}, {vh, 0}},
+                                    {{m, 0.3}, {R, 0.1}, {g, strength}}, {0, 20},
+                                    {.relative_tolerance = 1e-11,
+                                     .absolute_tolerance = 1e-13,
+                                     .output_every = 0.01,
+                                     .events = {when<System, h>("bounce", crossing::falling, bounce)},
+                                     .progress = progress_bar()});
+  if (!run) return std::fprintf(stderr, "%s\n", run.cause().c_str()), 1;
+
+  // It falls √(2h/g) first, and between two bounces twice that times a power of the restitution.
+  report check("bouncing_ball", 1e-10);
+  const double fall = std::sqrt(2 * height / strength);
+  const auto bounces = static_cast<Eigen::Index>(run.events.size());
+  Eigen::VectorXd found(bounces), known(bounces);
+  for (Eigen::Index k = 0; k < bounces; ++k) {
+    found(k) = run.events[static_cast<std::size_t>(k)].t;
+    known(k) = fall * (1 + 2 * (restitution - std::pow(restitution, k + 1)) / (1 - restitution));
+  }
+  check("times of the bounces", found, known);
+  check("number of the bounces", static_cast<double>(bounces),
+        std::ceil(std::log(least_speed / (strength * fall)) / std::log(restitution)));
+  return files.leave<picture_of_ball>(run.trajectory) ? check.exit_code() : 1;
+}
