@@ -105,14 +105,19 @@ TEST(inputs, come_from_a_stiff_controller) {
   check.operator()<integrator::differential_algebraic>();
 }
 
+// How an integration fares from one start is luck; over many the differences must be paid for.
 TEST(inputs, need_fewer_rates_with_exact_derivatives) {
   using namespace controlled;
   const auto count = [](bool exact) {
-    const auto run = simulate<System, integrator::bdf>({{q, 2.5}, {u, 0}}, numbers, {0, 20},
-                                                       {.inputs = {{T, 0}}, .analytic_jacobian = exact});
-    EXPECT_TRUE(run) << run.cause();
-    EXPECT_GT(run.statistics.jacobian_evaluations, exact ? 10 : -1);
-    return run.statistics.rate_evaluations;
+    long rates = 0;
+    for (int i = 1; i <= 30; ++i) {
+      const auto run = simulate<System, integrator::bdf>({{q, 0.1 * i}, {u, 0}}, numbers, {0, 10},
+                                                         {.inputs = {{T, 0}}, .analytic_jacobian = exact});
+      EXPECT_TRUE(run) << run.cause();
+      EXPECT_GT(run.statistics.jacobian_evaluations, 10);
+      rates += run.statistics.rate_evaluations;
+    }
+    return rates;
   };
   EXPECT_LT(count(true), count(false));
 }

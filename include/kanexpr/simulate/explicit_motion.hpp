@@ -14,7 +14,6 @@ public:
   explicit explicit_motion(surroundings<System>& around) : around_(around) {}
 
   long rate_evaluations() const { return rate_evaluations_; }
-  long jacobian_evaluations() const { return jacobian_evaluations_; }
   long projections() const { return projections_; }
 
   int size() const override { return entries; }
@@ -34,7 +33,6 @@ public:
 
   bool has_jacobian() const override { return with_jacobian; }
   answer jacobian(double t, const double* y, double* columns) override {
-    ++jacobian_evaluations_;
     if constexpr (with_jacobian) {
       if (const answer a = around_.take(t, y); a != answer::given) return a;
       const auto [by_state, by_inputs] =
@@ -85,7 +83,7 @@ private:
   surroundings<System>& around_;
   constraint_projection<System> projection_;
   input_sensitivity<System> sensitivity_;
-  long rate_evaluations_ = 0, jacobian_evaluations_ = 0, projections_ = 0;
+  long rate_evaluations_ = 0, projections_ = 0;
 };
 
 } // namespace kanexpr::simulated

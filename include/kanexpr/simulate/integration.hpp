@@ -110,7 +110,7 @@ private:
         fail_here(stepper().failed().sentence);
         return;
       }
-      if (stepper().statistics().steps > options_.most_steps) {
+      if (stepper().steps() > options_.most_steps) {
         fail_here("the most steps that are allowed were taken");
         return;
       }
@@ -234,7 +234,6 @@ private:
   void end() {
     result_.statistics = stepper().statistics();
     result_.statistics.rate_evaluations = moving_.motion.rate_evaluations();
-    result_.statistics.jacobian_evaluations = moving_.motion.jacobian_evaluations();
     result_.statistics.projections = moving_.motion.projections();
     result_.statistics.events = static_cast<long>(result_.events.size());
   }

@@ -28,7 +28,6 @@ public:
   using vector = Eigen::Matrix<double, entries, 1>;
 
   long rate_evaluations() const { return rate_evaluations_; }
-  long jacobian_evaluations() const { return jacobian_evaluations_; }
   long projections() const { return 0; }
 
   int size() const override { return entries; }
@@ -65,7 +64,6 @@ public:
   bool has_jacobian() const override { return true; }
   /// Exact, by a complex step along each entry of y and, c times as far, of ẏ.
   answer jacobian(double t, double c, const double* y, const double* ydot, double* columns) override {
-    ++jacobian_evaluations_;
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     if constexpr (known.inputs != 0)
       if (const answer a = sensitivity_.find(t, around_); a != answer::given) return a;
@@ -116,7 +114,7 @@ private:
 
   surroundings<System>& around_;
   input_sensitivity<System> sensitivity_;
-  long rate_evaluations_ = 0, jacobian_evaluations_ = 0;
+  long rate_evaluations_ = 0;
 };
 
 } // namespace kanexpr::simulated

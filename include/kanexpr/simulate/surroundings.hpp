@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::simulated {
@@ -46,7 +47,7 @@ public:
     if (const answer a = take(t, y); a != answer::given) return a;
     for (std::size_t i = 0; i < events_.size(); ++i) {
       const answer a =
-          guarded("the event " + events_[i].name, [&] { values[i] = events_[i].value(t, x_, p_, r_); });
+          guarded("the event ", events_[i].name, [&] { values[i] = events_[i].value(t, x_, p_, r_); });
       if (a != answer::given) return a;
       if (!std::isfinite(values[i]))
         return refuse("the value of the event " + events_[i].name + " is not a number");
@@ -67,14 +68,18 @@ public:
 
   /// Calls a function of the user.
   template <class Function>
-  answer guarded(const std::string& what, const Function& call) {
+  answer guarded(std::string_view what, const Function& call) {
+    return guarded(what, "", call);
+  }
+  template <class Function>
+  answer guarded(std::string_view what, std::string_view which, const Function& call) {
     try {
       call();
       return answer::given;
     } catch (const std::exception& thrown) {
-      reason_ = what + " threw: " + thrown.what();
+      reason_.assign(what).append(which).append(" threw: ").append(thrown.what());
     } catch (...) {
-      reason_ = what + " threw something that is no std::exception";
+      reason_.assign(what).append(which).append(" threw something that is no std::exception");
     }
     return answer::never;
   }

@@ -4,6 +4,9 @@
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,6 +57,12 @@ public:
     return end;
   }
 
+  long steps() const override {
+    long count = 0;
+    Calls::steps(memory_, &count);
+    return before_restart_.steps + count;
+  }
+
   integration_statistics statistics() const override {
     integration_statistics all = before_restart_;
     const auto add = [&](auto get, long& to) {
@@ -63,6 +72,7 @@ public:
     add(Calls::steps, all.steps);
     add(Calls::error_test_failures, all.error_test_failures);
     add(Calls::solver_failures, all.solver_failures);
+    if (solver_) add(Calls::jacobians, all.jacobian_evaluations);
     return all;
   }
 
@@ -115,6 +125,17 @@ protected:
     return false;
   }
 
+  /// Newton's method with dense matrices, and the problem's own derivatives if it has them.
+  template <class Problem, class Jacobian>
+  bool set_newton(const Problem& problem, Jacobian jacobian) {
+    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
+    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
+    if (!done(Calls::set_linear_solver(memory_, solver_.get(), matrix_.get()), "the linear solver"))
+      return false;
+    return !options_.analytic_jacobian || !problem.has_jacobian() ||
+           done(Calls::set_jacobian(memory_, jacobian), "the Jacobian");
+  }
+
   const double* weights() {
     Calls::error_weights(memory_, weights_.get());
     return numbers_of(weights_.get());
@@ -127,6 +148,8 @@ protected:
   stepper_options options_;
   ::sundials::Context context_;
   vector_handle at_, tolerances_, weights_;
+  matrix_handle matrix_;
+  linear_solver_handle solver_;
   void* memory_ = nullptr;
 
 private:

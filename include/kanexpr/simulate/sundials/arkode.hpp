@@ -3,8 +3,6 @@
 #include <kanexpr/simulate/sundials/adaptive.hpp>
 
 #include <arkode/arkode_arkstep.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 namespace kanexpr::sundials {
 
@@ -28,6 +26,9 @@ struct arkode_calls {
   static constexpr auto steps = ARKStepGetNumSteps;
   static constexpr auto error_test_failures = ARKStepGetNumErrTestFails;
   static constexpr auto solver_failures = ARKStepGetNumStepSolveFails;
+  static constexpr auto jacobians = ARKStepGetNumJacEvals;
+  static constexpr auto set_linear_solver = ARKStepSetLinearSolver;
+  static constexpr auto set_jacobian = ARKStepSetJacFn;
   static constexpr auto error_weights = ARKStepGetErrWeights;
 
   static constexpr int event_failed = ARK_RTFUNC_FAIL;
@@ -55,7 +56,7 @@ public:
     const ARKODE_ERKTableID explicit_stages = implicit ? ARKODE_ERK_NONE : ARKODE_DORMAND_PRINCE_7_4_5;
     if (done(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
         done(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE), "the degree of interpolation") &&
-        (!implicit || set_solver()) && problem_.has_constraints())
+        (!implicit || set_newton(problem_, jacobian)) && problem_.has_constraints())
       done(ARKStepSetPostprocessStepFn(memory_, project), "the projection onto the constraints");
   }
 
@@ -70,15 +71,6 @@ public:
 private:
   int solve(double target, bool to_target) override {
     return ARKStepEvolve(memory_, target, at_.get(), &t_, to_target ? ARK_NORMAL : ARK_ONE_STEP);
-  }
-
-  bool set_solver() {
-    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
-    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
-    if (!done(ARKStepSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver"))
-      return false;
-    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
-           done(ARKStepSetJacFn(memory_, jacobian), "the Jacobian");
   }
 
   static arkode& self(void* of) { return static_cast<arkode&>(*static_cast<adaptive*>(of)); }
@@ -98,8 +90,6 @@ private:
 
   explicit_problem& problem_;
   ARKRhsFn explicit_ = nullptr, implicit_ = nullptr;
-  matrix_handle matrix_;
-  linear_solver_handle solver_;
   std::vector<double> correction_;
 };
 

@@ -5,8 +5,6 @@
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>
 #include <cvode/cvode_proj.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <cmath>
@@ -33,6 +31,9 @@ struct cvode_calls {
   static constexpr auto steps = CVodeGetNumSteps;
   static constexpr auto error_test_failures = CVodeGetNumErrTestFails;
   static constexpr auto solver_failures = CVodeGetNumStepSolveFails;
+  static constexpr auto jacobians = CVodeGetNumJacEvals;
+  static constexpr auto set_linear_solver = CVodeSetLinearSolver;
+  static constexpr auto set_jacobian = CVodeSetJacFn;
   static constexpr auto error_weights = CVodeGetErrWeights;
 
   static constexpr int event_failed = CV_RTFUNC_FAIL;
@@ -89,11 +90,7 @@ private:
       iteration_.reset(SUNNonlinSol_FixedPoint(at_.get(), 0, context_));
       return done(CVodeSetNonlinearSolver(memory_, iteration_.get()), "the functional iteration");
     }
-    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
-    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
-    if (!done(CVodeSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver")) return false;
-    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
-           done(CVodeSetJacFn(memory_, jacobian), "the Jacobian");
+    return set_newton(problem_, jacobian);
   }
 
   /// Adams' formulas cannot be projected from within. The state that is shown is on the constraints, and the
@@ -129,8 +126,6 @@ private:
 
   formulas formulas_;
   explicit_problem& problem_;
-  matrix_handle matrix_;
-  linear_solver_handle solver_;
   nonlinear_solver_handle iteration_;
   std::vector<double> correction_;
   bool has_drifted_ = false;

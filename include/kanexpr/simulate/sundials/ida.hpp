@@ -4,8 +4,6 @@
 
 #include <ida/ida.h>
 #include <ida/ida_ls.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +30,9 @@ struct ida_calls {
   static constexpr auto steps = IDAGetNumSteps;
   static constexpr auto error_test_failures = IDAGetNumErrTestFails;
   static constexpr auto solver_failures = IDAGetNumStepSolveFails;
+  static constexpr auto jacobians = IDAGetNumJacEvals;
+  static constexpr auto set_linear_solver = IDASetLinearSolver;
+  static constexpr auto set_jacobian = IDASetJacFn;
   static constexpr auto error_weights = IDAGetErrWeights;
 
   static constexpr int event_failed = IDA_RTFUNC_FAIL;
@@ -58,7 +59,7 @@ public:
     if (done(IDAInit(memory_, residual, t_, at_.get(), rates_at_.get()), "the first state") && set_common() &&
         done(IDASetId(memory_, kinds_.get()), "the algebraic entries") &&
         done(IDASetSuppressAlg(memory_, SUNTRUE), "the error test without algebraic entries"))
-      set_solver();
+      set_newton(problem_, jacobian);
   }
 
   int degree() const override {
@@ -94,14 +95,6 @@ private:
     return IDASolve(memory_, target, &t_, at_.get(), rates_at_.get(), to_target ? IDA_NORMAL : IDA_ONE_STEP);
   }
 
-  bool set_solver() {
-    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
-    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
-    if (!done(IDASetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver")) return false;
-    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
-           done(IDASetJacFn(memory_, jacobian), "the Jacobian");
-  }
-
   static ida& self(void* of) { return static_cast<ida&>(*static_cast<adaptive*>(of)); }
   static int residual(double t, N_Vector y, N_Vector ydot, N_Vector left, void* of) {
     return static_cast<int>(self(of).problem_.residual(t, numbers_of(y), numbers_of(ydot), numbers_of(left)));
@@ -115,8 +108,6 @@ private:
   implicit_problem& problem_;
   std::vector<double> ydot_;
   vector_handle rates_at_, kinds_;
-  matrix_handle matrix_;
-  linear_solver_handle solver_;
 };
 
 } // namespace kanexpr::sundials

@@ -55,8 +55,9 @@ public:
   /// Goes on from what `state` was changed to.
   virtual bool restart() = 0;
 
-  /// What it counts itself; evaluations are counted by the problem.
+  /// What it counts itself; evaluations of rates are counted by the problem.
   virtual integration_statistics statistics() const = 0;
+  virtual long steps() const = 0;
 
 protected:
   failure failed_;
