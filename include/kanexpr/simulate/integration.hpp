@@ -4,7 +4,7 @@
 #include <kanexpr/simulate/check_options.hpp>
 #include <kanexpr/simulate/departures.hpp>
 #include <kanexpr/simulate/moving_system.hpp>
-#include <kanexpr/simulate/output_schedule.hpp>
+#include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ public:
   integration(const given_parameters<System>& p, const time_span& span,
               const simulation_options<System>& options)
       : options_(options), span_(span), around_(p.values, options.inputs, options.events), moving_(around_),
-        schedule_(span, options.output_every, options.output_times) {
+        sampling_(options, span, around_, result_.trajectory) {
     result_.trajectory = kanexpr::trajectory<System>(p.values);
     if (p.problem) fail(std::string(p.problem.view()));
   }
@@ -37,7 +37,6 @@ public:
 
 private:
   using state = kanexpr::state<System>;
-  using sample = kanexpr::sample<System>;
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
 
@@ -68,7 +67,7 @@ private:
     if (!assemble_at(span_.from, result_.state)) return false;
     if (moving_.start(span_.from, result_.state, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
-    return take_samples(false);
+    return sampling_.begin(span_.from, result_.state) || fail_here("");
   }
 
   sundials::stepper_options stepper_options() const {
@@ -98,15 +97,15 @@ private:
 
   void go() {
     const bool by_steps =
-        schedule_.takes_each_step() || options_.dense || options_.progress || stepper().goes_by_steps();
+        sampling_.takes_each_step() || options_.dense || options_.progress || stepper().goes_by_steps();
     bool goes_on = true;
     while (goes_on && result_.time < span_.to) {
-      const double target = by_steps || schedule_.is_over() ? span_.to : schedule_.next();
+      const double target = by_steps || sampling_.is_over() ? span_.to : sampling_.next();
       const sundials::arrival arrived = stepper().advance(target, !by_steps);
       result_.time = stepper().time();
       std::copy_n(stepper().state(), result_.state.size(), result_.state.begin());
       if (arrived == sundials::arrival::failed) {
-        keep_last();
+        sampling_.record_last(result_.time, result_.state);
         fail_here(stepper().failed().sentence);
         return;
       }
@@ -115,74 +114,16 @@ private:
         return;
       }
       around_.forget();
-      if (options_.dense) keep_polynomial();
+      if (options_.dense) sampling_.keep_polynomial(stepper(), result_.time, begun_);
       const std::vector<int> passed =
           arrived == sundials::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
-      goes_on = take_samples(true) && is_seen(passed);
+      goes_on = (sampling_.go_on(stepper(), result_.time, result_.state) || fail_here("")) && is_seen(passed);
       if (goes_on && arrived == sundials::arrival::event) goes_on = pass_event(passed);
       if (options_.progress && goes_on)
         goes_on = around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                       answer::given ||
                   fail_here("");
     }
-  }
-
-  /// Samples that are due up to the present time.
-  bool take_samples(bool is_within) {
-    if (schedule_.takes_each_step()) return record(result_.time, result_.state, false);
-    for (; !schedule_.is_over() && schedule_.next() <= result_.time; schedule_.pass()) {
-      const double t = schedule_.next();
-      state x = result_.state;
-      const bool between = is_within && t < result_.time;
-      if (between && !interpolate(t, x)) return fail_here("the solution could not be interpolated");
-      if (!record(t, x, between || !stepper().goes_by_steps())) return false;
-    }
-    return true;
-  }
-
-  bool interpolate(double t, state& x) {
-    std::vector<double> y(static_cast<std::size_t>(moving_.motion.size()));
-    if (!stepper().derivative(t, 0, y.data())) return false;
-    std::copy_n(y.begin(), x.size(), x.begin());
-    return true;
-  }
-
-  /// A state that was interpolated is brought to the constraints for that.
-  bool record(double t, state x, bool may_be_off) {
-    if (around_.take(t, x) != answer::given) return fail_here("");
-    if constexpr (is_constrained)
-      if (may_be_off) {
-        const auto scale = options_.relative_tolerance * x.cwiseAbs().array().max(1e-3);
-        const state weights = state((scale + options_.absolute_tolerance).inverse());
-        if (projection_(t, x, around_.p(), around_.r(), weights)) x += projection_.correction();
-      }
-    const sample now{t, x, around_.r()};
-    if (options_.each_sample && around_.guarded("the function that is given each sample",
-                                                [&] { options_.each_sample(now); }) != answer::given)
-      return fail_here("");
-    if (options_.keep) result_.trajectory.add(now);
-    return true;
-  }
-
-  /// The last state that was reached, for one who looks for what went wrong.
-  void keep_last() {
-    const auto& path = result_.trajectory;
-    if (options_.keep && (path.empty() || path.back().t < result_.time) && result_.state.allFinite())
-      result_.trajectory.add(sample{result_.time, result_.state, around_.r()});
-  }
-
-  void keep_polynomial() {
-    const auto n = static_cast<std::size_t>(result_.state.size());
-    const double t = result_.time;
-    piece p{std::max(stepper().step_begin(), begun_), t, {}};
-    std::vector<double> y(static_cast<std::size_t>(moving_.motion.size()));
-    double factorial = 1;
-    for (int k = 0; k <= stepper().degree(); ++k) {
-      if (k > 0) factorial *= k;
-      if (!stepper().derivative(t, k, y.data())) break;
-      for (std::size_t i = 0; i < n; ++i) p.coefficients.push_back(y[i] / factorial);
-    }
-    if (!p.coefficients.empty() && p.begin < p.end) result_.trajectory.add(std::move(p));
   }
 
   /// Lets the handlers of what happened act, and goes on from the state that they leave.
@@ -209,7 +150,7 @@ private:
       return fail_here("the handler of an event left a state that is not finite");
     if (changed && !assemble_at(t, x)) return false;
     result_.state = x;
-    if (changed && schedule_.takes_each_step() && !record(t, x, false)) return false;
+    if (changed && sampling_.takes_each_step() && !sampling_.record(t, x)) return fail_here("");
     result_.stopped_by_event = stops;
     if (stops) return false;
     begun_ = t;
@@ -244,10 +185,9 @@ private:
   const time_span span_;
   surroundings<System> around_;
   moving_system<System, by> moving_;
-  output_schedule schedule_;
-  constraint_projection<System> projection_;
-  departures<System> departures_;
   simulation<System> result_;
+  sampling<System> sampling_;
+  departures<System> departures_;
   double begun_ = -std::numeric_limits<double>::infinity();
   double last_event_ = -std::numeric_limits<double>::infinity();
   int events_at_once_ = 0;

@@ -36,6 +36,7 @@ public:
 
   /// Where it stands: the end of its last step, the target or the event.
   double time() const { return t_; }
+  int entries() const { return static_cast<int>(y_.size()); }
   double* state() { return y_.data(); }
   const double* state() const { return y_.data(); }
   /// The rates there, where the integrator keeps them; they are set before it goes on from another state.

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <kanexpr/simulate/constraint_projection.hpp>
+#include <kanexpr/simulate/output_schedule.hpp>
+#include <kanexpr/simulate/simulation_options.hpp>
+#include <kanexpr/simulate/sundials/stepper.hpp>
+#include <kanexpr/simulate/surroundings.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::simulated {
+
+/// Takes the samples of a simulation when they are due, and keeps them or hands them on. Where one cannot be
+/// taken the surroundings know why.
+template <class System>
+class sampling {
+public:
+  using state = kanexpr::state<System>;
+  using sample = kanexpr::sample<System>;
+
+  sampling(const simulation_options<System>& options, const time_span& span, surroundings<System>& around,
+           trajectory<System>& kept)
+      : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
+        kept_(kept) {}
+
+  bool takes_each_step() const { return schedule_.takes_each_step(); }
+  bool is_over() const { return schedule_.is_over(); }
+  double next() const { return schedule_.next(); }
+
+  /// Before the first step.
+  bool begin(double t, const state& x) {
+    if (takes_each_step()) return record(t, x);
+    for (; !is_over() && next() <= t; schedule_.pass())
+      if (!record(t, x)) return false;
+    return true;
+  }
+
+  /// After a step to a time and a state: what was due on the way there.
+  bool go_on(sundials::stepper& s, double t, const state& x) {
+    if (takes_each_step()) return record(t, x);
+    for (; !is_over() && next() <= t; schedule_.pass()) {
+      const bool is_between = next() < t;
+      state due = x;
+      if (is_between && !interpolate(s, next(), due)) return false;
+      if ((is_between || !s.goes_by_steps()) && !bring_to_constraints(next(), due)) return false;
+      if (!record(next(), due)) return false;
+    }
+    return true;
+  }
+
+  bool record(double t, const state& x) {
+    if (around_.take(t, x) != answer::given) return false;
+    const sample now{t, x, around_.r()};
+    if (options_.each_sample && around_.guarded("the function that is given each sample",
+                                                [&] { options_.each_sample(now); }) != answer::given)
+      return false;
+    if (options_.keep) kept_.add(now);
+    return true;
+  }
+
+  /// The last state that was reached, for one who looks for what went wrong.
+  void record_last(double t, const state& x) {
+    if (options_.keep && (kept_.empty() || kept_.back().t < t) && x.allFinite())
+      kept_.add(sample{t, x, around_.r()});
+  }
+
+  /// The polynomial of the last step, from no earlier than the last event.
+  void keep_polynomial(sundials::stepper& s, double t, double last_event) {
+    piece p{std::max(s.step_begin(), last_event), t, {}};
+    double factorial = 1;
+    for (int k = 0; k <= s.degree(); ++k) {
+      if (k > 0) factorial *= k;
+      if (!s.derivative(t, k, room_for(s))) break;
+      for (Eigen::Index i = 0; i < state::SizeAtCompileTime; ++i)
+        p.coefficients.push_back(whole_[static_cast<std::size_t>(i)] / factorial);
+    }
+    if (!p.coefficients.empty() && p.begin < p.end) kept_.add(std::move(p));
+  }
+
+private:
+  static constexpr bool is_constrained =
+      compiled::survey_of<System>.constraints + compiled::survey_of<System>.configuration_constraints != 0;
+
+  bool interpolate(sundials::stepper& s, double t, state& x) {
+    if (!s.derivative(t, 0, room_for(s))) {
+      around_.refuse("the solution could not be interpolated");
+      return false;
+    }
+    std::copy_n(whole_.begin(), x.size(), x.begin());
+    return true;
+  }
+
+  /// What an integrator interpolates is only near them.
+  bool bring_to_constraints(double t, state& x) {
+    if constexpr (is_constrained) {
+      if (around_.take(t, x) != answer::given) return false;
+      const auto scale = options_.relative_tolerance * x.cwiseAbs().array().max(1e-3);
+      const state weights = state((scale + options_.absolute_tolerance).inverse());
+      if (!projection_(t, x, around_.p(), around_.r(), weights)) {
+        around_.refuse("the constraints are dependent, or cannot be met, near this state");
+        return false;
+      }
+      x += projection_.correction();
+    }
+    static_cast<void>(t);
+    return true;
+  }
+
+  /// Room for all that an integrator moves, which may be more than the state.
+  double* room_for(const sundials::stepper& s) {
+    whole_.resize(static_cast<std::size_t>(s.entries()));
+    return whole_.data();
+  }
+
+  const simulation_options<System>& options_;
+  output_schedule schedule_;
+  surroundings<System>& around_;
+  trajectory<System>& kept_;
+  constraint_projection<System> projection_;
+  std::vector<double> whole_;
+};
+
+} // namespace kanexpr::simulated
