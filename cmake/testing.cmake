@@ -1,8 +1,27 @@
-# kanexpr_test(<name> SOURCES <file>...): one GoogleTest program, registered as one test.
+# kanexpr_add_harness(<name>): what all tests link.
+function(kanexpr_add_harness name)
+  add_library(${name} STATIC oracles.cpp no_heap.cpp systems/hand_written.cpp systems/linearized.cpp
+    systems/newton_euler.cpp systems/robot_results.cpp)
+  target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
+  target_compile_definitions(${name} PRIVATE KANEXPR_ORACLES="${CMAKE_CURRENT_SOURCE_DIR}/oracles")
+  # Results of two compilers are compared to the last bit: none of them may fuse a product and a sum.
+  target_compile_options(${name} PUBLIC -ffp-contract=off)
+  target_link_libraries(${name} PUBLIC kanexpr kanexpr_strict GTest::gmock GTest::gtest_main
+    PRIVATE nlohmann_json::nlohmann_json)
+  # Eigen asks malloc itself for memory: replacing operator new would not see it.
+  target_link_options(${name} INTERFACE
+    LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign)
+endfunction()
+
+# kanexpr_test(<name> SOURCES <file>... LABELS <build>...): one GoogleTest program, registered as one test.
 function(kanexpr_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LABELS")
   add_executable(${name} ${test_SOURCES})
-  target_link_libraries(${name} PRIVATE kanexpr_harness)
+  if(KANEXPR_SANITIZERS AND "sanitize" IN_LIST test_LABELS)
+    target_link_libraries(${name} PRIVATE kanexpr_harness_sanitized)
+  else()
+    target_link_libraries(${name} PRIVATE kanexpr_harness)
+  endif()
   if(TARGET kanexpr_precompiled)
     target_precompile_headers(${name} REUSE_FROM kanexpr_precompiled)
   endif()

@@ -41,7 +41,6 @@ using steps::plain_point;
 using steps::random_point;
 
 TEST(unreduced_forces, four_bar) { forces::balance_and_reduce<four_bar::System>(); }
-TEST(unreduced_forces, four_bar_by_lagrange) { forces::balance_and_reduce<four_bar::LagrangeSystem>(); }
 TEST(unreduced_forces, pendulum_nonminimal) { forces::balance_and_reduce<pendulum_nonminimal::System>(); }
 
 // f − M u̇ where nothing binds the speeds.
