@@ -2,6 +2,7 @@
 
 #include <kanexpr/animate/animated.hpp>
 #include <kanexpr/animate/page_text.hpp>
+#include <kanexpr/simulate/outcome.hpp>
 
 #include <fstream>
 #include <iterator>
@@ -18,15 +19,6 @@ struct page_options {
   std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
 };
 
-/// Whether a page was written, or why not.
-struct page_report {
-  std::string reason;
-
-  explicit operator bool() const { return reason.empty(); }
-  /// Why it was not written, as a sentence; empty: it was.
-  const std::string& cause() const { return reason; }
-};
-
 namespace animate {
 
 inline constexpr std::string_view place_of_motion = "@motion@";
@@ -39,39 +31,39 @@ inline std::string without_markup(std::string_view text) {
   return plain;
 }
 
-inline page_report put(std::string& page, std::string_view place, const std::string& text,
-                       const std::string& from) {
+inline outcome put(std::string& page, std::string_view place, const std::string& text,
+                   const std::string& from) {
   const std::size_t at = page.find(place);
-  if (at == std::string::npos) return {from + " is no page for a motion"};
+  if (at == std::string::npos) return outcome(from + " is no page for a motion");
   page.replace(at, place.size(), text);
   return {};
 }
 
-inline page_report write_page(const std::string& path, const animation& a, const page_options& options) {
-  if (!a) return {a.cause()};
+inline outcome write_page(const std::string& path, const animation& a, const page_options& options) {
+  if (!a) return outcome(a.cause());
   std::ifstream file(options.empty_page, std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(file), {}};
   if (page.empty())
-    return {"the page without a motion is not there" +
-            (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
-            "; the target kanexpr_page makes it, with npm"};
-  page_report titled = put(page, place_of_title, without_markup(options.title), options.empty_page);
+    return outcome("the page without a motion is not there" +
+                   (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
+                   "; the target kanexpr_page makes it, with npm");
+  outcome titled = put(page, place_of_title, without_markup(options.title), options.empty_page);
   if (!titled) return titled;
-  page_report filled =
-      put(page, place_of_motion, page_text(a, options.title, options.text), options.empty_page);
+  outcome filled = put(page, place_of_motion, page_text(a, options.title, options.text), options.empty_page);
   if (!filled) return filled;
   std::ofstream out(path, std::ios::binary);
   out << page;
   out.close();
-  if (!out) return {path + " cannot be written"};
+  if (!out) return outcome(path + " cannot be written");
   return {};
 }
 
 } // namespace animate
 
-/// Writes an animated page of a system moving along a trajectory, which a browser opens without a network.
+/// Writes an animated page of a system moving along a trajectory, which a browser opens without a network; or
+/// says why it could not.
 template <class Picture, class Trajectory>
-page_report write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
+outcome write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
   if (options.title.empty()) options.title = type_name<typename Picture::System>();
   return animate::write_page(path, animated<Picture>(trajectory), options);
 }
