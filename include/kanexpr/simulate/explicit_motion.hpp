@@ -9,7 +9,7 @@ namespace kanexpr::simulated {
 
 /// ẋ of a system as integrators ask for it. The derivatives are compiled only where the method needs them.
 template <class System, bool with_jacobian>
-class explicit_motion final : public sundials::explicit_problem {
+class explicit_motion final : public solvers::explicit_problem {
 public:
   explicit explicit_motion(surroundings<System>& around) : around_(around) {}
 

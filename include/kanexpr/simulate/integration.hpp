@@ -40,7 +40,7 @@ private:
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
 
-  sundials::stepper& stepper() { return moving_.stepper(); }
+  solvers::stepper& stepper() { return moving_.stepper(); }
 
   bool fail(std::string why) {
     if (result_.reason.empty()) result_.reason = std::move(why);
@@ -60,7 +60,7 @@ private:
   bool begin(const given_state<System>& x) {
     if (!result_.reason.empty()) return false;
     if (x.problem) return fail(std::string(x.problem.view()));
-    sundials::stepper_options o = stepper_options();
+    solvers::stepper_options o = stepper_options();
     if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
     if (std::string wrong = read_tolerances(options_, o.absolute_tolerances); !wrong.empty())
       return fail(std::move(wrong));
@@ -70,9 +70,9 @@ private:
     return sampling_.begin(span_.from, result_.state) || fail_here("");
   }
 
-  sundials::stepper_options stepper_options() const {
+  solvers::stepper_options stepper_options() const {
     const double latest = std::max(std::abs(span_.from), std::abs(span_.to));
-    sundials::stepper_options o;
+    solvers::stepper_options o;
     o.end = span_.to;
     o.relative_tolerance = options_.relative_tolerance;
     o.first_step = options_.first_step;
@@ -101,10 +101,10 @@ private:
     bool goes_on = true;
     while (goes_on && result_.time < span_.to) {
       const double target = by_steps || sampling_.is_over() ? span_.to : sampling_.next();
-      const sundials::arrival arrived = stepper().advance(target, !by_steps);
+      const solvers::arrival arrived = stepper().advance(target, !by_steps);
       result_.time = stepper().time();
       std::copy_n(stepper().state(), result_.state.size(), result_.state.begin());
-      if (arrived == sundials::arrival::failed) {
+      if (arrived == solvers::arrival::failed) {
         sampling_.record_last(result_.time, result_.state);
         fail_here(stepper().failed().sentence);
         return;
@@ -116,9 +116,9 @@ private:
       around_.forget();
       if (options_.dense) sampling_.keep_polynomial(stepper(), result_.time, begun_);
       const std::vector<int> passed =
-          arrived == sundials::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
+          arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
       goes_on = (sampling_.go_on(stepper(), result_.time, result_.state) || fail_here("")) && is_seen(passed);
-      if (goes_on && arrived == sundials::arrival::event) goes_on = pass_event(passed);
+      if (goes_on && arrived == solvers::arrival::event) goes_on = pass_event(passed);
       if (options_.progress && goes_on)
         goes_on = around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                       answer::given ||

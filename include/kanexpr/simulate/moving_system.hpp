@@ -23,12 +23,12 @@ public:
   explicit moving_system(surroundings<System>& around) : motion(around) {}
 
   /// Sets the integrator up; where that fails the stepper, or the surroundings, know why.
-  answer start(double t, const kanexpr::state<System>& x, const sundials::stepper_options& options) {
+  answer start(double t, const kanexpr::state<System>& x, const solvers::stepper_options& options) {
     std::vector<double> y(static_cast<std::size_t>(motion.size()));
     if constexpr (is_implicit) {
       std::vector<double> ydot(y.size());
       if (const answer a = motion.start(t, x, y.data(), ydot.data()); a != answer::given) return a;
-      sundials::stepper_options all = options;
+      solvers::stepper_options all = options;
       all.absolute_tolerances.resize(y.size(), 1); // of multipliers, which no test looks at
       integrating_.emplace(motion, t, y, ydot, all);
     } else {
@@ -38,11 +38,11 @@ public:
     return answer::given;
   }
 
-  sundials::stepper& stepper() { return *integrating_; }
+  solvers::stepper& stepper() { return *integrating_; }
 
   /// Goes on from another state.
   bool restart(const kanexpr::state<System>& x) {
-    sundials::stepper& s = stepper();
+    solvers::stepper& s = stepper();
     if constexpr (is_implicit) {
       if (motion.start(s.time(), x, s.state(), s.rates()) != answer::given) return false;
     } else {
@@ -56,18 +56,18 @@ public:
 private:
   static constexpr auto formulas_of() {
     if constexpr (by == integrator::adams)
-      return sundials::cvode::formulas::adams;
+      return solvers::cvode::formulas::adams;
     else if constexpr (by == integrator::bdf)
-      return sundials::cvode::formulas::backward_differences;
+      return solvers::cvode::formulas::backward_differences;
     else if constexpr (by == integrator::implicit_runge_kutta)
-      return sundials::arkode::formulas::implicit_stages;
+      return solvers::arkode::formulas::implicit_stages;
     else
-      return sundials::arkode::formulas::explicit_stages;
+      return solvers::arkode::formulas::explicit_stages;
   }
   static constexpr auto formulas = formulas_of();
-  using stepper_type = std::conditional_t<is_implicit, sundials::ida,
-                                          std::conditional_t<by == integrator::adams || by == integrator::bdf,
-                                                             sundials::cvode, sundials::arkode>>;
+  using stepper_type = std::conditional_t<
+      is_implicit, solvers::ida,
+      std::conditional_t<by == integrator::adams || by == integrator::bdf, solvers::cvode, solvers::arkode>>;
 
   std::optional<stepper_type> integrating_;
 };

@@ -17,7 +17,7 @@ namespace kanexpr::simulated {
 /// Coordinates and speeds are both held to their constraints; μ, which is zero in the solution, makes room
 /// for that (Gear, Gupta & Leimkuhler 1985).
 template <class System>
-class multiplier_motion final : public sundials::implicit_problem {
+class multiplier_motion final : public solvers::implicit_problem {
 public:
   explicit multiplier_motion(surroundings<System>& around) : around_(around) {}
 

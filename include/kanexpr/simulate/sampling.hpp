@@ -38,7 +38,7 @@ public:
   }
 
   /// After a step to a time and a state: what was due on the way there.
-  bool go_on(sundials::stepper& s, double t, const state& x) {
+  bool go_on(solvers::stepper& s, double t, const state& x) {
     if (takes_each_step()) return record(t, x);
     for (; !is_over() && next() <= t; schedule_.pass()) {
       const bool is_between = next() < t;
@@ -67,7 +67,7 @@ public:
   }
 
   /// The polynomial of the last step, from no earlier than the last event.
-  void keep_polynomial(sundials::stepper& s, double t, double last_event) {
+  void keep_polynomial(solvers::stepper& s, double t, double last_event) {
     piece p{std::max(s.step_begin(), last_event), t, {}};
     double factorial = 1;
     for (int k = 0; k <= s.degree(); ++k) {
@@ -83,7 +83,7 @@ private:
   static constexpr bool is_constrained =
       compiled::survey_of<System>.constraints + compiled::survey_of<System>.configuration_constraints != 0;
 
-  bool interpolate(sundials::stepper& s, double t, state& x) {
+  bool interpolate(solvers::stepper& s, double t, state& x) {
     if (!s.derivative(t, 0, room_for(s))) {
       around_.refuse("the solution could not be interpolated");
       return false;
@@ -109,7 +109,7 @@ private:
   }
 
   /// Room for all that an integrator moves, which may be more than the state.
-  double* room_for(const sundials::stepper& s) {
+  double* room_for(const solvers::stepper& s) {
     whole_.resize(static_cast<std::size_t>(s.entries()));
     return whole_.data();
   }

@@ -13,7 +13,7 @@
 
 namespace kanexpr::simulated {
 
-using sundials::answer;
+using solvers::answer;
 
 /// What acts on a system in a simulation: its parameters, its inputs at each time and state, the events that
 /// are watched; and the reason of the last refusal, in words. What its user's functions throw ends here.

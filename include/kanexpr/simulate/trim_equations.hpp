@@ -18,7 +18,7 @@ using evaluation = std::string_view (*)(double t, const complex_vector& at, comp
 
 /// The equations of an operating point as functions of its unknowns. Their derivatives are exact: by complex
 /// steps.
-class trim_equations final : public sundials::nonlinear_equations {
+class trim_equations final : public solvers::nonlinear_equations {
 public:
   trim_equations(const conditions& asked, evaluation evaluate, double t, const Eigen::VectorXd& guess)
       : asked_(asked), evaluate_(evaluate), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
@@ -72,8 +72,8 @@ public:
 
   /// States are of magnitude 1 or their own; forces and parameters, in whatever units, are as large as it
   /// takes to change an equation by 1.
-  sundials::magnitudes magnitudes_at(const Eigen::VectorXd& z, const Eigen::MatrixXd& slope) const {
-    sundials::magnitudes sizes{z.cwiseAbs(), Eigen::VectorXd::Ones(equations())};
+  solvers::magnitudes magnitudes_at(const Eigen::VectorXd& z, const Eigen::MatrixXd& slope) const {
+    solvers::magnitudes sizes{z.cwiseAbs(), Eigen::VectorXd::Ones(equations())};
     for (Eigen::Index i = 0; i < z.size(); ++i) {
       const double effect = slope.col(i).norm();
       sizes.unknowns(i) = std::max(sizes.unknowns(i), is_state(i) || effect < 1e-12 ? 1.0 : 1 / effect);

@@ -46,17 +46,17 @@ private:
   }
 
   void go() {
-    sundials::kinsol newton(equations_, equations_.magnitudes_at(z_, slope_), tolerance_, most_iterations_);
-    const sundials::search_end end = newton.solve(z_);
+    solvers::kinsol newton(equations_, equations_.magnitudes_at(z_, slope_), tolerance_, most_iterations_);
+    const solvers::search_end end = newton.solve(z_);
     found_.iterations = end.iterations;
     reason_ = end.reason;
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) return;
-    const sundials::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    const solvers::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
     while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
   }
 
-  bool improve(const sundials::magnitudes& sizes) {
-    sundials::least_squares_step step(sizes, equations_.stiff_unknowns());
+  bool improve(const solvers::magnitudes& sizes) {
+    solvers::least_squares_step step(sizes, equations_.stiff_unknowns());
     step.prepare(slope_, equations_.limits(z_));
     const Eigen::VectorXd tried = z_ + step(-found_.left);
     Eigen::VectorXd left;
@@ -74,7 +74,7 @@ private:
                                                     : std::string(equations_.unsolved()));
       return;
     }
-    const sundials::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    const solvers::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
     found_.freedom = equations_.unknowns() - rank(slope_, sizes);
     if (found_.left.size() == 0) return;
     Eigen::Index worst = 0;
@@ -84,7 +84,7 @@ private:
   }
 
   /// With columns of one length, so that an unknown of small effect counts.
-  static int rank(Eigen::MatrixXd slope, const sundials::magnitudes& sizes) {
+  static int rank(Eigen::MatrixXd slope, const solvers::magnitudes& sizes) {
     for (Eigen::Index j = 0; j < slope.cols(); ++j) {
       slope.col(j).array() *= sizes.unknowns(j) / sizes.equations.array();
       const double length = slope.col(j).norm();

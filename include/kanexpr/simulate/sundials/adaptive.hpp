@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 /// What the integrators of SUNDIALS have in common. `Calls` names the functions of one of them.
 template <class Calls>
@@ -193,4 +193,4 @@ private:
   integration_statistics before_restart_;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -4,7 +4,7 @@
 
 #include <arkode/arkode_arkstep.h>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 struct arkode_calls {
   static constexpr auto free = ARKStepFree;
@@ -93,4 +93,4 @@ private:
   std::vector<double> correction_;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 struct cvode_calls {
   static constexpr auto free = CVodeFree;
@@ -131,4 +131,4 @@ private:
   bool has_drifted_ = false;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 /// Why an integrator or solver ended, in a sentence; no sentence: it did not fail.
 struct failure {
@@ -21,4 +21,4 @@ struct last_error {
   }
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -11,7 +11,7 @@
 #include <type_traits>
 
 /// What SUNDIALS hands out, freed when it is left.
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 struct freed {
   void operator()(N_Vector v) const { N_VDestroy(v); }
@@ -36,4 +36,4 @@ inline vector_handle new_vector(sunindextype size, SUNContext context) {
 
 inline double* numbers_of(N_Vector v) { return N_VGetArrayPointer(v); }
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

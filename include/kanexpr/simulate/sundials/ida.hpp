@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 struct ida_calls {
   static constexpr auto free = IDAFree;
@@ -110,4 +110,4 @@ private:
   vector_handle rates_at_, kinds_;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -1,7 +1,7 @@
 #pragma once
 
 /// What integrators ask of the system that they move.
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 /// As SUNDIALS takes it from a function of its user.
 enum class answer : int {
@@ -48,4 +48,4 @@ public:
   virtual bool is_algebraic(int entry) const = 0;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 /// f(z) = 0, of any number of equations and unknowns.
 class nonlinear_equations {
@@ -149,4 +149,4 @@ private:
   void* memory_ = nullptr;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 /// How large unknowns and equations are, so that they can be compared.
 struct magnitudes {
@@ -87,4 +87,4 @@ inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContex
   return solver;
 }
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers

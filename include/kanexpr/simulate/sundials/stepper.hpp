@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace kanexpr::sundials {
+namespace kanexpr::solvers {
 
 struct stepper_options {
   double end = 0; ///< nothing is evaluated beyond it
@@ -66,4 +66,4 @@ protected:
   std::vector<double> y_;
 };
 
-} // namespace kanexpr::sundials
+} // namespace kanexpr::solvers
