@@ -136,6 +136,21 @@ TEST_F(page, is_written) {
   EXPECT_THAT(read("page.html"), testing::EndsWith("}</p>"));
 }
 
+TEST_F(page, may_have_any_title) {
+  const std::string odd =
+      "@motion@ @title@ </title></script><!-- \"'$&` \\ \xC3\xA9 \xFF\x01\n\x7f" + std::string(1, '\0');
+  ASSERT_TRUE(write_page<pendulum>(path("page.html"), swing({0.3}), options(odd)));
+  const std::string all = read("page.html"), before = "<title>", between = "</title><p>", after = "</p>";
+  const std::string title =
+      "@motion@ @title@ &lt;/title>&lt;/script>&lt;!-- \"'$&amp;` \\ \xC3\xA9 \xEF\xBF\xBD    ";
+  ASSERT_EQ(all.substr(0, all.find("{")), before + title + between);
+  const std::size_t motion = all.find("{");
+  const auto told = nlohmann::json::parse(all.substr(motion, all.size() - motion - after.size()));
+  EXPECT_EQ(told["title"],
+            "@motion@ @title@ </title></script><!-- \"'$&` \\ \xC3\xA9 \xEF\xBF\xBD\x01\n\x7f" +
+                std::string(1, '\0'));
+}
+
 TEST_F(page, has_the_name_of_the_system_for_a_title) {
   ASSERT_TRUE(write_page<pendulum>(path("page.html"), swing({0.3}), options("")));
   EXPECT_THAT(read("page.html"), HasSubstr("<title>System</title>"));

@@ -143,6 +143,52 @@ TEST(csv, says_what_is_wrong_and_where) {
   expect_refused("\"two\nlines\",b\n1,2\n1,x\n", "line 4 of run.csv: 'x' in column b is not a number");
 }
 
+// Lines of old Macintosh programs, which would all be one.
+TEST(csv, refuses_carriage_returns_alone) {
+  for (const char* text : {"t,q1\r0,1\r2,3\r", "t\r0\r1", "\"t\",\"q1\"\r0,1", "\"t\",\"q1\"\r,1",
+                           "t,\r0,1\n", "t,q1\r\"0\",1\n"})
+    EXPECT_EQ(read(text).cause(), "line 1 of run.csv holds a carriage return within; lines end with a line "
+                                  "feed, or with both")
+        << text;
+  EXPECT_EQ(read("t\n0\r1\n").cause(), "line 2 of run.csv holds a carriage return within; lines end with a "
+                                       "line feed, or with both");
+  EXPECT_TRUE(read("t,q1\r\r\n0,1\r\n2,3\r"));
+  EXPECT_EQ(read("\"two\r\nlines\"\r\n1\r\n").names()[0], "two\r\nlines");
+}
+
+TEST(csv, reads_the_mark_of_utf_8) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const char* text : {"t\n1\n", "\"t\"\r\n1\r\n"}) {
+    const csv_table run = read(mark + text);
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_EQ(run.names()[0], "t");
+    EXPECT_EQ(run.values(0), std::vector<double>{1});
+  }
+  EXPECT_EQ(read(mark).cause(), "run.csv is empty");
+  EXPECT_EQ(read(mark + "\r\n").cause(), "run.csv is empty");
+  table marked;
+  EXPECT_TRUE(marked.add(mark + "t", {1}));
+  EXPECT_EQ(read(written(marked)).names(), marked.names());
+}
+
+TEST(csv, refuses_utf_16) {
+  const auto in_utf_16 = [](const std::string& text, bool small_end_first) {
+    std::string wide;
+    for (const char c : text)
+      for (const char half : {small_end_first ? c : '\0', small_end_first ? '\0' : c}) wide += half;
+    return wide;
+  };
+  for (const bool small_end_first : {true, false}) {
+    const std::string mark = small_end_first ? "\xFF\xFE" : "\xFE\xFF",
+                      text = in_utf_16("t\n1\n", small_end_first);
+    EXPECT_EQ(read(mark + text).cause(), "line 1 of run.csv is not UTF-8 but UTF-16 or UTF-32");
+    EXPECT_EQ(read(text).cause(),
+              "line 1 of run.csv holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
+  }
+  EXPECT_EQ(read(std::string("t\n1\n\0\n", 6)).cause(),
+            "line 3 of run.csv holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
+}
+
 TEST(csv, names_a_stream_without_a_name) {
   std::istringstream empty, wrong("t\nx\n"), failed("t\n1\n");
   EXPECT_EQ(read_csv(empty).cause(), "the stream is empty");
@@ -220,6 +266,16 @@ TEST(csv_writer, refuses_a_row_of_wrong_length_and_what_follows) {
   EXPECT_FALSE(writer);
   EXPECT_EQ(writer.cause(), "row 2 has 1 number, the header 2 names");
   EXPECT_EQ(out.str(), "t,q1\n0,1\n");
+}
+
+// It could not be read.
+TEST(csv_writer, refuses_a_header_that_is_none) {
+  std::ostringstream out;
+  csv_writer doubled(out, {"t", "q", "t"}), nameless(out, {"t", ""});
+  EXPECT_EQ(doubled.cause(), "there is a column t already");
+  EXPECT_FALSE(doubled.row({0, 1, 2}));
+  EXPECT_EQ(nameless.cause(), "a column has no name");
+  EXPECT_EQ(out.str(), "");
 }
 
 TEST(csv_writer, says_that_the_stream_failed) {

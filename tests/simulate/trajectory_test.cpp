@@ -129,4 +129,30 @@ TEST(trajectory, is_a_table_with_names) {
   EXPECT_THAT(read["t"], testing::ElementsAreArray(run.trajectory.times()));
 }
 
+// A model that has taken the names that its time could have.
+namespace named_as_time {
+
+constexpr coordinate<"t"> t;
+constexpr speed<"time"> time;
+constexpr parameter<"time_"> time_;
+
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, t * N::x> {};
+struct Hand : particle<Hand, P, time_> {};
+struct System : kane_system<inertial<N>, coordinates<t>, speeds<time>, kinematics<dot(t) == time>,
+                            bodies<Hand>, parameters<time_>> {};
+
+} // namespace named_as_time
+
+TEST(trajectory, is_a_table_with_every_column_whatever_the_model_calls_its_own) {
+  trajectory<named_as_time::System> path;
+  path.add({5, {1, 2}, {}});
+  const table columns = path.table();
+  EXPECT_THAT(columns.names(), testing::ElementsAre("time__", "t", "time"));
+  EXPECT_EQ(columns["time__"][0], 5);
+  EXPECT_EQ(columns["t"][0], 1);
+  EXPECT_EQ(columns["time"][0], 2);
+}
+
 } // namespace

@@ -62,6 +62,17 @@ inline nlohmann::json shape_text(const animation::shape& s) {
   return one;
 }
 
+inline std::string written(const nlohmann::json& all) {
+  return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Text with the sign U+FFFD in place of what is not UTF-8.
+inline std::string sound_text(const std::string& text) {
+  return nlohmann::json::parse(written(text)).get<std::string>();
+}
+
+inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
+
 /// Holds no `<`, so that it can stand in a page as it is.
 inline std::string page_text(const animation& a, const std::string& title, const std::string& text) {
   nlohmann::json all{{"title", title},
@@ -76,10 +87,10 @@ inline std::string page_text(const animation& a, const std::string& title, const
   for (const animation::shape& s : a.shapes) all["shapes"].push_back(shape_text(s));
   for (const animation::column& c : a.columns)
     all["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
-  std::string written = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  for (std::size_t at = written.find('<'); at != std::string::npos; at = written.find('<', at))
-    written.replace(at, 1, "\\u003c");
-  return written;
+  std::string page = written(all);
+  for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at))
+    page.replace(at, 1, "\\u003c");
+  return page;
 }
 
 } // namespace kanexpr::animate

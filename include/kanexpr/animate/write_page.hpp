@@ -24,18 +24,27 @@ namespace animate {
 inline constexpr std::string_view place_of_motion = "@motion@";
 inline constexpr std::string_view place_of_title = "@title@";
 
-/// The name of a system in a page.
-inline std::string without_markup(std::string_view text) {
+/// A title as the text of an element. Control characters, which a page may not hold, become spaces, and what
+/// is not UTF-8 the sign for that.
+inline std::string without_markup(const std::string& text) {
   std::string plain;
-  for (char c : text) plain += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  for (const char c : sound_text(text))
+    if (c == '&' || c == '<')
+      plain += c == '&' ? "&amp;" : "&lt;";
+    else
+      plain += is_control(c) ? ' ' : c;
   return plain;
 }
 
-inline outcome put(std::string& page, std::string_view place, const std::string& text,
-                   const std::string& from) {
-  const std::size_t at = page.find(place);
-  if (at == std::string::npos) return outcome(from + " is no page for a motion");
-  page.replace(at, place.size(), text);
+/// Fills the places of an empty page, in their order in the page: what stands in one place is not searched
+/// for the others.
+inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
+                    const std::string& from) {
+  const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
+  if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
+    return outcome(from + " is no page for a motion");
+  page.replace(motion_at, place_of_motion.size(), motion);
+  page.replace(title_at, place_of_title.size(), title);
   return {};
 }
 
@@ -47,9 +56,8 @@ inline outcome write_page(const std::string& path, const animation& a, const pag
     return outcome("the page without a motion is not there" +
                    (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
                    "; the target kanexpr_page makes it, with npm");
-  outcome titled = put(page, place_of_title, without_markup(options.title), options.empty_page);
-  if (!titled) return titled;
-  outcome filled = put(page, place_of_motion, page_text(a, options.title, options.text), options.empty_page);
+  outcome filled = fill(page, without_markup(options.title), page_text(a, options.title, options.text),
+                        options.empty_page);
   if (!filled) return filled;
   std::ofstream out(path, std::ios::binary);
   out << page;

@@ -30,12 +30,10 @@ public:
         if (!is_blank()) return refuse(" is empty");
       return false;
     }
-    if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the mark of UTF-8
     fields_.clear();
     at_ = 0;
     do {
-      skip_blanks();
-      if (!(holds('"') ? quoted() : plain())) return false;
+      if (!skip_blanks() || !(holds('"') ? quoted() : plain())) return false;
     } while (holds(',') && ++at_ != 0);
     return true;
   }
@@ -48,15 +46,26 @@ public:
 
 private:
   static constexpr const char* blanks = " \t\r";
+  static constexpr const char* lone_return =
+      " holds a carriage return within; lines end with a line feed, or with both";
 
   bool next_line() {
-    if (!std::getline(*in_, text_)) return false;
+    if (!mistake_.empty() || !std::getline(*in_, text_)) return false;
     ++last_;
+    if (last_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the mark of UTF-8
+    if (last_ == 1 && (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")))
+      return refuse(" is not UTF-8 but UTF-16 or UTF-32");
+    if (text_.find('\0') != std::string::npos)
+      return refuse(" holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
     return true;
   }
   bool is_blank() const { return text_.find_first_not_of(blanks) == std::string::npos; }
   bool holds(char c) const { return at_ < text_.size() && text_[at_] == c; }
-  void skip_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
+  bool skip_blanks() {
+    const std::size_t from = at_;
+    at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+    return at_ == text_.size() || text_.find('\r', from) >= at_ || refuse(lone_return);
+  }
   bool refuse(std::string what) {
     mistake_ = std::move(what);
     return false;
@@ -66,6 +75,7 @@ private:
     const std::size_t end = std::min(text_.find(',', at_), text_.size());
     std::string field = text_.substr(at_, end - at_);
     field.erase(field.find_last_not_of(blanks) + 1);
+    if (field.find('\r') != std::string::npos) return refuse(lone_return);
     fields_.push_back(std::move(field));
     at_ = end;
     return true;
@@ -78,7 +88,7 @@ private:
       field.append(text_, at_, quote - at_);
       if (quote == std::string::npos) { // goes on in the next line
         field += '\n';
-        if (!next_line()) return refuse(" opens a quote that is not closed");
+        if (!next_line()) return mistake_.empty() && refuse(" opens a quote that is not closed");
         at_ = 0;
         continue;
       }
@@ -88,9 +98,8 @@ private:
       ++at_;
     }
     fields_.push_back(std::move(field));
-    skip_blanks();
-    if (at_ < text_.size() && !holds(',')) return refuse(" has text after a closing quote");
-    return true;
+    if (!skip_blanks()) return false;
+    return at_ == text_.size() || holds(',') || refuse(" has text after a closing quote");
   }
 
   std::istream* in_;

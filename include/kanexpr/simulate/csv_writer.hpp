@@ -14,7 +14,7 @@ namespace simulated {
 inline std::string csv_field(const std::string& name) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
   if (name.find_first_of(",\"\r\n") == std::string::npos && !name.empty() && !is_blank(name.front()) &&
-      !is_blank(name.back()))
+      !is_blank(name.back()) && !name.starts_with("\xEF\xBB\xBF"))
     return name;
   std::string field = "\"";
   for (char c : name) field.append(c == '"' ? 2 : 1, c);
@@ -35,11 +35,13 @@ public:
   /// `called` is the stream's name in sentences.
   csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream")
       : out_(&out), called_(std::move(called)), columns_(names.size()) {
+    table header; // which takes no name twice
     for (const std::string& name : names) {
+      if (done_) done_ = header.add(name, {});
       if (!line_.empty()) line_ += ',';
       line_ += simulated::csv_field(name);
     }
-    write();
+    if (done_) write();
   }
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}

@@ -115,7 +115,8 @@ public:
     return found;
   }
 
-  /// The time, the state and the inputs as named columns: "t", or "time" where the model calls something t.
+  /// The time, the state and the inputs as named columns. The time's is "t"; where the model calls something
+  /// that, "time", and then "time_", as long as it takes.
   kanexpr::table table() const {
     kanexpr::table all;
     const auto put = [&](std::string_view name, std::vector<double> values) {
@@ -126,8 +127,10 @@ public:
         put(known.names[known.first_of(kind) + i].view(),
             collect([&](const sample& s) -> double { return entry(s, i); }));
     };
-    put(std::ranges::any_of(known.names, [](const auto& n) { return n.view() == "t"; }) ? "time" : "t",
-        times());
+    std::string time = "t";
+    const auto is_taken = [&](const auto& name) { return name.view() == time; };
+    while (std::ranges::any_of(known.names, is_taken)) time = time == "t" ? "time" : time + '_';
+    put(time, times());
     add(symbolic::symbol_kind::coordinate, known.coordinates, [](const sample& s, int i) { return s.x(i); });
     add(symbolic::symbol_kind::speed, known.speeds,
         [](const sample& s, int i) { return s.x(known.coordinates + i); });

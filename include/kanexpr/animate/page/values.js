@@ -9,7 +9,10 @@ function written(value) {
 
 export function values(columns) {
   const body = document.getElementById('values');
-  const cells = ['t', ...columns.map((column) => column.name)].map((name) => {
+  const names = columns.map((column) => column.name);
+  let ofTime = 't'; // unless the model calls something that
+  while (names.includes(ofTime)) ofTime = ofTime === 't' ? 'time' : `${ofTime}_`;
+  const cells = [ofTime, ...names].map((name) => {
     const row = body.insertRow();
     const head = document.createElement('th');
     head.scope = 'row';
