@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 
 #include <array>
@@ -9,12 +10,14 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The constraints of a system at given arguments, for the numerical methods that satisfy them.
+/// The constraints of a system at given arguments, for the numerical methods that satisfy them. Where a
+/// constraint is solved for a coordinate of a quaternion they are taken at norm 1.
 template <class System, class P, class R>
 class constraints_at {
 public:
   static constexpr const derivation::survey& known = survey_of<System>;
   using eom = equations_of_motion<System>;
+  using quaternions = unit_quaternions<System>;
   using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
   using square = Eigen::Matrix<double, known.configuration_constraints, known.configuration_constraints>;
   using speed_vector = Eigen::Matrix<double, known.constraints, 1>;
@@ -37,12 +40,14 @@ public:
     if constexpr (coordinates() == 0)
       return {};
     else
-      return std::get<0>(configuration()(t_, x, p_, r_));
+      return std::get<0>(configuration()(t_, at_norm_one(x), p_, r_));
   }
   square configuration_jacobian(const state<System>& x) const {
     square by_dependent;
     if constexpr (coordinates() != 0) {
-      const auto [residual, by_all] = configuration()(t_, x, p_, r_);
+      const state<System> at = at_norm_one(x);
+      auto [residual, by_all] = configuration()(t_, at, p_, r_);
+      if constexpr (quaternions::are_bound) quaternions::leave_norms_out(by_all, at);
       for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(place_of_coordinate(i));
     }
     return by_dependent;
@@ -52,6 +57,13 @@ public:
       return {};
     else
       return std::get<0>(velocities()(t_, x, p_, r_));
+  }
+  /// What the norms of quaternions are off.
+  Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
+    return quaternions::residual(x);
+  }
+  kanexpr::status normalize_quaternions(state<System>& x) const {
+    return quaternions::normalize(x, numeric::norm_range{});
   }
   /// Gives the state its dependent speeds, if they can be solved for.
   kanexpr::status solve_speeds(state<System>& x) const {
@@ -67,6 +79,16 @@ public:
   }
 
 private:
+  static decltype(auto) at_norm_one(const state<System>& x) {
+    if constexpr (quaternions::are_bound) {
+      state<System> at = x;
+      quaternions::normalize(at, numeric::norm_range{});
+      return at;
+    } else {
+      return (x);
+    }
+  }
+
   static constexpr auto places = [] {
     std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
         found{};
@@ -83,8 +105,8 @@ private:
 
 } // namespace compiled
 
-/// Solves the configuration constraints for the dependent coordinates, by Newton's method from those of `x`,
-/// then the velocity constraints for the dependent speeds. Where that fails `x` is left as it was and the
+/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
+/// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as it was and the
 /// report says why. No memory is taken and nothing is thrown.
 template <class System, class P = parameter_values<System>, class R = input_values<System>>
 assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
@@ -93,8 +115,8 @@ assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t =
   return numeric::assemble(constraints, x, options);
 }
 
-/// Whether a state satisfies the constraints to within `tolerance`; if not, which one does not and by how
-/// much.
+/// Whether a state satisfies the constraints, and its quaternions have norm 1, to within `tolerance`; if not,
+/// what is off and by how much.
 template <class System, class P = parameter_values<System>, class R = input_values<System>>
 consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
                               double tolerance = 1e-9) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/lower/eliminate.hpp>
 
 #include <array>
@@ -19,33 +20,44 @@ constexpr symbolic::cost added(symbolic::cost total, const symbolic::cost& c, in
 }
 
 /// Brings a state that nearly satisfies its constraints back to them, in an amount of work that is known
-/// beforehand: some steps of Newton's method for the dependent coordinates, then the dependent speeds. What
-/// is independent stays.
+/// beforehand: quaternions get norm 1, then come some steps of Newton's method for the dependent coordinates,
+/// then the dependent speeds. What is independent stays.
 template <class System, int newton_steps>
 class correction {
   static constexpr const derivation::survey& known = survey_of<System>;
   static constexpr int unknowns = known.configuration_constraints;
   using eom = equations_of_motion<System>;
+  using quaternions = unit_quaternions<System>;
 
 public:
-  static constexpr bool is_needed = newton_steps > 0 && known.constraints > 0;
+  static constexpr bool is_needed = newton_steps > 0 && (known.constraints > 0 || quaternions::count > 0);
 
   template <class Time, class T, class P, class R>
   static kanexpr::status apply(const Time& t, state<System, T>& x, const P& p, const R& r) {
+    if (const kanexpr::status s = quaternions::normalize(x, near_one); !s) return s;
     if constexpr (unknowns > 0)
-      for (int done = 0; done < newton_steps; ++done)
+      for (int done = 0; done < newton_steps; ++done) {
         if (const kanexpr::status s = step(t, x, p, r); !s) return s;
-    const auto u = eom::dependent_speeds(t, x, p, r);
-    for (int i = 0; i < known.constraints; ++i) x(place(unknowns + i)) = u(i);
-    return status_of(u);
+        if constexpr (quaternions::are_bound)
+          if (const kanexpr::status s = quaternions::normalize(x, near_one); !s) return s;
+      }
+    if constexpr (known.constraints > 0) {
+      const auto u = eom::dependent_speeds(t, x, p, r);
+      for (int i = 0; i < known.constraints; ++i) x(place(unknowns + i)) = u(i);
+      return status_of(u);
+    }
+    return {};
   }
 
   /// Operations of all evaluations and solutions.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
-    if constexpr (is_needed) total = added(total, eom::dependent_speeds.cost());
+    if constexpr (is_needed) total = added(total, quaternions::cost());
+    if constexpr (is_needed && known.constraints > 0) total = added(total, eom::dependent_speeds.cost());
     if constexpr (is_needed && unknowns > 0) {
       symbolic::cost one = residual_and_slope().cost();
+      if constexpr (quaternions::are_bound)
+        one = added(added(one, quaternions::cost()), quaternions::cost_of_leaving_out(unknowns));
       one.count_factorization(unknowns);
       one.count_substitution(unknowns);
       one.count_regularity(unknowns);
@@ -56,7 +68,10 @@ public:
 
 private:
   static constexpr auto residual_and_slope() {
-    return eom::together(eom::configuration_residual, eom::configuration_jacobian);
+    if constexpr (quaternions::are_bound)
+      return eom::together(eom::configuration_residual, eom::configuration_jacobian_full);
+    else
+      return eom::together(eom::configuration_residual, eom::configuration_jacobian);
   }
 
   /// One of Newton's steps; too near to singular is what it is for all results.
@@ -64,14 +79,16 @@ private:
   static kanexpr::status step(const Time& t, state<System, T>& x, const P& p, const R& r) {
     using math = lower::elimination_math<T>;
     constexpr symbolic::factors entry{unknowns};
-    const auto [residual, slope] = residual_and_slope()(t, x, p, r);
+    auto [residual, slope] = residual_and_slope()(t, x, p, r);
+    if constexpr (quaternions::are_bound) quaternions::leave_norms_out(slope, x);
     T f[entry.size()], scales[unknowns], change[unknowns];
     for (int i = 0; i < unknowns; ++i) {
       change[i] = residual(i);
       scales[i] = lower::scalar_math<T>::from(0);
       for (int j = 0; j < unknowns; ++j) {
-        f[entry.at(i, j)] = slope(i, j);
-        scales[i] = T(scales[i] + math::magnitude(slope(i, j)));
+        const T& by_dependent = slope(i, quaternions::are_bound ? place(j) : j);
+        f[entry.at(i, j)] = by_dependent;
+        scales[i] = T(scales[i] + math::magnitude(by_dependent));
       }
     }
     symbolic::factorize<math>(unknowns, f);
@@ -81,6 +98,9 @@ private:
     for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) - change[i]);
     return {};
   }
+
+  /// A norm beyond this is no trace that a step leaves.
+  static constexpr numeric::norm_range near_one{0.5, 2};
 
   /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
   static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/mechanics/unit_quaternions.hpp>
 
 namespace kanexpr::derivation {
 
@@ -19,6 +20,8 @@ struct survey {
   int configuration_constraints = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< by the same order
+  int quaternions = 0;          ///< whose norm 1 the motion keeps
+  int quaternion_of[room]{};    ///< by coordinate: the number of its quaternion, from 1 on; 0: none
 
   /// Independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
@@ -38,7 +41,12 @@ struct survey {
     int next = 0;
     for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
       for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
-    if (!system.is_derived() || system.mistake()) return;
+    if (system.mistake()) return;
+    for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
+      ++quaternions;
+      for (int place : places) quaternion_of[place] = quaternions;
+    }
+    if (!system.is_derived()) return;
     mechanics::equations& e = system.equations();
     constraints = e.constraints_used().size();
     configuration_constraints = m.configuration_constraints.size();

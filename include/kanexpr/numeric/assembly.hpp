@@ -50,8 +50,9 @@ double largest(const Vector& v) {
   return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
 }
 
-/// Solves the configuration constraints for the dependent coordinates, starting from those of `x`, then the
-/// velocity constraints for the dependent speeds. Where that fails `x` is left as it was.
+/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting from
+/// those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as it
+/// was.
 ///
 /// `Constraints` gives the residuals, the Jacobian by the dependent coordinates, and the dependent speeds, at
 /// a state, and the places of what is dependent in it.
@@ -60,8 +61,12 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   using vector = typename Constraints::coordinate_vector;
   assembly report;
   State placed = x;
+  if (const status unit = c.normalize_quaternions(placed); !unit) {
+    report.reason = mechanics::sentence({unit.cause()});
+    return report;
+  }
   vector q(c.coordinates());
-  for (int i = 0; i < c.coordinates(); ++i) q(i) = x(c.place_of_coordinate(i));
+  for (int i = 0; i < c.coordinates(); ++i) q(i) = placed(c.place_of_coordinate(i));
   const auto at = [&](const vector& tried) -> const State& {
     for (int i = 0; i < c.coordinates(); ++i) placed(c.place_of_coordinate(i)) = tried(i);
     return placed;
@@ -84,6 +89,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     return report;
   }
   at(q);
+  c.normalize_quaternions(placed);
   if (const status solved = c.solve_speeds(placed); !solved) {
     report.reason = mechanics::sentence({solved.cause()});
     return report;
@@ -108,6 +114,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   };
   report.configuration_residual = look_at(c.configuration_residual(x), "configuration constraint ");
   report.velocity_residual = look_at(c.velocity_residual(x), "velocity constraint ");
+  look_at(c.quaternion_residual(x), "the norm of quaternion ");
   return report;
 }
 

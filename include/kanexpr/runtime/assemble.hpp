@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/mechanics/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/numeric/unit_quaternion.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 namespace kanexpr {
@@ -16,18 +18,44 @@ public:
 
   constraints_at(Model& m, double t, const P& p, const R& r)
       : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
         first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
         residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
-        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian))),
+        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
         speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
 
   int coordinates() const { return coordinates_.size(); }
   int place_of_coordinate(int i) const { return coordinates_[i]; }
 
-  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) { return residual_(t_, x, p_, r_); }
-  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) { return jacobian_(t_, x, p_, r_); }
+  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) {
+    return residual_(t_, at_norm_one(x), p_, r_);
+  }
+  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) {
+    const Eigen::VectorXd at = at_norm_one(x);
+    Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
+    for (const symbolic::sequence<int>& places : quaternions_) numeric::leave_norm_out(by_all, at, places);
+    for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
+    return by_dependent;
+  }
   Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
+  /// What the norms of quaternions are off.
+  Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd left(quaternions_.size());
+    for (int i = 0; i < quaternions_.size(); ++i)
+      left(i) = (numeric::squared_norm(x, quaternions_[i]) - 1) / 2;
+    return left;
+  }
+  kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
+    for (const symbolic::sequence<int>& places : quaternions_)
+      if (!numeric::normalize(x, places, numeric::norm_range{})) {
+        far_from_one_ = mechanics::sentence(
+            {"the norm of the quaternion ",
+             mechanics::enumerated(mechanism_, mechanism_.coordinates, places).view(), " is far from 1"});
+        return {&far_from_one_, 1u};
+      }
+    return {};
+  }
   kanexpr::status solve_speeds(Eigen::VectorXd& x) {
     const Eigen::VectorXd u = speeds_solved_(t_, x, p_, r_);
     if (speeds_solved_.status())
@@ -36,7 +64,15 @@ public:
   }
 
 private:
+  Eigen::VectorXd at_norm_one(Eigen::VectorXd x) {
+    normalize_quaternions(x);
+    return x;
+  }
+
   symbolic::sequence<int> coordinates_, speeds_;
+  symbolic::sequence<symbolic::sequence<int>> quaternions_;
+  const mechanics::mechanism& mechanism_;
+  mechanics::problem far_from_one_;
   int first_speed_;
   double t_;
   const P& p_;
@@ -46,7 +82,8 @@ private:
 
 } // namespace runtime
 
-/// As for a compiled system: solves the constraints for what is dependent in `x` = [q; u].
+/// As for a compiled system: gives quaternions norm 1 and solves the constraints for what is dependent in
+/// `x` = [q; u].
 template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
 assembly assemble(model<System, also...>& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {},
                   double t = 0, const assembly_options& options = {}) {
@@ -54,8 +91,8 @@ assembly assemble(model<System, also...>& m, Eigen::VectorXd& x, const P& p = {}
   return numeric::assemble(constraints, x, options);
 }
 
-/// Whether a state satisfies the constraints to within `tolerance`; if not, which one does not and by how
-/// much.
+/// Whether a state satisfies the constraints, and its quaternions have norm 1, to within `tolerance`; if not,
+/// what is off and by how much.
 template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
 consistency check_consistency(model<System, also...>& m, const Eigen::VectorXd& x, const P& p, const R& r,
                               double t = 0, double tolerance = 1e-9) {

@@ -1,19 +1,21 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/simulate/configuration_manifold.hpp>
 
 #include <limits>
 
 namespace kanexpr::simulated {
 
-/// The least correction that brings a state to the constraints, each entry measured in units of 1/weight:
-/// first the coordinates by Newton's method, then the speeds, in which constraints are linear (Eich 1993).
+/// The least correction that brings a state to the constraints and quaternions to norm 1, each entry measured
+/// in units of 1/weight: first the coordinates by Newton's method, then the speeds, in which constraints are
+/// linear (Eich 1993).
 template <class System>
 class constraint_projection {
 public:
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr int n = known.coordinates, o = known.speeds;
-  static constexpr int l = known.configuration_constraints, m = known.constraints;
+  static constexpr int l = configuration_manifold<System>::equations, m = known.constraints;
+  static constexpr bool is_needed = l + m != 0;
   using vector = Eigen::Matrix<double, n + o, 1>;
 
   /// False where the constraints are dependent, or cannot be reached from there.
@@ -59,9 +61,9 @@ private:
       double last = std::numeric_limits<double>::infinity();
       for (int steps = 0; steps < most_steps; ++steps) {
         const vector at = y + correction_;
-        const auto [residual, jacobian] = constraints::configuration()(t, at, p, r);
-        by_q_ = jacobian;
-        const auto step = along(by_q_, q_units(), -residual);
+        const auto kept = configuration_manifold<System>::template at<double>(t, at, p, r);
+        by_q_ = kept.by_coordinates;
+        const auto step = along(by_q_, q_units(), -kept.residual);
         if (!step.allFinite()) return false;
         correction_.template head<n>() += step;
         const double size = step.cwiseProduct(weights.template head<n>()).cwiseAbs().maxCoeff();

@@ -49,9 +49,9 @@ public:
     return answer::never;
   }
 
-  bool has_constraints() const override { return constraints != 0; }
+  bool has_constraints() const override { return constraint_projection<System>::is_needed; }
   answer project(double t, const double* y, const double* weights, double* out, double* error) override {
-    if constexpr (constraints != 0) {
+    if constexpr (constraint_projection<System>::is_needed) {
       ++projections_;
       if (const answer a = around_.take(t, y); a != answer::given) return a;
       const Eigen::Map<const vector> unit(weights);
@@ -71,7 +71,6 @@ private:
   using eom = equations_of_motion<System>;
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr int entries = known.coordinates + known.speeds;
-  static constexpr int constraints = known.constraints + known.configuration_constraints;
   using vector = Eigen::Matrix<double, entries, 1>;
 
   static std::string unfinished(const vector& rates) {

@@ -38,7 +38,9 @@ public:
 private:
   using state = kanexpr::state<System>;
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
-  static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
+  using quaternions = compiled::unit_quaternions<System>;
+  static constexpr bool is_constrained =
+      known.constraints + known.configuration_constraints + known.quaternions != 0;
 
   solvers::stepper& stepper() { return moving_.stepper(); }
 
@@ -84,8 +86,11 @@ private:
     return o;
   }
 
-  /// Lets the dependent coordinates and speeds follow.
+  /// Lets the dependent coordinates and speeds follow. A quaternion that is given may be rounded, no more.
   bool assemble_at(double t, state& x) {
+    if constexpr (!quaternions::are_bound)
+      if (const status s = quaternions::normalize(x, {0.99, 1.01}); !s)
+        return fail_here(std::string(s.cause()));
     if (around_.take(t, x) != answer::given) return fail_here("");
     if constexpr (is_constrained) {
       const assembly built = kanexpr::assemble<System>(x, around_.p(), around_.r(), t);

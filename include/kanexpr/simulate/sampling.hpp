@@ -80,9 +80,6 @@ public:
   }
 
 private:
-  static constexpr bool is_constrained =
-      compiled::survey_of<System>.constraints + compiled::survey_of<System>.configuration_constraints != 0;
-
   bool interpolate(solvers::stepper& s, double t, state& x) {
     if (!s.derivative(t, 0, room_for(s))) {
       around_.refuse("the solution could not be interpolated");
@@ -94,7 +91,7 @@ private:
 
   /// What an integrator interpolates is only near them.
   bool bring_to_constraints(double t, state& x) {
-    if constexpr (is_constrained) {
+    if constexpr (constraint_projection<System>::is_needed) {
       if (around_.take(t, x) != answer::given) return false;
       const auto scale = options_.relative_tolerance * x.cwiseAbs().array().max(1e-3);
       const state weights = state((scale + options_.absolute_tolerance).inverse());

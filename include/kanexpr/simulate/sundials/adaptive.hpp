@@ -141,6 +141,23 @@ protected:
     return numbers_of(weights_.get());
   }
 
+  /// Brings the state that is shown to a manifold that the formulas leave, by a function (t, y, weights,
+  /// correction); and notes whether they have left it too far to go on without beginning anew.
+  template <class Project>
+  bool correct(const Project& project) {
+    correction_.assign(y_.size(), 0);
+    const double* weight = weights();
+    if (project(t_, y_.data(), weight, correction_.data()) != answer::given) {
+      failed_ = {"the state could not be brought back to the constraints"};
+      return false;
+    }
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      y_[i] += correction_[i];
+      if (std::abs(correction_[i]) * weight[i] > options_.most_drift) has_drifted_ = true;
+    }
+    return true;
+  }
+
   /// A new start may clear what was counted.
   void keep_counts() { before_restart_ = statistics(); }
 
@@ -151,6 +168,8 @@ protected:
   matrix_handle matrix_;
   linear_solver_handle solver_;
   void* memory_ = nullptr;
+  std::vector<double> correction_;
+  bool has_drifted_ = false;
 
 private:
   bool set_watched() {

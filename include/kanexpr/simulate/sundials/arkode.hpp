@@ -90,7 +90,6 @@ private:
 
   explicit_problem& problem_;
   ARKRhsFn explicit_ = nullptr, implicit_ = nullptr;
-  std::vector<double> correction_;
 };
 
 } // namespace kanexpr::solvers

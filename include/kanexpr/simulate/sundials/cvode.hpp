@@ -7,8 +7,6 @@
 #include <cvode/cvode_proj.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <cmath>
-
 namespace kanexpr::solvers {
 
 struct cvode_calls {
@@ -98,17 +96,9 @@ private:
   bool projects_itself() const { return formulas_ == formulas::adams && problem_.has_constraints(); }
 
   bool return_to_constraints() {
-    correction_.resize(y_.size());
-    const double* weight = weights();
-    if (problem_.project(t_, y_.data(), weight, correction_.data(), nullptr) != answer::given) {
-      failed_ = {"the state could not be brought back to the constraints"};
-      return false;
-    }
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      y_[i] += correction_[i];
-      if (std::abs(correction_[i]) * weight[i] > options_.most_drift) has_drifted_ = true;
-    }
-    return true;
+    return correct([&](double t, const double* y, const double* weights, double* correction) {
+      return problem_.project(t, y, weights, correction, nullptr);
+    });
   }
 
   static cvode& self(void* of) { return static_cast<cvode&>(*static_cast<adaptive*>(of)); }
@@ -127,8 +117,6 @@ private:
   formulas formulas_;
   explicit_problem& problem_;
   nonlinear_solver_handle iteration_;
-  std::vector<double> correction_;
-  bool has_drifted_ = false;
 };
 
 } // namespace kanexpr::solvers

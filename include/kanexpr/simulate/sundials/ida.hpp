@@ -62,6 +62,15 @@ public:
       set_newton(problem_, jacobian);
   }
 
+  /// The state that is shown keeps to what is not among the equations. Where the formulas have left that too far
+  /// they begin anew.
+  arrival advance(double target, bool to_target) override {
+    if (has_drifted_ && !(problem_.begin(t_, y_.data(), ydot_.data()) == answer::given && restart()))
+      return arrival::failed;
+    const arrival at = adaptive::advance(target, to_target);
+    return at == arrival::failed || !problem_.has_invariants() || keep_invariants() ? at : arrival::failed;
+  }
+
   int degree() const override {
     int order = 0;
     IDAGetLastOrder(memory_, &order);
@@ -71,11 +80,18 @@ public:
   double* rates() override { return ydot_.data(); }
 
   bool restart() override {
+    has_drifted_ = false;
     keep_counts();
     return done(IDAReInit(memory_, t_, at_.get(), rates_at_.get()), "a new state") && set_end();
   }
 
 private:
+  bool keep_invariants() {
+    return correct([&](double t, const double* y, const double* weights, double* correction) {
+      return problem_.project(t, y, weights, correction);
+    });
+  }
+
   /// A hundredth of the time in which the state would change by its own size, in tolerances (Hairer, Nørsett
   /// & Wanner, II.4). IDA itself asks that it change by less than a tolerance, and numbers are too coarse for
   /// that.

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <kanexpr/lower/scalar_math.hpp>
+
+#include <limits>
+
+/// Quaternions within a vector, by the places of their entries.
+namespace kanexpr::numeric {
+
+template <class X, class Places>
+[[gnu::always_inline]] inline typename X::Scalar squared_norm(const X& x, const Places& places) {
+  using T = typename X::Scalar;
+  T sum = lower::scalar_math<T>::from(0);
+  for (const int place : places) sum = T(sum + T(x(place) * x(place)));
+  return sum;
+}
+
+/// The norms that a quaternion may have before it is given norm 1.
+struct norm_range {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+};
+
+/// Gives a quaternion norm 1; false where its norm is out of the range.
+template <class X, class Places>
+[[gnu::always_inline]] inline bool normalize(X& x, const Places& places, const norm_range& from) {
+  using T = typename X::Scalar;
+  using math = lower::scalar_math<T>;
+  const T square = squared_norm(x, places);
+  if (!math::exceeds(square, from.least * from.least) || !math::exceeds(T(-square), -(from.most * from.most)))
+    return false;
+  const T scale = T(math::from(1) / math::template by_name<symbolic::operation::sqrt>(square));
+  for (const int place : places) x(place) = T(x(place) * scale);
+  return true;
+}
+
+/// Takes off the derivatives by a quaternion of norm 1 what belongs to its norm: they are those of a function
+/// that gives it norm 1 first.
+template <class Jacobian, class X, class Places>
+void leave_norm_out(Jacobian& by_all, const X& x, const Places& places) {
+  for (Eigen::Index i = 0; i < by_all.rows(); ++i) {
+    auto along = by_all(i, 0) * 0;
+    for (const int place : places) along += by_all(i, place) * x(place);
+    for (const int place : places) by_all(i, place) -= along * x(place);
+  }
+}
+
+} // namespace kanexpr::numeric
