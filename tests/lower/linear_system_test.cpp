@@ -4,6 +4,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "no_heap.hpp"
+#include "row_scales.hpp"
 
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>

@@ -6,8 +6,82 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
+#include <type_traits>
+#include <utility>
+
+/// The four-bar linkage with its loop closed along other directions.
+namespace four_bar {
+struct TurnedSystem
+    : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
+                  kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3>,
+                  configuration_constraints<zero_along<position_of<P3, Bearing>, N::x + N::y, N::x - N::y>>,
+                  dependent<q2, q3, u2, u3>, inputs<T>, bodies<Crank, Coupler, Rocker>,
+                  loads<gravity<-g * N::y>, torque<A, T * N::z>>> {};
+} // namespace four_bar
+
+/// A top with the rates of its angles as speeds, of numbers or of symbols.
+namespace gimbal {
+using namespace kanexpr;
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q3"> q3;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr speed<"u3"> u3;
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q1, N::z> {};
+struct B : rotated<B, A, q2, A::x> {};
+struct C : rotated<C, B, q3, B::z> {};
+struct O : origin<O, N> {};
+struct G : offset<G, O, rational<1, 2> * C::z> {};
+struct Top : rigid_body<Top, G, C, 2, inertia<C, 1, 2, 3>> {};
+struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
+                            kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3>, bodies<Top>> {};
+} // namespace gimbal
+
+/// Two rods of numbers, of which no configuration is singular.
+namespace two_rods {
+using namespace kanexpr;
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q1, N::z> {};
+struct B : rotated<B, A, q2, A::y> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, 2 * A::x> {};
+struct Q : offset<Q, P, B::x> {};
+struct Upper : rigid_body<Upper, P, A, 1, inertia<A, 0, 1, 1>> {};
+struct Lower : particle<Lower, Q, 3> {};
+struct System : kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>,
+                            kinematics<dot(q1) == u1, dot(q2) == u2>, bodies<Upper, Lower>> {};
+} // namespace two_rods
+
+/// Beads on parallel wires, each told by an angle that stops it at a right one.
+namespace beads {
+using namespace kanexpr;
+constexpr int count = 36;
+template <int i>
+constexpr coordinate<"q", i> q;
+template <int i>
+constexpr speed<"u", i> u;
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+template <int i>
+struct P : offset<P<i>, O, q<i> * N::x> {};
+template <int i>
+struct Bead : particle<Bead<i>, P<i>, 1> {};
+template <int... i>
+using system_of = kane_system<inertial<N>, coordinates<q<i>...>, speeds<u<i>...>,
+                              kinematics<cos(q<i>) * dot(q<i>) == u<i>...>, bodies<Bead<i>...>>;
+template <int... i>
+system_of<i...> all(std::integer_sequence<int, i...>);
+struct System : decltype(all(std::make_integer_sequence<int, count>{})){};
+} // namespace beads
 
 namespace {
 
@@ -40,6 +114,49 @@ TEST(status, names_speeds_that_cannot_be_solved_for) {
   expect_status<four_bars::System>(b.x, b.p, b.r, "");
 }
 
+// A parallelogram with all bars in line has more ways to move than one: u̇ is not what its dependent speeds
+// say.
+TEST(status, does_not_rest_on_what_vanishes_with_a_constraint) {
+  four_bars b;
+  using namespace four_bar;
+  b.p[l0] = b.p[l2] = 1.8, b.p[l1] = b.p[l3] = 0.7;
+  const std::string cause =
+      "the constraints cannot be solved for the dependent speeds u2 and u3 at this state";
+  for (const double turned : {0.0, 0.3}) { // in line, and not
+    b.x[q1] = turned, b.x[q2] = -turned, b.x[q3] = std::numbers::pi + turned;
+    expect_status<four_bars::System>(b.x, b.p, b.r, turned == 0 ? cause : "");
+    auto other = kanexpr::derive<TurnedSystem>();
+    auto udot = other.function(other.get(quantity::udot));
+    udot(b.x, b.p, b.r);
+    EXPECT_EQ(udot.status().cause(), turned == 0 ? cause : "");
+  }
+}
+
+// In micrometres or light years, of dust or of suns, it is the same mechanism.
+TEST(status, does_not_rest_on_units) {
+  using namespace four_bar;
+  for (const double angle : {-1.7, 1e-6, 0.0}) {
+    four_bars metres;
+    metres.x[q3] = angle;
+    const auto expected = four_bars::eom::udot(metres.x, metres.p, metres.r);
+    EXPECT_EQ(static_cast<bool>(expected.status), angle != 0);
+    for (const double length : {1e-12, 1e-5, 1e7, 1e12})
+      for (const double mass : {1e-12, 1e12}) {
+        four_bars b = metres;
+        for (double* l : {&b.p[l0], &b.p[l1], &b.p[l2], &b.p[l3], &b.p[d1], &b.p[d2], &b.p[d3], &b.p[g]})
+          *l *= length;
+        for (double* m : {&b.p[m1], &b.p[m2], &b.p[m3]}) *m *= mass;
+        for (double* i : {&b.p[I1], &b.p[I2], &b.p[I3]}) *i *= mass * length * length;
+        b.r *= mass * length * length;
+        const auto udot = four_bars::eom::udot(b.x, b.p, b.r);
+        EXPECT_EQ(udot.status.cause(), expected.status.cause()) << length << ' ' << mass;
+        if (angle < -1) { // nearer to singular, rounding is all
+          EXPECT_LE((udot - expected).norm(), 1e-12 * expected.norm()) << length << ' ' << mass;
+        }
+      }
+  }
+}
+
 TEST(status, names_rates_that_cannot_be_solved_for) {
   using System = rolling_disc_constrained::System;
   using eom = kanexpr::equations_of_motion<System>;
@@ -50,6 +167,51 @@ TEST(status, names_rates_that_cannot_be_solved_for) {
   expect_status<System>(
       x, p, eom::inputs(),
       "the kinematic differential equations cannot be solved for the rate of coordinate q1 at this state");
+}
+
+TEST(status, knows_any_number_of_causes) {
+  using eom = kanexpr::equations_of_motion<beads::System>;
+  eom::state x = eom::state::Constant(0.4);
+  expect_status<beads::System>(x, eom::parameters(), eom::inputs(), "");
+  for (const int which : {beads::count - 1, 33, 2}) { // the first one is told
+    x(which) = std::numbers::pi / 2;
+    expect_status<beads::System>(
+        x, eom::parameters(), eom::inputs(),
+        "the kinematic differential equations cannot be solved for the rate of coordinate q" +
+            std::to_string(which) + " at this state");
+  }
+}
+
+TEST(status, names_the_speed_at_which_the_mass_matrix_fails) {
+  using System = gimbal::System;
+  using eom = kanexpr::equations_of_motion<System>;
+  eom::state x = eom::state::Constant(0.4);
+  expect_status<System>(x, eom::parameters(), eom::inputs(), "");
+  x[gimbal::q2] = 1e-4; // nearly
+  expect_status<System>(x, eom::parameters(), eom::inputs(), "");
+  x[gimbal::q2] = 0; // the first and the last axis are one
+  expect_status<System>(
+      x, eom::parameters(), eom::inputs(),
+      "the mass matrix is not positive definite at this state: its elimination fails at the speed u1");
+}
+
+TEST(status, names_the_speed_that_a_mass_of_zero_leaves_alone) {
+  four_bars b;
+  using namespace four_bar;
+  const std::string cause =
+      "the mass matrix is not positive definite at this state: its elimination fails at the speed u1";
+  for (const double mass : {0.0, 1e-200, -1.0}) {
+    for (double* m : {&b.p[m1], &b.p[m2], &b.p[m3], &b.p[I1], &b.p[I2], &b.p[I3]}) *m = mass;
+    expect_status<System>(b.x, b.p, b.r, mass > 0 ? "" : cause);
+  }
+}
+
+TEST(status, is_left_out_where_no_mass_can_be_missing) {
+  using eom = kanexpr::equations_of_motion<two_rods::System>;
+  static_assert(std::is_same_v<decltype(eom::udot(eom::state())), Eigen::Vector2d>);
+  auto derived = kanexpr::derive<two_rods::System>();
+  const auto udot = derived.get(quantity::udot);
+  EXPECT_EQ(derived.equations().guards_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
 }
 
 TEST(status, is_not_asked_for_what_needs_no_solution) {

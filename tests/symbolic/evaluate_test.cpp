@@ -1,5 +1,6 @@
 // builds: sanitize no-exceptions
 #include "random_formula.hpp"
+#include "row_scales.hpp"
 
 #include <kanexpr/symbolic/evaluate.hpp>
 #include <kanexpr/symbolic/linear_system.hpp>

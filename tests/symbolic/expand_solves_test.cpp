@@ -1,5 +1,6 @@
 // builds: sanitize
 #include "linear_systems.hpp"
+#include "row_scales.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/differentiate.hpp>

@@ -67,7 +67,7 @@ TEST(solve_symmetric, agrees_with_ldlt_for_any_sparsity) {
       const Eigen::MatrixXd a = root * root.transpose() + Eigen::MatrixXd::Identity(n, n);
       const Eigen::VectorXd b = random_matrix(engine, n, 0.7).col(0);
       linear_system s(a, b, true);
-      const Eigen::VectorXd x = s.value_of(solve_symmetric(s.g, s.entries(), s.right()));
+      const Eigen::VectorXd x = s.value_of(solve_symmetric(s.g, s.entries(), s.right()).x);
       const Eigen::VectorXd expected = a.ldlt().solve(b);
       EXPECT_LE((x - expected).norm(), 1e-13 * (1 + expected.norm()) * a.norm()) << n << ' ' << density;
     }
@@ -78,7 +78,7 @@ TEST(solve_symmetric, costs_no_more_than_the_structure_asks_for) {
   const auto cost_for = [](const Eigen::MatrixXd& a) {
     linear_system s(a, Eigen::VectorXd::Ones(n), true);
     sequence<int> outputs;
-    for (const expression e : solve_symmetric(s.g, s.entries(), s.right())) outputs.push(e.node());
+    for (const expression e : solve_symmetric(s.g, s.entries(), s.right()).x) outputs.push(e.node());
     return cost_of(s.g, outputs);
   };
   Eigen::MatrixXd diagonal = Eigen::MatrixXd::Identity(n, n), arrow = diagonal, chain = diagonal;
@@ -128,7 +128,7 @@ TEST(solve_linear, agrees_with_lu_for_any_sparsity) {
         a = shuffled(engine, a);
         const Eigen::VectorXd b = random_matrix(engine, n, 0.8).col(0);
         linear_system s(a, b, false);
-        const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+        const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()));
         EXPECT_TRUE(solved.structurally_regular);
         const Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
         if (lu.rcond() < 1e-4) {
@@ -140,8 +140,9 @@ TEST(solve_linear, agrees_with_lu_for_any_sparsity) {
             << n << ' ' << density;
         for (const solved_block& block : solved.blocks) {
           EXPECT_EQ(block.rows.size(), block.columns.size());
-          EXPECT_GT(s.value_of({block.regularity})(0), 0);
-          EXPECT_LE(s.value_of({block.regularity})(0), 1 + 1e-15);
+          const double measure = s.value_of({block.measure})(0), scale = s.value_of({block.scale})(0);
+          EXPECT_GT(measure, 1e-9 * scale);
+          EXPECT_LE(measure, std::sqrt(6) * (1 + 1e-15) * scale); // six products in a determinant
         }
       }
   EXPECT_LT(singular, 100);
@@ -162,7 +163,7 @@ TEST(solve_linear, finds_the_blocks) {
     a = shuffled(engine, a);
     const Eigen::VectorXd b = Eigen::VectorXd::Random(8);
     linear_system s(a, b, false);
-    const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+    const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()));
     std::vector<int> found;
     for (const solved_block& block : solved.blocks) found.push_back(block.rows.size());
     std::ranges::sort(found);
@@ -183,13 +184,13 @@ TEST(solve_linear, divides_where_one_unknown_is_left) {
   m(1, 0) = a, m(1, 2) = b;
   m(2, 0) = c, m(2, 1) = -b;
   for (int i = 0; i < 3; ++i) one(i, 0) = two(i, 0) = symbol("x"), two(i, 1) = symbol("y");
-  const linear_solution single = solve_linear(g, m, one, {});
+  const linear_solution single = solve_linear(g, m, one);
   EXPECT_EQ(single.x(2, 0), symbol("x") / 2);
   EXPECT_EQ(single.x(0, 0), (symbol("x") - b * (symbol("x") / 2)) / a);
   ASSERT_EQ(single.blocks.size(), 2); // what is divided by a number is always regular
   EXPECT_EQ(single.blocks[0].key, a.node());
   EXPECT_EQ(single.blocks[1].key, b.node());
-  const linear_solution both = solve_linear(g, m, two, {});
+  const linear_solution both = solve_linear(g, m, two);
   sequence<int> outputs = nodes_of(both.x.entries);
   EXPECT_EQ(cost_of(g, outputs).divisions, 2);
 
@@ -205,21 +206,40 @@ TEST(solve_linear, tells_a_structurally_singular_matrix_and_solves_the_rest) {
       1, 0, 0, 1,  //
       1, 1, 1, 1;
   linear_system s(a, Eigen::Vector4d(4, 8, 3, 1), false);
-  const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()), {});
+  const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()));
   EXPECT_FALSE(solved.structurally_regular);
   EXPECT_TRUE(column_of(s, solved.x, 0).isApprox(Eigen::Vector4d(2, 0, 0, 2)));
 }
 
-TEST(solve_linear, measures_regularity_by_the_scales_of_the_rows) {
+// One equation with the coefficients a and b, which is solved for the unknown of a.
+solved_block only_block(graph& g, const expression& a, const expression& b) {
+  matrix unknown(g, 1, 1), right(g, 1, 1), both(g, 1, 2);
+  unknown(0, 0) = both(0, 0) = a;
+  both(0, 1) = b;
+  right(0, 0) = constant(g, exactly(1));
+  const linear_solution solved = solve_linear(g, unknown, right, both);
+  EXPECT_EQ(solved.blocks.size(), 1);
+  return solved.blocks[0];
+}
+
+TEST(solve_linear, measures_by_what_does_not_vanish_with_the_equation) {
   graph g;
   const expression angle = variable(g, {symbol_kind::coordinate, name("q"), 0});
-  matrix a(g, 1, 1), b(g, 1, 1);
-  a(0, 0) = cos(angle);
-  b(0, 0) = constant(g, exactly(1));
-  const linear_solution solved = solve_linear(g, a, b, {constant(g, exactly(2))});
-  ASSERT_EQ(solved.blocks.size(), 1);
-  EXPECT_DOUBLE_EQ(evaluate(solved.blocks[0].regularity, std::vector<double>{1.2}), std::cos(1.2) / 2);
-  EXPECT_EQ(solved.blocks[0].key, a(0, 0).node());
+  const expression x = variable(g, {symbol_kind::coordinate, name("x"), 1});
+  const expression y = variable(g, {symbol_kind::coordinate, name("y"), 2});
+  const expression l = variable(g, {symbol_kind::parameter, name("l"), 0});
+  const std::vector<double> at{1.2, 0.3, 0.4, 2};
+  const auto scale = [&](const expression& a, const expression& b) {
+    const solved_block found = only_block(g, a, b);
+    EXPECT_EQ(found.key, a.node());
+    return evaluate(found.scale, at);
+  };
+  EXPECT_DOUBLE_EQ(scale(l * cos(angle), l), std::sqrt(2)); // of all angles
+  EXPECT_DOUBLE_EQ(scale(l * cos(angle) - l * sin(angle), l), 2);
+  EXPECT_DOUBLE_EQ(scale(x, y), 0.5);       // of all coordinates in the equation
+  EXPECT_DOUBLE_EQ(scale(x, l), 0.3);       // of what unit a parameter is, is not known
+  EXPECT_DOUBLE_EQ(scale(l * x, y / l), 1); // of the divisors, their values
+  EXPECT_DOUBLE_EQ(evaluate(only_block(g, l * cos(angle), l).measure, at), 2 * std::cos(1.2));
 }
 
 } // namespace

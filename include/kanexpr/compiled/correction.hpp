@@ -93,7 +93,9 @@ private:
     }
     symbolic::factorize<math>(unknowns, f);
     const T regularity = symbolic::regularity_of<math>(unknowns, f, scales);
-    if (!lower::scalar_math<T>::exceeds(regularity, mechanics::least_regularity<T>())) return {&singular, 1u};
+    if (!lower::scalar_math<T>::exceeds(regularity,
+                                        lower::scalar_math<T>::from(mechanics::least_regularity<T>())))
+      return kanexpr::status(singular.letters);
     symbolic::solve_factorized<math>(unknowns, f, change);
     for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) - change[i]);
     return {};

@@ -46,7 +46,8 @@ status conclude(Time& t, state<System, T>& x, const Time& after, state<System, T
   if constexpr (correct::is_needed)
     if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i) // of what is not finite the difference is no number
-    if (!lower::scalar_math<T>::exceeds(T(next(i) - next(i)), -1)) return {&not_finite, 1u};
+    if (!lower::scalar_math<T>::exceeds(T(next(i) - next(i)), lower::scalar_math<T>::from(-1)))
+      return status(not_finite.letters);
   t = after;
   x = next;
   return {};

@@ -16,15 +16,18 @@ namespace compiled {
 /// The tape for some results of a system, derived once for each set of them.
 template <class System, auto... wanted>
 struct code {
+private:
   static constexpr derivation::outcome outcome = [] {
     if constexpr (static_cast<bool>(survey_of<System>.mistake))
       return derivation::outcome{};
     else
       return derivation::derived<System, wanted...>();
   }();
-  static constexpr const auto& tape = outcome.tape;
+
+public:
+  static constexpr auto tape = lower::trimmed<outcome.tape.sizes>(outcome.tape);
+  static constexpr auto causes = derivation::trimmed<outcome.causes.sizes>(outcome.causes);
   static constexpr mechanics::problem mistake = outcome.mistake;
-  static constexpr const derivation::guard_list& guards = outcome.guards;
   static_assert(derivation::tell<code>());
 };
 
@@ -145,8 +148,8 @@ private:
       return std::tuple(compiled::no_result_of<T, wanted>()...);
   }
 
-  static constexpr int guards = code::guards.count;
-  static constexpr int first_guard = code::tape.sizes.results - guards;
+  static constexpr int guards = code::causes.sizes.count;
+  static constexpr int first_guard = code::tape.sizes.results - 2 * guards;
 
   template <class T>
   [[gnu::always_inline]] static auto collect_from(const lower::evaluation<code, T>& done) noexcept {
@@ -167,17 +170,23 @@ private:
       return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, guards>{})};
   }
 
+  /// The first cause is the one that is told: what comes after it may be in what it spoiled.
   template <class T, int... i>
   [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
-    unsigned failed = 0;
-    const int order[]{(failed |= lower::scalar_math<T>::exceeds(done.template result<first_guard + i>(),
-                                                                mechanics::least_regularity<T>())
-                                     ? 0u
-                                     : 1u << i,
-                       0)...};
+    const char* cause = nullptr;
+    const int order[]{
+        (cause = is_regular<T, guards - 1 - i>(done) ? cause : code::causes[guards - 1 - i], 0)...};
     static_cast<void>(order);
-    return {code::guards.causes, failed};
+    return status(cause);
+  }
+
+  template <class T, int i>
+  [[gnu::always_inline]] static bool is_regular(const lower::evaluation<code, T>& done) noexcept {
+    using math = lower::scalar_math<T>;
+    return math::exceeds(
+        done.template result<first_guard + 2 * i>(),
+        T(math::from(mechanics::least_regularity<T>()) * done.template result<first_guard + 2 * i + 1>()));
   }
 
   template <class T, int first, auto one>

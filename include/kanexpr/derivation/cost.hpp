@@ -17,7 +17,10 @@ constexpr symbolic::cost cost_of(std::initializer_list<mechanics::quantity> want
     const symbolic::matrix result = system.equations().get(one);
     for (const expression& entry : result.entries) outputs.push(entry.node());
   }
-  for (const mechanics::guard& g : system.equations().guards_of(outputs)) outputs.push(g.regularity.node());
+  for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
+    outputs.push(g.measure.node());
+    outputs.push(g.scale.node());
+  }
   return lower::cost_of(lower::tape_of(system.graph(), outputs));
 }
 

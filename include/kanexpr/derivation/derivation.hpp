@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/derivation/causes.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
-#include <kanexpr/mechanics/status.hpp>
 
 namespace kanexpr::derivation {
 
@@ -113,18 +113,22 @@ struct request<wanted> {
   }
 };
 
-/// What may be singular at a state: the results that tell are behind all others.
-struct guard_list {
-  static constexpr int room = kanexpr::status::room;
-  int count = 0;
-  problem causes[room]{};
-};
-
+/// The measures and scales of what may be singular are behind all other results of the tape, a pair for each
+/// cause. It has room for any model, so a program must not hold it.
 struct outcome {
   problem mistake;
-  guard_list guards;
+  roomy_causes causes;
   lower::roomy_tape tape;
 };
+
+/// What no room is left for.
+constexpr problem check_room(std::string_view system, const lower::tape_sizes& sizes) {
+  if (lower::has_room_for(sizes)) return {};
+  return sentence({"what is asked of ", system, " at once takes ", mechanics::counted(sizes.steps).view(),
+                   " operations and has ", mechanics::counted(sizes.results).view(),
+                   " entries; there is room for ", mechanics::counted(lower::most_steps).view(),
+                   " of each; ask for it in parts"});
+}
 
 /// One derivation from the types of a model to straight-line code for everything that is wanted.
 template <class System, auto... wanted>
@@ -140,13 +144,22 @@ constexpr outcome derived() {
         for (const expression& entry : result.entries) outputs.push(entry.node());
       }(),
       ...);
-  guard_list guards;
+  if (system.mistake()) return {system.mistake(), {}, lower::roomy_tape{}};
+  roomy_causes causes;
   for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
-    if (guards.count == guard_list::room) break;
-    guards.causes[guards.count++] = g.cause;
-    outputs.push(g.regularity.node());
+    if (!causes.has_room_for(g.cause))
+      return {sentence({"what is asked of ", type_name<System>(),
+                        " at once may be singular in more ways than there is room for; ask for it in parts"}),
+              {},
+              lower::roomy_tape{}};
+    causes.push(g.cause);
+    outputs.push(g.measure.node());
+    outputs.push(g.scale.node());
   }
-  return {system.mistake(), guards, lower::fixed(lower::tape_of(system.graph(), outputs))};
+  const lower::tape tape = lower::tape_of(system.graph(), outputs);
+  if (const problem lacking = check_room(type_name<System>(), lower::sizes_of(tape)))
+    return {lacking, {}, lower::roomy_tape{}};
+  return {{}, causes, lower::fixed(tape)};
 }
 
 } // namespace kanexpr::derivation

@@ -14,7 +14,9 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
   using number = std::complex<Real>;
 
   static number sign(const number& x) { return scalar_math<Real>::sign(x.real()); }
-  static bool exceeds(const number& x, double bound) { return scalar_math<Real>::exceeds(x.real(), bound); }
+  static bool exceeds(const number& x, const number& bound) {
+    return scalar_math<Real>::exceeds(x.real(), bound.real());
+  }
   static void exchange_if_positive(const number& d, number& a, number& b) {
     if (d.real() > Real(0)) std::swap(a, b);
   }

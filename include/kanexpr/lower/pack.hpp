@@ -61,9 +61,9 @@ struct scalar_math<T> {
   }
 
   /// In all lanes.
-  [[gnu::always_inline]] static bool exceeds(const T& x, double bound) {
+  [[gnu::always_inline]] static bool exceeds(const T& x, const T& bound) {
     bool all = true;
-    for (int i = 0; i < lanes; ++i) all = all && of_element::exceeds(x[i], bound);
+    for (int i = 0; i < lanes; ++i) all = all && of_element::exceeds(x[i], bound[i]);
     return all;
   }
 

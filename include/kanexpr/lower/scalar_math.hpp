@@ -80,7 +80,7 @@ struct default_scalar_math {
   }
 
   /// Not-a-number exceeds nothing.
-  static bool exceeds(const T& x, double bound) { return x > from(bound); }
+  static bool exceeds(const T& x, const T& bound) { return x > bound; }
 
   static T sign(const T& x) {
     if constexpr (std::is_arithmetic_v<T>)

@@ -35,8 +35,7 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
                                                                    const partition& speeds) {
   symbolic::matrix right(g, a.jacobian.rows, 1);
   for (int i = 0; i < right.rows; ++i) right(i, 0) = -a.bias[i];
-  return symbolic::solve_linear(g, detail::columns_of(g, a.jacobian, speeds.dependent), right,
-                                symbolic::row_scales(a.jacobian));
+  return symbolic::solve_linear(g, detail::columns_of(g, a.jacobian, speeds.dependent), right, a.jacobian);
 }
 
 /// Whether they bind the rates of the speeds as the other constraints bind the speeds.

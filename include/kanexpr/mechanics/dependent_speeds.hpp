@@ -34,8 +34,8 @@ constexpr dependent_speeds solve_for_dependent_speeds(graph& g, const constraint
     right(i, free) = -c.remainder[i];
     right(i, free + 1) = -bias[i];
   }
-  const symbolic::linear_solution solved = symbolic::solve_linear(
-      g, detail::columns_of(g, c.jacobian, speeds.dependent), right, symbolic::row_scales(c.jacobian));
+  const symbolic::linear_solution solved =
+      symbolic::solve_linear(g, detail::columns_of(g, c.jacobian, speeds.dependent), right, c.jacobian);
   dependent_speeds out{symbolic::matrix(g, rows, free), {}, {}, solved.blocks};
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < free; ++j) out.on_independent(i, j) = solved.x(i, j);

@@ -60,7 +60,9 @@ public:
   /// u̇ of all speeds.
   constexpr const sequence<expression>& accelerations() {
     if (!udot_.empty()) return udot_;
-    const sequence<expression> independent = symbolic::solve_symmetric(*m_.g, mass(), force());
+    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, mass(), force());
+    const sequence<expression>& independent = solved.x;
+    pivots_ = solved.pivots;
     udot_.resize(m_.speeds.size(), m_.zero());
     for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
     for (int d = 0; d < speeds_.dependent.size(); ++d) {
@@ -69,6 +71,9 @@ public:
     }
     return udot_;
   }
+
+  /// What the mass matrix was divided by for them.
+  constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
   /// F_i + Aᵀ F_d.
   constexpr sequence<expression> reduce(const sequence<expression>& forces) {
@@ -171,6 +176,7 @@ private:
   dependent_speeds dependent_;
   symbolic::matrix free_mass_, coupling_, mass_, lambda_;
   sequence<expression> free_force_, force_, udot_;
+  sequence<symbolic::pivot> pivots_;
 };
 
 } // namespace kanexpr::mechanics

@@ -3,9 +3,11 @@
 #include <kanexpr/mechanics/check.hpp>
 #include <kanexpr/mechanics/check_constraints.hpp>
 #include <kanexpr/mechanics/check_lagrange.hpp>
+#include <kanexpr/mechanics/check_mass.hpp>
 #include <kanexpr/mechanics/dynamics.hpp>
 #include <kanexpr/mechanics/energy.hpp>
 #include <kanexpr/mechanics/linearizer.hpp>
+#include <kanexpr/mechanics/positive_mass.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/singular.hpp>
 #include <kanexpr/mechanics/system_form.hpp>
@@ -175,6 +177,7 @@ public:
     if (any)
       for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
+    for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
     return live_guards(*m_->g, all, outputs);
   }
 
@@ -233,8 +236,21 @@ private:
 
   constexpr const symbolic::matrix& mass() {
     const symbolic::matrix& formed = dynamics_.mass();
-    if (!mistake_) mistake_ = check_mass_matrix(*m_, speeds_, formed);
+    if (mistake_ || is_mass_checked_) return formed;
+    is_mass_checked_ = true;
+    mistake_ = check_mass_matrix(*m_, speeds_, formed);
+    is_mass_positive_ = !m_->has_lagrangian && energy_of_motion(s_).is_positive();
+    if (!mistake_ && !is_mass_positive_) mistake_ = check_same_mass(*m_, speeds_, formed);
     return formed;
+  }
+  /// Those of the mass matrix that may vanish.
+  constexpr sequence<symbolic::pivot> pivots() const {
+    if (is_mass_positive_) return {};
+    sequence<symbolic::pivot> all = dynamics_.pivots();
+    for (const auto* any : {&linearizer_, &free_linearizer_})
+      if (*any)
+        for (const symbolic::pivot& p : (*any)->pivots()) all.push(p);
+    return all;
   }
   constexpr const sequence<expression>& accelerations() {
     mass(); // which may be a mistake
@@ -284,7 +300,7 @@ private:
   symbolic::matrix configuration_; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_, coordinates_;
   dynamics dynamics_{s_, constraints_, speeds_};
-  bool is_constrained_ = false, has_motion_ = false;
+  bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_positive_ = false;
   motion motion_;
   std::optional<mechanics::linearizer> linearizer_, full_linearizer_, free_linearizer_;
 };

@@ -33,43 +33,13 @@ struct solved_rates {
   sequence<symbolic::solved_block> blocks;
 };
 
-namespace detail {
-
-/// Whether an equation has one rate, with a number before it: it is no block that can be singular.
-constexpr bool is_always_solvable(const linear_kinematics& k, int i) {
-  int rates = 0;
-  for (int j = 0; j < k.k_rates.columns; ++j) {
-    if (k.k_rates(i, j).is_zero()) continue;
-    if (++rates > 1 || !k.k_rates(i, j).is_constant()) return false;
-  }
-  return true;
-}
-
-/// How large the coefficients of each equation are, those of the speeds included: where the coefficients of
-/// all rates vanish beside them, the equation settles no rate.
-constexpr sequence<expression> scales_of(const mechanism& m, const linear_kinematics& k) {
-  sequence<expression> scales;
-  for (int i = 0; i < k.k_rates.rows; ++i) {
-    expression sum = m.zero();
-    if (!is_always_solvable(k, i)) {
-      for (int j = 0; j < k.k_rates.columns; ++j) sum += abs(k.k_rates(i, j));
-      for (const expression& u : m.speeds) sum += abs(symbolic::differentiate(m.kinematics[i], u));
-    }
-    scales.push(sum);
-  }
-  return scales;
-}
-
-} // namespace detail
-
 /// q̇ as expressions of q, u and t. An unsolvable part leaves its rates zero (`check` has named the mistake
 /// before).
 constexpr solved_rates solve_kinematics(const mechanism& m) {
   const linear_kinematics k = linear_in_rates(m);
   symbolic::matrix right(*m.g, k.k_rates.rows, 1);
   for (int i = 0; i < k.k_rates.rows; ++i) right(i, 0) = -k.remainder[i];
-  const symbolic::linear_solution solved =
-      symbolic::solve_linear(*m.g, k.k_rates, right, detail::scales_of(m, k));
+  const symbolic::linear_solution solved = symbolic::solve_linear(*m.g, k.k_rates, right);
   return {solved.x.entries, solved.blocks};
 }
 

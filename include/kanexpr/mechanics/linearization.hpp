@@ -36,7 +36,7 @@ constexpr symbolic::linear_solution solve_for_rates(graph& g, const implicit_lin
   for (int i = 0; i < right.rows; ++i)
     for (int j = 0; j < right.columns; ++j)
       right(i, j) = j < given.state.columns ? given.state(i, j) : given.input(i, j - given.state.columns);
-  return symbolic::solve_linear(g, given.mass, right, {});
+  return symbolic::solve_linear(g, given.mass, right);
 }
 
 /// Some rows of changes, of which the last columns are those of `inputs`.

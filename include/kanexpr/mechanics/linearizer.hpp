@@ -21,6 +21,8 @@ public:
 
   constexpr const general_form& form() const { return form_; }
   constexpr const mechanics::variations& variations() const { return variations_; }
+  /// What the mass matrix was divided by, perhaps several times the same.
+  constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
   constexpr const implicit_linearization& implicit_form() {
     if (implicit_.mass.rows != 0) return implicit_;
@@ -150,8 +152,9 @@ private:
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
       for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
-      const sequence<expression> rates = symbolic::solve_symmetric(g_, form_.known.mass, right);
-      for (int i = 0; i < out.rows; ++i) out(i, j) = rates[i];
+      const symbolic::symmetric_solution rates = symbolic::solve_symmetric(g_, form_.known.mass, right);
+      for (int i = 0; i < out.rows; ++i) out(i, j) = rates.x[i];
+      for (const symbolic::pivot& p : rates.pivots) pivots_.push(p);
     }
     return out;
   }
@@ -206,7 +209,7 @@ private:
     symbolic::matrix transposed(g_, bound.size(), bound.size());
     for (int i = 0; i < bound.size(); ++i)
       for (int j = 0; j < bound.size(); ++j) transposed(i, j) = form_.known.on_udot(j, bound[i]);
-    return symbolic::solve_linear(g_, transposed, form_.known.coupling, {}).x;
+    return symbolic::solve_linear(g_, transposed, form_.known.coupling).x;
   }
 
   /// What f_a = 0 gives δu̇_d beside its share of δu̇_i, a column for each direction.
@@ -218,7 +221,7 @@ private:
       for (int k = 0; k < rows; ++k) on_dependent(i, k) = form_.known.on_udot(i, form_.speeds.dependent[k]);
       for (int j = 0; j < right.columns; ++j) right(i, j) = -change(i, j);
     }
-    return symbolic::solve_linear(g_, on_dependent, right, {}).x;
+    return symbolic::solve_linear(g_, on_dependent, right).x;
   }
 
   graph& g_;
@@ -227,6 +230,7 @@ private:
   implicit_linearization implicit_;
   explicit_linearization explicit_;
   symbolic::matrix rates_;
+  sequence<symbolic::pivot> pivots_;
 };
 
 } // namespace kanexpr::mechanics

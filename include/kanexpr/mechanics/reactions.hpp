@@ -27,7 +27,7 @@ constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, 
     right(i, 0) = -imbalance_of_dependent[i];
     for (int j = 0; j < rows; ++j) transposed(i, j) = c.jacobian(j, speeds.dependent[i]);
   }
-  return symbolic::solve_linear(g, transposed, right, {});
+  return symbolic::solve_linear(g, transposed, right);
 }
 
 /// What acts along the partial velocities of each auxiliary speed to keep it zero: −(F_a + F_a* + J_aᵀ λ).

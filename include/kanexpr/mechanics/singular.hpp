@@ -8,10 +8,10 @@
 /// Where a system of linear equations on the way to a result may have no solution at some states.
 namespace kanexpr::mechanics {
 
-/// One such system: how far from singular it is, from 1 down to 0, and what to say where it is singular.
+/// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
 struct guard {
   int key = 0; ///< the node that all results rest on which need the solution
-  expression regularity;
+  expression measure, scale;
   problem cause;
 };
 
@@ -19,7 +19,7 @@ constexpr sequence<guard> guards_of_rates(const mechanism& m,
                                           const sequence<symbolic::solved_block>& blocks) {
   sequence<guard> guards;
   for (const symbolic::solved_block& b : blocks)
-    guards.push({b.key, b.regularity,
+    guards.push({b.key, b.measure, b.scale,
                  sentence({"the kinematic differential equations cannot be solved for the rate of ",
                            enumerated(m, m.coordinates, b.columns, "coordinate").view(), " at this state"})});
   return guards;
@@ -34,7 +34,7 @@ constexpr sequence<guard> guards_of_constraints(const sequence<int>& dependent,
   for (const symbolic::solved_block& b : blocks) {
     sequence<int> places;
     for (int d : b.columns) places.push(dependent[d]);
-    guards.push({b.key, b.regularity,
+    guards.push({b.key, b.measure, b.scale,
                  sentence({"the constraints cannot be solved for the dependent ", called(places).view(),
                            " at this state"})});
   }
@@ -52,6 +52,22 @@ constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& 
                                            const sequence<symbolic::solved_block>& blocks) {
   return guards_of_constraints(speeds.dependent, blocks,
                                [&](const sequence<int>& places) { return speeds_called(m, places); });
+}
+
+/// Of the pivots of a mass matrix, each once. Those of bodies are positive; a Lagrangian may have others.
+constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& speeds,
+                                         const sequence<symbolic::pivot>& pivots) {
+  sequence<guard> guards;
+  for (const symbolic::pivot& p : pivots) {
+    bool is_new = true;
+    for (const guard& g : guards) is_new = is_new && g.key != p.key;
+    if (!is_new) continue;
+    const problem which = speeds_called(m, {speeds.independent[p.place]});
+    guards.push({p.key, m.has_lagrangian ? abs(p.value) : p.value, m.has_lagrangian ? abs(p.entry) : p.entry,
+                 sentence({"the mass matrix is ", m.has_lagrangian ? "singular" : "not positive definite",
+                           " at this state: its elimination fails at the ", which.view()})});
+  }
+  return guards;
 }
 
 /// Those that some outputs rest on.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <kanexpr/mechanics/problem.hpp>
-
 #include <limits>
+#include <string_view>
 #include <type_traits>
 
 namespace kanexpr {
@@ -11,30 +10,25 @@ namespace kanexpr {
 /// beside it mean nothing.
 class status {
 public:
-  static constexpr int room = 32; ///< for causes
-
   constexpr status() = default;
-  constexpr status(const mechanics::problem* causes, unsigned failed) : causes_(causes), failed_(failed) {}
+  /// The first of what could not be solved, as a sentence ended by a zero that outlives the status.
+  constexpr explicit status(const char* cause) : cause_(cause) {}
 
   /// Whether the results can be used.
-  constexpr explicit operator bool() const { return failed_ == 0; }
+  constexpr explicit operator bool() const { return cause_ == nullptr; }
 
   /// What could not be solved, as a sentence; empty: nothing.
   constexpr std::string_view cause() const {
-    int first = 0;
-    if (failed_ == 0) return {};
-    while ((failed_ >> first & 1u) == 0) ++first;
-    return causes_[first].view();
+    return cause_ != nullptr ? std::string_view(cause_) : std::string_view();
   }
 
 private:
-  const mechanics::problem* causes_ = nullptr;
-  unsigned failed_ = 0; ///< a bit for each cause
+  const char* cause_ = nullptr;
 };
 
 namespace mechanics {
 
-/// How near to singular is too near: a pivot so small beside its row that rounding decides.
+/// How near to singular is too near: what is left beside what it was made of, so small that rounding decides.
 template <class T>
 constexpr double least_regularity() {
   if constexpr (std::is_arithmetic_v<T>)

@@ -31,12 +31,14 @@ public:
 
   /// Whether all that the last call had to solve could be solved at its state.
   kanexpr::status status() const {
-    unsigned failed = 0;
-    for (int i = 0; i < causes_.size() && i < kanexpr::status::room; ++i)
-      if (!lower::scalar_math<Scalar>::exceeds(found_[result_.size() + i],
-                                               mechanics::least_regularity<Scalar>()))
-        failed |= 1u << i;
-    return {causes_.begin(), failed};
+    using math = lower::scalar_math<Scalar>;
+    for (int i = 0; i < causes_.size(); ++i) {
+      const Eigen::Index measure = result_.size() + 2 * i;
+      if (!math::exceeds(found_[measure],
+                         Scalar(math::from(mechanics::least_regularity<Scalar>()) * found_[measure + 1])))
+        return kanexpr::status(causes_[i].letters);
+    }
+    return {};
   }
 
   template <class X>
@@ -84,7 +86,10 @@ private:
                                        const symbolic::sequence<mechanics::guard>& guards) {
     symbolic::sequence<int> ids;
     for (const symbolic::expression& e : wanted.entries) ids.push(e.node());
-    for (const mechanics::guard& each : guards) ids.push(each.regularity.node());
+    for (const mechanics::guard& each : guards) {
+      ids.push(each.measure.node());
+      ids.push(each.scale.node());
+    }
     return ids;
   }
 

@@ -46,9 +46,9 @@ public:
   }
 
 private:
-  static constexpr int largest_order = 3;
-
-  constexpr bool is_small(int factorization) const { return order_of(g_, factorization) <= largest_order; }
+  constexpr bool is_small(int factorization) const {
+    return order_of(g_, factorization) <= largest_written_out;
+  }
 
   constexpr void collect(int id) {
     const node& n = g_[id];
@@ -129,7 +129,7 @@ private:
     const sequence<int> right = elements_of(g_, all.b), entries = entries_of(g_, all.a);
     const bool transposed = all.op == operation::transposed_solve;
     const int order = right.size();
-    if (order <= largest_order) {
+    if (order <= largest_written_out) {
       const solves_of_factors& uses = uses_[uses_of_[g_[n.a].a]];
       return cofactors(g_, entries, order, uses.method, uses.results).component(right, index, transposed);
     }

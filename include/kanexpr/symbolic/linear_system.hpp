@@ -12,6 +12,9 @@ constexpr sequence<int> nodes_of(const sequence<expression>& all) {
   return nodes;
 }
 
+/// Systems up to this order are written out with cofactors when they are lowered.
+inline constexpr int largest_written_out = 3;
+
 /// A square matrix made ready to solve with; no value, but what `solve` and `regularity` need.
 constexpr expression factorization(graph& g, const matrix& a) {
   return {g, factorization(g, nodes_of(a.entries), a.rows)};
@@ -32,17 +35,6 @@ constexpr sequence<expression> solve(expression factorization, const sequence<ex
 /// x in Aᵀ x = b.
 constexpr sequence<expression> solve_transposed(expression factorization, const sequence<expression>& b) {
   return solve(operation::transposed_solve, factorization, b);
-}
-
-/// The sum of the magnitudes of each row's entries.
-constexpr sequence<expression> row_scales(const matrix& a) {
-  sequence<expression> scales;
-  for (int i = 0; i < a.rows; ++i) {
-    expression sum = abs(a(i, 0));
-    for (int j = 1; j < a.columns; ++j) sum += abs(a(i, j));
-    scales.push(sum);
-  }
-  return scales;
 }
 
 /// How far a matrix is from a singular one, beside the scales of its rows: of order 1 to 3 |det|/Π scale,

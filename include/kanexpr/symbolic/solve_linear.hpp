@@ -2,6 +2,7 @@
 
 #include <kanexpr/symbolic/block_triangular.hpp>
 #include <kanexpr/symbolic/linear_system.hpp>
+#include <kanexpr/symbolic/mean_square.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -9,7 +10,8 @@ namespace kanexpr::symbolic {
 struct solved_block {
   sequence<int> rows, columns; ///< equations and unknowns
   int key = 0;                 ///< the divisor where there is one unknown, else the factorization
-  expression regularity;       ///< far from singular up to 1, singular 0
+  expression measure;          ///< far from singular as large as `scale`, singular 0
+  expression scale;
 };
 
 struct linear_solution {
@@ -30,8 +32,8 @@ namespace detail {
 
 class linear_solver {
 public:
-  constexpr linear_solver(graph& g, const matrix& a, const matrix& b, const sequence<expression>& scales)
-      : g_(g), a_(a), b_(b), scales_(scales), is_solved_(a.columns, 0) {
+  constexpr linear_solver(graph& g, const matrix& a, const matrix& b, const matrix& equations)
+      : g_(g), a_(a), b_(b), equations_(equations), is_solved_(a.columns, 0) {
     out_.x = matrix(g, a.rows, b.columns);
   }
 
@@ -105,12 +107,19 @@ private:
     return sum;
   }
 
-  constexpr expression scale_of(int i) const {
-    if (!scales_.empty()) return scales_[i];
-    expression sum{g_, graph::zero};
-    for (int j = 0; j < a_.columns; ++j) sum += abs(a_(i, j));
-    return sum;
+  /// The mean squares of a part's entries, by rows.
+  constexpr sequence<int> squares_of(const sequence<int>& rows, const sequence<int>& columns) const {
+    sequence<int> coefficients, entries, squares;
+    for (int i : rows) {
+      for (int j = 0; j < equations_.columns; ++j) coefficients.push(equations_(i, j).node());
+      for (int j : columns) entries.push(a_(i, j).node());
+    }
+    const mean_square of(g_, coefficients, entries);
+    for (int id : entries) squares.push(of[id]);
+    return squares;
   }
+
+  constexpr expression root(int square) const { return sqrt(expression{g_, square}); }
 
   /// One reciprocal is cheaper than several divisions.
   constexpr void divide(int i, int j) {
@@ -131,7 +140,7 @@ private:
       if (g_[quotient].op != operation::divide) return; // the divisor is one part of something
       key = g_[quotient].b;
     }
-    out_.blocks.push({{i}, {j}, key, abs(divisor) / expression{g_, positive_or_one(g_, scale_of(i).node())}});
+    out_.blocks.push({{i}, {j}, key, abs(divisor), root(squares_of({i}, {j})[0])});
   }
 
   constexpr int without_sign(int id) const { return g_[id].op == operation::negate ? g_[id].a : id; }
@@ -139,10 +148,8 @@ private:
   constexpr void solve(const coupled_part& part) {
     const int order = part.rows.size();
     matrix a(g_, order, order);
-    sequence<expression> scales;
     bool is_constant = true;
     for (int i = 0; i < order; ++i) {
-      scales.push(scale_of(part.rows[i]));
       for (int j = 0; j < order; ++j) {
         a(i, j) = a_(part.rows[i], part.columns[j]);
         is_constant = is_constant && a(i, j).is_constant();
@@ -156,13 +163,33 @@ private:
       for (int j = 0; j < order; ++j) out_.x(part.columns[j], column) = x[j];
     }
     if (is_constant && !constant_inverse(g_, factors.node()).empty()) return;
-    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, scales)});
+    push_block(part, factors);
+  }
+
+  /// The determinant of a small part has a mean square of its own; of a larger one rows are compared.
+  constexpr void push_block(const coupled_part& part, expression factors) {
+    const int order = part.rows.size();
+    const sequence<int> squares = squares_of(part.rows, part.columns);
+    const expression one{g_, graph::one};
+    if (order <= largest_written_out) {
+      const expression determinant = regularity(factors, sequence<expression>(order, one));
+      out_.blocks.push(
+          {part.rows, part.columns, factors.node(), determinant, root(permanent(g_, squares, order))});
+      return;
+    }
+    sequence<expression> scales;
+    for (int i = 0; i < order; ++i) {
+      expression sum{g_, graph::zero};
+      for (int j = 0; j < order; ++j) sum += expression{g_, squares[i * order + j]};
+      scales.push(sqrt(sum));
+    }
+    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, scales), one});
   }
 
   graph& g_;
   const matrix& a_;
   const matrix& b_;
-  const sequence<expression>& scales_;
+  const matrix& equations_;
   sequence<char> is_solved_; ///< by column
   linear_solution out_;
 };
@@ -170,12 +197,15 @@ private:
 } // namespace detail
 
 /// Solves A X = B, where A is square and may have zeros: block by block of its block triangular form, so an
-/// equation with one unknown left is a division. `scales` says how large the entries of each row are with
-/// which its block is compared; without them, it is the sum of their magnitudes. Unknowns that a structurally
-/// singular matrix leaves open stay zero.
-constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b,
-                                       const sequence<expression>& scales) {
-  return detail::linear_solver(g, a, b, scales).run();
+/// equation with one unknown left is a division. `equations` has a row for each equation with all of its
+/// coefficients, also those of what is no unknown here. Unknowns that a structurally singular matrix leaves
+/// open stay zero.
+constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations) {
+  return detail::linear_solver(g, a, b, equations).run();
+}
+
+constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b) {
+  return solve_linear(g, a, b, a);
 }
 
 } // namespace kanexpr::symbolic

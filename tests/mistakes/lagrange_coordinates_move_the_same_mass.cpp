@@ -1,0 +1,10 @@
+// expect: coordinates q and s move the same mass in any configuration: the mass matrix is singular
+#include "pendulum.hpp"
+
+struct B : rotated<B, A, s, A::z> {}; // what turns about its own axis is one angle
+struct End : offset<End, O, l * B::x> {};
+struct Ball : particle<Ball, End, m> {};
+
+struct System : rates_of_both<bodies<Ball>> {};
+
+int main() { use_rates<System>(); }
