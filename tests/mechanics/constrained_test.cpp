@@ -1,11 +1,7 @@
 // Random mechanisms under random constraints against Newton's and Euler's equations with Lagrange's
 // multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], with numbers alone.
 #include "bound_mechanism.hpp"
-#include "elimination.hpp"
-#include "newton_euler_dynamics.hpp"
-#include "random_constraints.hpp"
-#include "random_mechanism.hpp"
-#include "random_springs.hpp"
+#include "constrained_recipe.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,80 +15,11 @@ using elimination::product;
 using elimination::transposed;
 using kanexpr::mechanics::quantity;
 using recipe::at;
-using recipe::bound;
-using recipe::constraint;
+using recipe::columns_of;
+using recipe::entries_of;
+using recipe::speeds_of;
 
 constexpr double tolerance = 1e-11;
-
-VectorXd speeds_of(const recipe::mechanism& m) {
-  return VectorXd::Map(m.u.data(), static_cast<Index>(m.u.size()));
-}
-
-// The mechanism, its constraints, and a state that satisfies them.
-struct problem {
-  recipe::mechanism m;
-  std::vector<constraint> bounds;
-  recipe::linear_constraints linear;
-  newton_euler::dynamics free;
-  VectorXd udot, multipliers;
-  bool regular = false;
-
-  explicit problem(unsigned seed) : m(recipe::generator(seed, false).run()) {
-    if (m.u.size() < 2) return;
-    recipe::random_springs(m, seed).hang();
-    for (unsigned attempt = 0; attempt < 10 && !regular; ++attempt) {
-      bounds = recipe::random_constraints(m, 1000 * seed + attempt).run();
-      // configuration constraints are taken up after the others
-      std::stable_partition(bounds.begin(), bounds.end(),
-                            [](const constraint& c) { return c.what != bound::configuration; });
-      linear = linearized(m, bounds);
-      regular = is_regular(linear.jacobian);
-    }
-    if (!regular) return;
-    const MatrixXd& j = linear.jacobian;
-    const MatrixXd slip = product(j, speeds_of(m)) + linear.remainder;
-    const MatrixXd nearest =
-        elimination::solve(product(j, transposed(j)), slip).x; // least change of the speeds
-    for (std::size_t i = 0; i < m.u.size(); ++i)
-      for (Index r = 0; r < j.rows(); ++r) m.u[i] -= j(r, static_cast<Index>(i)) * nearest(r, 0);
-    linear = linearized(m, bounds);
-    free = newton_euler::evaluate(m);
-    solve();
-  }
-
-private:
-  // All directions of the constraints are told apart well.
-  static bool is_regular(const MatrixXd& j) {
-    return elimination::solve(j, MatrixXd::Zero(j.rows(), 1)).least_pivot > 0.02 * largest(j);
-  }
-
-  void solve() {
-    const Index p = free.mass_matrix.rows(), rows = linear.jacobian.rows();
-    MatrixXd all = MatrixXd::Zero(p + rows, p + rows), right(p + rows, 1);
-    for (Index i = 0; i < p; ++i) {
-      for (Index j = 0; j < p; ++j) all(i, j) = free.mass_matrix(i, j);
-      for (Index r = 0; r < rows; ++r)
-        all(i, p + r) = -linear.jacobian(r, i), all(p + r, i) = linear.jacobian(r, i);
-      right(i) = free.forcing(i);
-    }
-    for (Index r = 0; r < rows; ++r) right(p + r) = -linear.bias(r);
-    const elimination::solved s = elimination::solve(all, right);
-    udot = s.x.topRows(p), multipliers = s.x.bottomRows(rows);
-    regular = s.least_pivot > 1e-5 * largest(all);
-  }
-};
-
-// Entries of a vector, columns of a matrix.
-VectorXd part(const VectorXd& v, const kanexpr::symbolic::sequence<int>& which) {
-  VectorXd some(which.size());
-  for (int i = 0; i < which.size(); ++i) some(i) = v(which[i]);
-  return some;
-}
-MatrixXd part(const MatrixXd& a, const kanexpr::symbolic::sequence<int>& which) {
-  MatrixXd some(a.rows(), which.size());
-  for (int i = 0; i < which.size(); ++i) some.col(i) = a.col(which[i]);
-  return some;
-}
 
 // Of elimination without exchanges: positive for a positive definite matrix.
 double least_pivot(MatrixXd a) {
@@ -108,10 +35,10 @@ double least_pivot(MatrixXd a) {
 }
 
 struct comparison : recipe::bound_mechanism {
-  problem& expected;
+  recipe::constrained& expected;
   double conditioning = 1; // how large the dependent speeds are beside the independent ones
 
-  explicit comparison(problem& of) : bound_mechanism(of.m, of.bounds), expected(of) {}
+  explicit comparison(recipe::constrained& of) : bound_mechanism(of.m, of.bounds), expected(of) {}
 
   void run(const std::vector<int>& dependent = {}) {
     for (int u : dependent) b.dependent(built.speed(u));
@@ -135,9 +62,9 @@ private:
     const auto &d = derived.speeds().dependent, &i = derived.speeds().independent;
     const MatrixXd &j = expected.linear.jacobian, &mass = expected.free.mass_matrix;
     expect_equal(found(quantity::constraint_jacobian), j, 1, "Jacobian");
-    const MatrixXd square = part(j, d),
+    const MatrixXd square = columns_of(j, d),
                    inverse = elimination::solve(square, MatrixXd::Identity(d.size(), d.size())).x;
-    const MatrixXd a = -product(inverse, part(j, i));
+    const MatrixXd a = -product(inverse, columns_of(j, i));
     const VectorXd rest = -product(inverse, expected.linear.bias);
     conditioning = 1 + inverse.norm() * j.norm();
     expect_equal(found(quantity::dependency), a, conditioning, "dependency");
@@ -208,7 +135,7 @@ private:
     const double size = conditioning * (1 + u.norm());
     expect_equal(found(quantity::velocity_residual), VectorXd::Zero(d.size()), size, "velocity residual");
     for (int dependent : d) m.u[at(dependent)] = std::numeric_limits<double>::quiet_NaN();
-    expect_equal(found(quantity::dependent_speeds), part(u, d), size, "dependent speeds");
+    expect_equal(found(quantity::dependent_speeds), entries_of(u, d), size, "dependent speeds");
     for (int dependent : d) m.u[at(dependent)] = u(dependent) + 1;
     expect_equal(found(quantity::velocity_residual),
                  product(expected.linear.jacobian, speeds_of(m)) + expected.linear.remainder, size,
@@ -236,7 +163,7 @@ TEST(constrained, obeys_newton_euler_and_lagrange) {
   unsigned compared = 0, by_user = 0;
   for (unsigned seed = 0; compared < 300 && seed < 2000 && !HasFailure(); ++seed) {
     SCOPED_TRACE("mechanism " + std::to_string(seed));
-    problem one(seed);
+    recipe::constrained one(seed);
     if (!one.regular) continue;
     ++compared;
     comparison chosen(one);

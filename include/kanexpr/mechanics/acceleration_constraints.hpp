@@ -68,7 +68,7 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
   for (int i = 0; i < all.rows; ++i)
     for (int j = 0; j < all.columns; ++j)
       all(i, j) = i < c.size() ? c.jacobian(i, j) : given(i - c.size(), j);
-  const sequence<char> adds = independent_rows(all);
+  const sequence<char> adds = independent_rows(all, s.model);
   for (int i = 0; i < c.size(); ++i)
     if (adds[c.size() + i] != 0)
       return sentence({"acceleration constraint ", counted(i + 1).view(),

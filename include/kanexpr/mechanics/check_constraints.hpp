@@ -78,7 +78,7 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
                      several(coordinates, "coordinate").view()});
-  const sequence<char> holds = independent_rows(configuration);
+  const sequence<char> holds = independent_rows(configuration, &m);
   for (int i = 0; i < configuration.rows; ++i)
     if (holds[i] == 0)
       return sentence({"configuration constraint ", counted(i + 1).view(),
@@ -96,7 +96,7 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
                      several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view()});
-  const sequence<char> binds = independent_rows(c.jacobian);
+  const sequence<char> binds = independent_rows(c.jacobian, &m);
   for (int i = 0; i < c.size(); ++i) {
     if (binds[i] != 0) continue;
     if (c.of_configuration[i] == none)
@@ -114,8 +114,8 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
 namespace detail {
 
 /// Whether rows can be solved for some columns in any configuration at all.
-constexpr bool can_be_solved(graph& g, const symbolic::matrix& a, const sequence<int>& columns) {
-  for (char independent : independent_rows(columns_of(g, a, columns)))
+constexpr bool can_be_solved(const mechanism& m, const symbolic::matrix& a, const sequence<int>& columns) {
+  for (char independent : independent_rows(columns_of(*m.g, a, columns), &m))
     if (independent == 0) return false;
   return true;
 }
@@ -148,10 +148,10 @@ constexpr problem check_choice(const mechanism& m, const constraints& c,
     return sentence({several(placed, "dependent coordinate").view(), " for ",
                      several(configuration.rows, "configuration constraint").view(),
                      ": there must be as many"});
-  if (bound != 0 && !detail::can_be_solved(*m.g, c.jacobian, m.dependent_speeds))
+  if (bound != 0 && !detail::can_be_solved(m, c.jacobian, m.dependent_speeds))
     return sentence({"the constraints cannot be solved for the dependent ",
                      speeds_called(m, m.dependent_speeds).view(), " in any configuration"});
-  if (placed != 0 && !detail::can_be_solved(*m.g, configuration, m.dependent_coordinates))
+  if (placed != 0 && !detail::can_be_solved(m, configuration, m.dependent_coordinates))
     return sentence({"the configuration constraints cannot be solved for the dependent ",
                      enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),
                      " in any configuration"});

@@ -13,9 +13,9 @@ namespace detail {
 constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   symbolic::matrix a(*m.g, all.size(), 1);
   a.entries = all;
-  for (const numbers& state : at_generic_states(a))
+  for (const numbers& state : at_generic_states(a, &m))
     for (double e : state.entries)
-      if (e > 1e-9 || e < -1e-9) return false;
+      if (e != 0) return false;
   return true;
 }
 

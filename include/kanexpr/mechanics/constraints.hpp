@@ -77,7 +77,7 @@ constexpr constraints form_constraints(motion& k) {
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
-    const sequence<char> new_by_itself = independent_rows(jacobian);
+    const sequence<char> new_by_itself = independent_rows(jacobian, &m);
     for (int i = given; i < all.size(); ++i) kept[i] = new_by_itself[i];
   }
 

@@ -40,9 +40,9 @@ public:
     if (!mistake_) mistake_ = check_choice(*m_, constraints_, configuration_);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_);
     if (mistake_) return;
-    coordinates_ =
-        partition_of(configuration_, m_->dependent_coordinates, sequence<char>(m_->coordinates.size(), 0));
-    speeds_ = partition_of(constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
+    coordinates_ = partition_of(*m_, configuration_, m_->dependent_coordinates,
+                                sequence<char>(m_->coordinates.size(), 0));
+    speeds_ = partition_of(*m_, constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
     if (m_->auxiliary_speeds.empty()) return;
     drop_auxiliary_speeds(s_);
     has_motion_ = false;

@@ -3,7 +3,9 @@
 #include <kanexpr/mechanics/mechanism.hpp>
 #include <kanexpr/symbolic/elementary.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
+#include <kanexpr/symbolic/magnitudes.hpp>
 #include <kanexpr/symbolic/solve.hpp>
+#include <kanexpr/symbolic/typical_sizes.hpp>
 
 /// What holds in every configuration, found out by numbers: at a few states that nobody chose.
 namespace kanexpr::mechanics {
@@ -22,27 +24,132 @@ struct numbers {
   }
 };
 
-/// A matrix of expressions at three generic states; fewer where a function is not defined there.
-constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a) {
+namespace detail {
+
+/// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
+class generic_values {
+public:
+  constexpr generic_values(const graph& g, const sequence<int>& outputs, const mechanism* of)
+      : g_(&g), of_(of), sizes_(g, outputs), value_(g.size(), 0.0) {
+    const sequence<char> live = symbolic::live_nodes(g, outputs);
+    for (int id = 0; id < g.size(); ++id)
+      if (live[id] != 0 && g[id].op == symbolic::operation::symbol) symbols_.push(id);
+  }
+
+  constexpr void draw() {
+    for (int id : symbols_) {
+      random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
+      const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
+      const bool one_sign = g_->symbol_at(id).kind == symbolic::symbol_kind::parameter;
+      value_[id] = sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+    }
+    if (of_ == nullptr) return;
+    for (const frame& f : of_->frames) {
+      double square = 0;
+      for (const expression& e : f.quaternion) square += value_[e.node()] * value_[e.node()];
+      if (square == 0) continue;
+      for (const expression& e : f.quaternion) value_[e.node()] /= symbolic::elementary::sqrt(square);
+    }
+  }
+  constexpr double operator[](int symbol) const { return value_[symbol]; }
+
+private:
+  const graph* g_;
+  const mechanism* of_;
+  symbolic::typical_sizes sizes_;
+  sequence<int> symbols_;
+  sequence<double> value_;
+  std::uint64_t random_ = 88172645463325252u;
+};
+
+} // namespace detail
+
+/// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
+/// are what rounding has left of zero are zero. Of the mechanism, if it is given, the quaternions have length
+/// one.
+constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr) {
   sequence<numbers> values;
   if (a.entries.empty()) return values;
   sequence<int> outputs;
   for (const expression& e : a.entries) outputs.push(e.node());
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
-  std::uint64_t random = 88172645463325252u;
+  symbolic::magnitudes terms(g, outputs);
+  detail::generic_values generic(g, outputs, of);
   for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
-    evaluate.at([&](int id) {
-      random ^= random << 13, random ^= random >> 7, random ^= random << 17; // Marsaglia's xorshift
-      const double between = static_cast<double>(random >> 11) / 9007199254740992.0;
-      const bool one_sign = g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
-      return one_sign ? 0.5 + between : 1.8 * between - 0.9;
-    });
+    generic.draw();
+    evaluate.at([&](int id) { return generic[id]; });
     numbers found{a.rows, a.columns, {}};
     for (int id : outputs) found.entries.push(evaluate[id]);
-    if (found.finite()) values.push(found);
+    if (!found.finite()) continue;
+    terms.at(evaluate);
+    for (int i = 0; i < outputs.size(); ++i)
+      if (terms.is_nothing_of(outputs[i], found.entries[i])) found.entries[i] = 0;
+    values.push(found);
   }
   return values;
+}
+
+/// The same matrices with rows and columns scaled, all alike, so that the largest entry of each is near 1.
+/// What comes out does not depend on the units of rows and columns: scales are first handed on from entry to
+/// entry along a tree of rows and columns, which only places of entries decide.
+class equilibration {
+public:
+  constexpr explicit equilibration(const sequence<numbers>& states) {
+    if (states.empty()) return;
+    largest_ = states[0];
+    for (const numbers& a : states)
+      for (int i = 0; i < a.entries.size(); ++i) {
+        const double size = symbolic::elementary::abs(a.entries[i]);
+        double& so_far = largest_.entries[i];
+        so_far = symbolic::elementary::abs(so_far);
+        if (size > so_far) so_far = size;
+      }
+    rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
+    for (int i = 0; i < largest_.rows; ++i)
+      if (rows_[i] == 0) rows_[i] = 1, hand_on(i);
+    for (int sweeps = 0; sweeps < 2; ++sweeps) {
+      for (int j = 0; j < largest_.columns; ++j)
+        rescale(columns_[j], [&](int i) { return scaled(i, j); }, largest_.rows);
+      for (int i = 0; i < largest_.rows; ++i)
+        rescale(rows_[i], [&](int j) { return scaled(i, j); }, largest_.columns);
+    }
+  }
+
+  constexpr void apply(numbers& a) const {
+    for (int i = 0; i < a.rows; ++i)
+      for (int j = 0; j < a.columns; ++j) a.entries[i * a.columns + j] *= rows_[i] * columns_[j];
+  }
+
+private:
+  constexpr double scaled(int i, int j) const { return largest_(i, j) * rows_[i] * columns_[j]; }
+
+  /// To the columns of a row, and to the rows of these.
+  constexpr void hand_on(int row) {
+    for (int j = 0; j < largest_.columns; ++j) {
+      if (columns_[j] != 0 || largest_(row, j) == 0) continue;
+      columns_[j] = 1 / (largest_(row, j) * rows_[row]);
+      for (int i = 0; i < largest_.rows; ++i)
+        if (rows_[i] == 0 && largest_(i, j) != 0) rows_[i] = 1 / (largest_(i, j) * columns_[j]), hand_on(i);
+    }
+  }
+
+  template <class Entry>
+  static constexpr void rescale(double& scale, Entry entry, int count) {
+    double most = 0;
+    for (int k = 0; k < count; ++k)
+      if (entry(k) > most) most = entry(k);
+    if (most > 0) scale /= most;
+  }
+
+  numbers largest_; ///< of all states
+  sequence<double> rows_, columns_;
+};
+
+constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
+  const equilibration scale(states);
+  for (numbers& a : states) scale.apply(a);
+  return states;
 }
 
 /// Rows that were found independent, as an orthonormal basis.
@@ -51,7 +158,7 @@ public:
   /// Takes a row up; false where it lies in the space already.
   constexpr bool add(sequence<double> row) {
     const double whole = norm(row);
-    if (whole < 1e-12) return false;        // what rounding leaves of zero
+    if (whole == 0) return false;
     for (int twice = 0; twice < 2; ++twice) // once more for what rounding left
       for (const sequence<double>& unit : basis_) {
         const double along = dot(unit, row);
@@ -76,8 +183,8 @@ private:
 };
 
 /// Which rows of a matrix do not follow from those before them, in some configuration at least.
-constexpr sequence<char> independent_rows(const symbolic::matrix& a) {
-  const sequence<numbers> states = at_generic_states(a);
+constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mechanism* of = nullptr) {
+  const sequence<numbers> states = equilibrated(at_generic_states(a, of));
   sequence<row_space> spaces(states.size());
   sequence<char> independent;
   for (int i = 0; i < a.rows; ++i) {

@@ -22,13 +22,15 @@ namespace detail {
 /// Gaussian elimination with full pivoting at several states at once.
 class elimination_by_numbers {
 public:
-  constexpr elimination_by_numbers(const symbolic::matrix& jacobian, const sequence<char>& favoured)
-      : jacobian_(jacobian), favoured_(favoured), states_(at_generic_states(jacobian)),
+  constexpr elimination_by_numbers(const mechanism& m, const symbolic::matrix& jacobian,
+                                   const sequence<char>& favoured)
+      : jacobian_(jacobian), favoured_(favoured), states_(equilibrated(at_generic_states(jacobian, &m))),
         row_done_(jacobian.rows, 0), is_dependent_(jacobian.columns, 0) {}
 
   constexpr partition run() {
     for (int step = 0; step < jacobian_.rows; ++step) {
-      const place pivot = best();
+      place pivot = best([&](int i, int j) { return !jacobian_(i, j).is_zero(); });
+      if (pivot.row == none) pivot = best([](int, int) { return true; }); // what elimination has filled in
       if (pivot.row == none) break; // a singular constraint, which a check has named
       row_done_[pivot.row] = 1;
       is_dependent_[pivot.column] = 1;
@@ -45,13 +47,14 @@ private:
 
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  constexpr place best() const {
+  template <class Takes>
+  constexpr place best(Takes takes) const {
     sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // entries that are left
     sequence<double> largest(states_.size() * jacobian_.rows, 0.0);
     for (int i = 0; i < jacobian_.rows; ++i)
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
-        if (!jacobian_(i, j).is_zero()) ++in_row[i], ++in_column[j];
+        if (takes(i, j)) ++in_row[i], ++in_column[j];
         for (int s = 0; s < states_.size(); ++s) {
           double& l = largest[s * jacobian_.rows + i];
           if (magnitude(states_[s](i, j)) > l) l = magnitude(states_[s](i, j));
@@ -62,7 +65,7 @@ private:
     for (int i = 0; i < jacobian_.rows; ++i)
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
-        if (jacobian_(i, j).is_zero()) continue;
+        if (!takes(i, j)) continue;
         double least = 1; // of the entry beside the largest of its row, over the states
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
@@ -96,14 +99,15 @@ private:
 /// pivoting at several generic states at once, so that the choice is well conditioned at all of them, where
 /// columns and rows with few entries weigh more, so that it is cheap to solve (Markowitz). `favoured`
 /// columns are taken where they serve nearly as well.
-constexpr partition choose_dependent(const symbolic::matrix& jacobian, const sequence<char>& favoured) {
-  return detail::elimination_by_numbers(jacobian, favoured).run();
+constexpr partition choose_dependent(const mechanism& m, const symbolic::matrix& jacobian,
+                                     const sequence<char>& favoured) {
+  return detail::elimination_by_numbers(m, jacobian, favoured).run();
 }
 
 /// The user's choice, or a good one.
-constexpr partition partition_of(const symbolic::matrix& jacobian, const sequence<int>& chosen,
-                                 const sequence<char>& favoured) {
-  if (chosen.empty()) return choose_dependent(jacobian, favoured);
+constexpr partition partition_of(const mechanism& m, const symbolic::matrix& jacobian,
+                                 const sequence<int>& chosen, const sequence<char>& favoured) {
+  if (chosen.empty()) return choose_dependent(m, jacobian, favoured);
   sequence<char> is_dependent(jacobian.columns, 0);
   for (int j : chosen) is_dependent[j] = 1;
   return partition_by(is_dependent);

@@ -51,6 +51,7 @@ constexpr number operator-(const number& a) {
   return a.exact() ? number{-a.numerator, a.denominator, 0} : number{0, 0, -a.real};
 }
 
+/// What rounding leaves where decimal numbers cancel is zero: 0.1 + 0.2 - 0.3.
 constexpr number operator+(const number& a, const number& b) {
   if (a.exact() && b.exact()) {
     std::int64_t left = 0, right = 0, sum = 0, below = 0;
@@ -60,7 +61,8 @@ constexpr number operator+(const number& a, const number& b) {
         !__builtin_mul_overflow(a.denominator, b.denominator, &below))
       return exactly(sum, below);
   }
-  return real(a.value() + b.value());
+  const double x = a.value(), sum = x + b.value(), least = 0x1p-50 * (x < 0 ? -x : x);
+  return real(sum <= least && sum >= -least ? 0 : sum);
 }
 
 constexpr number operator-(const number& a, const number& b) { return a + -b; }

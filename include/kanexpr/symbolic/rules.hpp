@@ -162,6 +162,11 @@ constexpr int divide(graph& g, int a, int b) {
   return g.find_or_append({operation::divide, a, b});
 }
 
+/// What a function has near zero where its argument is rounded: the cosine of the double next to π/2 is zero.
+constexpr number beside_argument(double value, double argument) {
+  return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) && value != argument ? 0 : value);
+}
+
 /// A function of one argument.
 constexpr int apply(graph& g, operation op, int a) {
   const node x = g[a];
@@ -176,8 +181,8 @@ constexpr int apply(graph& g, operation op, int a) {
       const number below = real(elementary::sqrt(static_cast<double>(n.denominator)));
       return g.constant(above.exact() && below.exact() ? above / below : folded);
     }
-    case operation::sin: return g.constant(real(elementary::sin(value)));
-    case operation::cos: return g.constant(real(elementary::cos(value)));
+    case operation::sin: return g.constant(beside_argument(elementary::sin(value), value));
+    case operation::cos: return g.constant(beside_argument(elementary::cos(value), value));
     case operation::tan: return g.constant(real(elementary::tan(value)));
     case operation::asin: return g.constant(real(elementary::asin(value)));
     case operation::acos: return g.constant(real(elementary::acos(value)));

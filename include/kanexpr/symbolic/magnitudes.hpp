@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kanexpr/symbolic/evaluate.hpp>
+
+namespace kanexpr::symbolic {
+
+/// How large the terms are of which values are the sums. A value far below its own magnitude is what rounding
+/// has left of zero, in whatever units.
+class magnitudes {
+public:
+  constexpr magnitudes(const graph& g, const sequence<int>& outputs) : g_(&g), size_(g.size(), 0.0) {
+    const sequence<char> live = live_nodes(g, outputs);
+    for (int id = 0; id < g.size(); ++id)
+      if (live[id] != 0) live_.push(id);
+  }
+
+  /// Of what was evaluated last.
+  constexpr void at(const evaluation& value) {
+    solutions_.clear();
+    for (int id : live_) size_[id] = size_of(id, value);
+  }
+
+  constexpr double operator[](int id) const { return size_[id]; }
+
+  /// Whether no digit of a value is to be relied on, that of a constant with ten of them included.
+  constexpr bool is_nothing_of(int id, double value) const {
+    return elementary::abs(value) <= negligible * size_[id];
+  }
+
+private:
+  static constexpr double negligible = 1e-10;
+
+  constexpr double size_of(int id, const evaluation& value) {
+    const node& n = (*g_)[id];
+    const double v = elementary::abs(value[id]);
+    switch (n.op) {
+    case operation::pair:
+    case operation::factorization: return 0;
+    case operation::solve:
+    case operation::transposed_solve: return solve(id, value), 0.0;
+    case operation::component: return solutions_[first_of(n.a) + integer_at(*g_, n.b)];
+    case operation::negate:
+    case operation::abs: return size_[n.a];
+    case operation::add:
+    case operation::subtract: return size_[n.a] + size_[n.b];
+    case operation::multiply: return size_[n.a] * size_[n.b];
+    case operation::divide: return over(size_[n.a], value[n.b]) * over(size_[n.b], value[n.b]);
+    case operation::sqrt: return over(size_[n.a], v);
+    case operation::cos: return v + size_[n.a] * (size_[n.a] < 1 ? size_[n.a] : 1);
+    case operation::constant:
+    case operation::symbol:
+    case operation::regularity: return v;
+    case operation::exp: return v * (1 + size_[n.a]);
+    case operation::power: return v * (1 + over(size_[n.a], value[n.a]));
+    case operation::log: return v + over(size_[n.a], value[n.a]);
+    default: return v + size_[n.a];
+    }
+  }
+
+  static constexpr double over(double a, double b) { return b == 0 ? 0 : a / elementary::abs(b); }
+
+  /// |A⁻¹| (|A| |x| + |b|) of the solution x.
+  constexpr void solve(int id, const evaluation& value) {
+    const node& n = (*g_)[id];
+    const int order = order_of(*g_, n.a);
+    const sequence<int> entries = entries_of(*g_, n.a), right = elements_of(*g_, n.b);
+    const auto entry = [&](int i, int j) {
+      return entries[n.op == operation::solve ? i * order + j : j * order + i];
+    };
+    const factors place{order};
+    sequence<double> f(place.size(), 0.0), x(order, 0.0), terms(order, 0.0);
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j) f[place.at(i, j)] = value[entry(i, j)];
+    factorize<constant_elimination>(order, &f[0]);
+    for (int i = 0; i < order; ++i) x[i] = value[right[i]];
+    solve_factorized<constant_elimination>(order, &f[0], &x[0]);
+    for (int i = 0; i < order; ++i) {
+      terms[i] = size_[right[i]];
+      for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
+    }
+    const int first = solutions_.size();
+    solved_.push(id), places_.push(first);
+    solutions_.resize(first + order, 0.0);
+    for (int j = 0; j < order; ++j) {
+      sequence<double> unit(order, 0.0);
+      unit[j] = 1;
+      solve_factorized<constant_elimination>(order, &f[0], &unit[0]);
+      for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
+    }
+  }
+  constexpr int first_of(int solution) const {
+    int i = solved_.size() - 1;
+    while (solved_[i] != solution) --i;
+    return places_[i];
+  }
+
+  const graph* g_;
+  sequence<int> live_; ///< in the order of their numbers
+  sequence<double> size_, solutions_;
+  sequence<int> solved_, places_; ///< solve nodes, and where their solutions begin
+};
+
+} // namespace kanexpr::symbolic

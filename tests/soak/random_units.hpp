@@ -1,0 +1,36 @@
+// Units by dice.
+#pragma once
+
+#include "mechanics/dice.hpp"
+#include "mechanics/in_units.hpp"
+
+namespace soak {
+
+inline double any_power(dice& d) { return std::pow(10.0, d.between(-9, 9)); }
+inline recipe::units any_units(dice& d) {
+  const double length = any_power(d), mass = any_power(d), time = any_power(d);
+  return {length, mass, time};
+}
+
+// Results in the old units: every row and column divided by the unit that it has.
+inline Eigen::MatrixXd in_old_units(Eigen::MatrixXd found, const std::vector<double>& rows,
+                                    const std::vector<double>& columns = {}, double whole = 1) {
+  for (Eigen::Index i = 0; i < found.rows(); ++i)
+    for (Eigen::Index j = 0; j < found.cols(); ++j) {
+      found(i, j) /= rows[static_cast<std::size_t>(i)] * whole;
+      if (!columns.empty()) found(i, j) /= columns[static_cast<std::size_t>(j)];
+    }
+  return found;
+}
+
+inline std::vector<double> inverse(std::vector<double> units) {
+  for (double& unit : units) unit = 1 / unit;
+  return units;
+}
+inline std::vector<double> some_of(const std::vector<double>& units, const kanexpr::symbolic::sequence<int>& which) {
+  std::vector<double> some;
+  for (int i : which) some.push_back(units[static_cast<std::size_t>(i)]);
+  return some;
+}
+
+} // namespace soak

@@ -1,0 +1,82 @@
+// Random mechanisms in random units, as many as are asked for, against an independent evaluation.
+#include "bound.hpp"
+#include "tree.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+struct asked {
+  unsigned first = 0;
+  long trees = 80'000, bound = 20'000;
+  std::string folder = "build/soak";
+};
+
+struct tally {
+  soak::errors errors;
+  long compared = 0, left_out = 0, hostile = 0, refused = 0, failed = 0;
+};
+
+// Mechanisms of one kind from a seed on, until so many were compared.
+template <class Mechanism>
+tally go_through(const asked& a, long wanted, const char* kind) {
+  tally t;
+  for (unsigned seed = a.first; t.compared < wanted; ++seed) {
+    Mechanism one(seed);
+    if (!one.is_regular()) {
+      ++t.left_out;
+      continue;
+    }
+    ++t.compared;
+    t.errors.begin(seed);
+    one.run(t.errors);
+    t.hostile += one.hostile_visited, t.refused += one.hostile_refused;
+    if (!t.errors.reason().empty()) {
+      ++t.failed;
+      std::filesystem::create_directories(a.folder);
+      std::ofstream(a.folder + "/failures.txt", std::ios::app)
+          << kind << ' ' << seed << ": " << t.errors.reason() << '\n';
+      std::printf("%s %u failed: %s; again by: soak --first %u --%s 1 --%s 0\n", kind, seed,
+                  t.errors.reason().c_str(), seed, kind, kind[0] == 't' ? "bound" : "trees");
+      std::fflush(stdout);
+    }
+    if (t.compared % 1000 == 0) {
+      std::fprintf(stderr, "%ld %s, %ld failed\n", t.compared, kind, t.failed);
+    }
+  }
+  return t;
+}
+
+void print(const tally& t, const char* what) {
+  std::printf("\n%ld %s in units over 1e-9 to 1e9 each of length, mass and time: %ld failed\n", t.compared, what,
+              t.failed);
+  std::printf("%ld were singular at their state, and left out\n", t.left_out);
+  std::printf("%ld hostile states, of which %ld were refused with a sentence\n", t.hostile, t.refused);
+  for (const auto& [name, worst] : t.errors.by_what())
+    std::printf("  %-30s %8ld compared, worst error %.1e (seed %u)\n", name.c_str(), worst.count, worst.error,
+                worst.seed);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  asked a;
+  CLI::App line("Compares random mechanisms in random units with an independent evaluation");
+  line.add_option("--first", a.first, "The first seed");
+  line.add_option("--trees", a.trees, "How many without constraints");
+  line.add_option("--bound", a.bound, "How many with constraints");
+  line.add_option("--folder", a.folder, "Where seeds of failures are written");
+  CLI11_PARSE(line, count, words);
+  const auto begin = std::chrono::steady_clock::now();
+  const tally trees = go_through<soak::tree>(a, a.trees, "trees"), bound = go_through<soak::bound>(a, a.bound, "bound");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  print(trees, "mechanisms without constraints");
+  print(bound, "mechanisms with constraints");
+  std::printf("\n%.0f s\n", took.count());
+  return trees.failed + bound.failed == 0 ? 0 : 1;
+}
