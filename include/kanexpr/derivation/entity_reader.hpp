@@ -15,6 +15,7 @@ public:
 
   /// Reads the entities that a phrase mentions, before the mechanism is taken as complete.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
+    check_written({shape::scalar, tokens, size}, whom);
     for (int i = 0; i < size && !mistake_; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
@@ -83,6 +84,10 @@ protected:
     fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ",
           called});
   }
+  constexpr void misfit(std::string_view kind, std::string_view called, const describe::arguments& has) {
+    fail({kind, called, has.missing > 0 ? " lacks an argument" : " has an argument too many", "; write ",
+          has.form});
+  }
 
 private:
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
@@ -90,6 +95,7 @@ private:
       return fail(
           {r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
+    if (!r.fits) return misfit("frame ", r.called, r.fits);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
       fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
     if (r.orientation == describe::orientation_word::inertial && &r != from_.inertial)
@@ -106,6 +112,7 @@ private:
       return fail(
           {r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
+    if (!r.fits) return misfit("point ", r.called, r.fits);
     if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)

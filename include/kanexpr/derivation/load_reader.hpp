@@ -25,7 +25,9 @@ public:
 
 protected:
   constexpr void read_load(const load_record& r) {
+    if (!r.fits) return misfit("", name_of(r).view(), r.fits);
     if (!moves(r)) return evaluate_load(r);
+    check_written(r.value, name_of(r).view());
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
         r.what == load_word::torsional_spring)
       return fail({name_of(r).view(), " holds a velocity or derivative; it may hold coordinates only"});

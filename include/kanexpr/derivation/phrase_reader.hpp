@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derivation/senseless.hpp>
 #include <kanexpr/derivation/symbol_reader.hpp>
 #include <kanexpr/derivation/value.hpp>
 #include <kanexpr/describe/motion.hpp>
@@ -31,6 +32,7 @@ protected:
   /// What a phrase of several expressions, one after another, stands for.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
+    check_written(p, whom);
     for (int i = 0; i < p.size && !mistake_; ++i) step(p.tokens[i], stack, whom);
     return stack;
   }
@@ -59,22 +61,27 @@ protected:
     return {};
   }
 
-  /// Words that mean nothing for these kinds of quantities.
-  constexpr bool senseless(const describe::token& t, const value& a, const value& b, std::string_view whom) {
-    using describe::word;
-    const auto kind = [](const value& v) {
-      return v.kind == shape::scalar ? "a scalar" : v.kind == shape::vector ? "a vector" : "a dyadic";
-    };
-    if ((t.what == word::add || t.what == word::subtract) && a.kind != b.kind)
-      fail({part_, whom, t.what == word::add ? " adds " : " subtracts or equates ", kind(a), " and ",
-            kind(b)});
-    if (t.what == word::multiply && a.kind != shape::scalar)
-      fail({part_, whom, " multiplies ", kind(a), " by ", kind(b), "; write dot, cross or outer"});
-    if (t.what == word::divide && b.kind != shape::scalar)
-      fail({part_, whom, " divides ", kind(a), " by ", kind(b)});
-    if (t.what == word::divide && b.kind == shape::scalar && b.scalar.is_zero())
-      fail({part_, whom, " is divided by zero"});
-    return static_cast<bool>(mistake_);
+  /// Whether a step means nothing for its operands.
+  constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
+    if (makes_sense(t, a.kind)) return false;
+    if (!mistake_) mistake_ = senseless(t, a.kind, part_, whom);
+    return true;
+  }
+  constexpr bool is_senseless(const describe::token& t, const value& a, const value& b,
+                              std::string_view whom) {
+    if (makes_sense(t, a.kind, b.kind)) return false;
+    if (!mistake_) mistake_ = senseless(t, a.kind, b.kind, part_, whom);
+    return true;
+  }
+
+  /// Words that C++ has and models do not.
+  constexpr void check_written(const phrase& p, std::string_view whom) {
+    for (int i = 0; i < p.size && !mistake_; ++i) {
+      if (p.tokens[i].what != describe::word::misused) continue;
+      const std::string_view held = part_.empty() ? name_in(p) : "";
+      fail({part_, whom, held.empty() ? "" : " with ", held,
+            describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
+    }
   }
 
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
@@ -100,35 +107,38 @@ protected:
     case word::scalar_function: {
       const value b = pop();
       if (!symbolic::is_binary(t.operation)) {
+        if (is_senseless(t, b, whom)) return;
         stack.push(value::of(symbolic::apply(t.operation, b.scalar)));
         break;
       }
       const value a = pop();
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(value::of({*m_.g, symbolic::build(*m_.g, t.operation, a.scalar.node(), b.scalar.node())}));
       break;
     }
     case word::negate: stack.push(negative(m_, pop())); break;
     case word::add: {
       const value b = pop(), a = pop();
-      if (senseless(t, a, b, whom)) return;
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(sum(a, b));
       break;
     }
     case word::subtract: {
       const value b = pop(), a = pop();
-      if (senseless(t, a, b, whom)) return;
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(sum(a, negative(m_, b)));
       break;
     }
     case word::multiply: {
       const value b = pop(), a = pop();
-      if (senseless(t, a, b, whom)) return;
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(scaled(a.scalar, b));
       break;
     }
     case word::divide: {
       const value b = pop(), a = pop();
-      if (senseless(t, a, b, whom)) return;
+      if (is_senseless(t, a, b, whom)) return;
+      if (b.scalar.is_zero()) return fail({part_, whom, " is divided by zero"});
       if (a.kind == shape::scalar)
         stack.push(value::of(a.scalar / b.scalar));
       else
@@ -137,6 +147,7 @@ protected:
     }
     case word::dot: {
       const value b = pop(), a = pop();
+      if (is_senseless(t, a, b, whom)) return;
       if (a.kind == shape::dyadic)
         stack.push(value::of(dot(m_, a.dyadic, b.vector)));
       else
@@ -145,21 +156,25 @@ protected:
     }
     case word::cross: {
       const value b = pop(), a = pop();
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(value::of(cross(m_, a.vector, b.vector)));
       break;
     }
     case word::outer: {
       const value b = pop(), a = pop();
+      if (is_senseless(t, a, b, whom)) return;
       stack.push(value::of(outer(m_, a.vector, b.vector)));
       break;
     }
     case word::magnitude: {
       const value a = pop();
+      if (is_senseless(t, a, whom)) return;
       stack.push(value::of(sqrt(dot(m_, a.vector, a.vector))));
       break;
     }
     case word::normalized: {
       const value a = pop();
+      if (is_senseless(t, a, whom)) return;
       stack.push(value::of(normalized(m_, a.vector)));
       break;
     }

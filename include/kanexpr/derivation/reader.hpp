@@ -53,6 +53,8 @@ private:
   }
 
   constexpr void read_value(const phrase& p) {
+    check_written(p, "values<...>");
+    if (mistake_) return;
     const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
     const phrase right{shape::scalar, p.tokens + 1, p.size - 2};
     if (s == nullptr || !is_whole(right))
@@ -94,6 +96,9 @@ private:
   constexpr void read_body(const body_record& r) {
     if (r.calls_itself.empty()) return fail({"bodies<...> lists ", r.called, ", which is not a body"});
     if (r.called != r.calls_itself) return slip("body ", r.called, r.calls_itself);
+    if (!r.fits) return misfit("body ", r.called, r.fits);
+    if (!r.instead_of_inertia.empty())
+      return fail({"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is no inertia"});
     for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one
       if (&from_.bodies[i] == &r) return fail({"body ", r.called, " is listed twice"});
       if (from_.bodies[i].called == r.called) return fail({"two bodies are called ", r.called});

@@ -109,6 +109,8 @@ protected:
 
   /// A name means one thing in a system.
   constexpr void claim_name(const symbolic::name& called, std::string_view list) {
+    if (called.view().empty())
+      fail({"among the ", list, " is one without a name; a name is a text between quotes"});
     for (int i = 0; i < names_.size(); ++i)
       if (names_[i] == called) {
         if (lists_[i] == list)

@@ -4,49 +4,69 @@
 
 namespace kanexpr {
 
+namespace describe {
+
+/// What stands in the place of an inertia, whether it is one or not.
+template <class Inertia>
+constexpr void give_inertia(body_record& r) {
+  if constexpr (requires { Inertia::give_to(r); })
+    Inertia::give_to(r);
+  else
+    r.instead_of_inertia = type_name<Inertia>();
+}
+
+} // namespace describe
+
 /// Inertia about the mass centre from its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
-template <class Frame, auto ixx, auto iyy, auto izz, auto ixy = 0, auto iyz = 0, auto izx = 0>
+///
+/// Ixx, Iyy, Izz, and Ixy, Iyz, Izx where they are not zero.
+template <class Frame, auto... scalars>
 struct inertia {
   static constexpr void give_to(describe::body_record& r) {
-    using describe::phrase_of;
     r.inertia_axes = &describe::frame_of<Frame>;
-    const describe::phrase scalars[]{phrase_of<ixx>, phrase_of<iyy>, phrase_of<izz>,
-                                     phrase_of<ixy>, phrase_of<iyz>, phrase_of<izx>};
-    for (int i = 0; i < 6; ++i) r.inertia[i] = scalars[i];
+    if (r.fits)
+      r.fits =
+          describe::arguments_of("inertia<Frame, Ixx, Iyy, Izz, Ixy, Iyz, Izx>", sizeof...(scalars), 3, 6);
+    for (int i = 0; i < 6; ++i) r.inertia[i] = describe::given_phrases<scalars...>[i];
   }
 };
 
 /// Inertia about the mass centre as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) +
 /// …>`.
-template <auto value>
+template <auto... value>
 struct inertia_dyadic {
-  static constexpr void give_to(describe::body_record& r) { r.inertia_dyadic = describe::phrase_of<value>; }
+  static constexpr void give_to(describe::body_record& r) {
+    if (r.fits) r.fits = describe::arguments_of("inertia_dyadic<dyadic>", sizeof...(value), 1);
+    r.inertia_dyadic = describe::given_phrases<value...>[0];
+  }
 };
 
 /// An inertia that is given about another point of the body.
-template <class Point, class Inertia>
+template <class Point, class... Inertia>
 struct inertia_about {
   static constexpr void give_to(describe::body_record& r) {
-    Inertia::give_to(r);
+    if (r.fits) r.fits = describe::arguments_of("inertia_about<Point, Inertia>", sizeof...(Inertia), 1);
+    (describe::give_inertia<Inertia>(r), ...);
     r.about = &describe::point_of<Point>;
   }
 };
 
 /// A mass at a point: `struct Bob : particle<Bob, P, m> {};`
-template <class Self, class Point, auto mass>
+template <class Self, class Point, auto... mass>
 struct particle {
   static constexpr describe::body_record content() {
     describe::body_record r;
     r.called = type_name<Self>();
     r.calls_itself = r.called;
+    r.fits = describe::arguments_of("particle<Self, Point, mass>", sizeof...(mass), 1);
     r.center = &describe::point_of<Point>;
-    r.mass = describe::phrase_of<mass>;
+    r.mass = describe::given_phrases<mass...>[0];
     return r;
   }
 };
 
 /// A rigid body by its mass centre, the frame fixed in it, its mass and its inertia.
-template <class Self, class Center, class Frame, auto mass, class Inertia>
+template <class Self, class Center, class Frame, auto mass, class... Inertia>
 struct rigid_body {
   static constexpr describe::body_record content() {
     describe::body_record r;
@@ -56,7 +76,9 @@ struct rigid_body {
     r.center = &describe::point_of<Center>;
     r.frame = &describe::frame_of<Frame>;
     r.mass = describe::phrase_of<mass>;
-    Inertia::give_to(r);
+    r.fits =
+        describe::arguments_of("rigid_body<Self, Center, Frame, mass, Inertia>", sizeof...(Inertia), 1);
+    (describe::give_inertia<Inertia>(r), ...);
     return r;
   }
 };

@@ -7,10 +7,23 @@
 
 namespace kanexpr {
 
+namespace describe {
+
+/// What `dot(q) = u` stands for, a mistake.
+template <class X, class Y>
+constexpr auto assigned(const X& x, const Y& y);
+
+} // namespace describe
+
 /// A scalar of a model, written with ordinary operators: `m*r*r/4`, `u3/cos(q2)`.
 template <int size>
 struct scalar {
   describe::token tokens[size];
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// `left == right`, kept as left − right.
@@ -132,6 +145,10 @@ template <int a, describe::plain_number T>
 constexpr auto operator==(const scalar<a>& x, T y) {
   return x == describe::constant(y);
 }
+template <int a, describe::plain_number T>
+constexpr auto operator==(T x, const scalar<a>& y) {
+  return describe::constant(x) == y;
+}
 
 namespace describe {
 
@@ -178,6 +195,14 @@ template <int a, int b>
 constexpr auto atan2(const scalar<a>& y, const scalar<b>& x) {
   return describe::function_of(symbolic::operation::atan2, y, x);
 }
+template <int a, describe::plain_number T>
+constexpr auto atan2(const scalar<a>& y, T x) {
+  return atan2(y, describe::constant(x));
+}
+template <int a, describe::plain_number T>
+constexpr auto atan2(T y, const scalar<a>& x) {
+  return atan2(describe::constant(y), x);
+}
 template <int a>
 constexpr auto exp(const scalar<a>& x) {
   return describe::function_of(symbolic::operation::exp, x);
@@ -201,6 +226,10 @@ constexpr auto pow(const scalar<a>& x, const scalar<b>& exponent) {
 template <int a, describe::plain_number T>
 constexpr auto pow(const scalar<a>& x, T exponent) {
   return pow(x, describe::constant(exponent));
+}
+template <int a, describe::plain_number T>
+constexpr auto pow(T x, const scalar<a>& exponent) {
+  return pow(describe::constant(x), exponent);
 }
 
 /// An exact fraction, where a plain number would be a double: `rational<1, 3>*m`.

@@ -15,6 +15,7 @@ constexpr frame_record record_frame() {
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;
+    if (r.fits) r.fits = Frame::turns_with;
   }
   return r;
 }
@@ -60,22 +61,24 @@ struct inertial_frame : describe::axes<Self> {
 
 /// A frame turned by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
 /// N::z>`.
-template <class Self, class Parent, auto angle, auto axis>
+template <class Self, class Parent, auto... angle_and_axis>
 struct rotated : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
     describe::frame_record r;
     r.calls_itself = type_name<Self>();
+    r.fits =
+        describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2);
     r.orientation = describe::orientation_word::rotated;
     r.parent = &describe::frame_of<Parent>;
-    r.given[0] = describe::phrase_of<angle>;
-    r.axis = describe::phrase_of<axis>;
+    r.given[0] = describe::given_phrases<angle_and_axis...>[0];
+    r.axis = describe::given_phrases<angle_and_axis...>[1];
     return r;
   }
 };
 
 namespace describe {
 
-template <class Self, class Parent, orientation_word kind, text sequence, auto first, auto second, auto third>
+template <class Self, class Parent, orientation_word kind, text sequence, auto... angles>
 struct sequence_of_turns : axes<Self> {
   static constexpr frame_record orientation() {
     frame_record r;
@@ -84,9 +87,11 @@ struct sequence_of_turns : axes<Self> {
     r.parent = &frame_of<Parent>;
     for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
     if (sequence.view().size() != 3) r.sequence[0] = '?';
-    r.given[0] = phrase_of<first>;
-    r.given[1] = phrase_of<second>;
-    r.given[2] = phrase_of<third>;
+    r.fits = arguments_of(kind == orientation_word::body_fixed
+                             ? "body_fixed<Self, Parent, sequence, angle, angle, angle>"
+                             : "space_fixed<Self, Parent, sequence, angle, angle, angle>",
+                         sizeof...(angles), 3);
+    for (int i = 0; i < 3; ++i) r.given[i] = given_phrases<angles...>[i];
     return r;
   }
 };
@@ -95,52 +100,54 @@ struct sequence_of_turns : axes<Self> {
 
 /// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2,
 /// q3>`. All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
-template <class Self, class Parent, text sequence, auto first, auto second, auto third>
+template <class Self, class Parent, text sequence, auto... angles>
 struct body_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed,
-                                                sequence, first, second, third> {};
+                                                sequence, angles...> {};
 
 /// Three turns about the parent's axes, one after the other.
-template <class Self, class Parent, text sequence, auto first, auto second, auto third>
+template <class Self, class Parent, text sequence, auto... angles>
 struct space_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::space_fixed,
-                                                 sequence, first, second, third> {};
+                                                 sequence, angles...> {};
 
 /// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k of its rotation from the parent.
-template <class Self, class Parent, auto e0, auto e1, auto e2, auto e3>
+template <class Self, class Parent, auto... parameters>
 struct quaternion : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
     describe::frame_record r;
     r.calls_itself = type_name<Self>();
     r.orientation = describe::orientation_word::quaternion;
     r.parent = &describe::frame_of<Parent>;
-    r.given[0] = describe::phrase_of<e0>;
-    r.given[1] = describe::phrase_of<e1>;
-    r.given[2] = describe::phrase_of<e2>;
-    r.given[3] = describe::phrase_of<e3>;
+    r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
+    for (int i = 0; i < 4; ++i)
+      r.given[i] = describe::given_phrases<parameters...>[i];
     return r;
   }
 };
 
 /// A frame given by its direction cosine matrix, by rows: v in the parent's axes = matrix · v in the frame's
 /// axes. The columns are the frame's basis vectors in the parent's axes.
-template <class Self, class Parent, auto xx, auto xy, auto xz, auto yx, auto yy, auto yz, auto zx, auto zy,
-          auto zz>
+template <class Self, class Parent, auto... cosines>
 struct direction_cosines : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
-    using describe::phrase_of;
-    return {.called = {},
-            .calls_itself = type_name<Self>(),
-            .orientation = describe::orientation_word::direction_cosines,
-            .parent = &describe::frame_of<Parent>,
-            .given = {phrase_of<xx>, phrase_of<xy>, phrase_of<xz>, phrase_of<yx>, phrase_of<yy>,
-                      phrase_of<yz>, phrase_of<zx>, phrase_of<zy>, phrase_of<zz>}};
+    describe::frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.orientation = describe::orientation_word::direction_cosines;
+    r.parent = &describe::frame_of<Parent>;
+    r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines by rows>",
+                                   sizeof...(cosines), 9);
+    for (int i = 0; i < 9; ++i)
+      r.given[i] = describe::given_phrases<cosines...>[i];
+    return r;
   }
 };
 
 /// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always.
-template <class Reference, auto value>
+template <class Reference, auto... value>
 struct angular_velocity {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_angular_velocity = describe::phrase_of<value>;
+  static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
+  static constexpr describe::arguments turns_with =
+      describe::arguments_of("angular_velocity<Reference, vector>", sizeof...(value), 1);
 };
 
 } // namespace kanexpr

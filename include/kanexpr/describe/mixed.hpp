@@ -1,76 +1,157 @@
 #pragma once
 
-#include <kanexpr/describe/vector.hpp>
+#include <kanexpr/describe/operand.hpp>
 
-/// Expressions that mean nothing, such as `u1 + N::x`. They are kept as they stand: who reads the model knows
-/// which point or frame they belong to, and says so.
+/// Expressions that mean nothing by the kinds of their operands, such as `u1 + N::x`. They are kept as they
+/// stand: who reads the model knows which point or frame they belong to, and says so.
 namespace kanexpr {
 
-template <int a, int b>
-constexpr auto operator+(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens, describe::with(describe::word::add));
+namespace describe {
+
+template <class X, class Y>
+inline constexpr bool equates =
+    shape_of_operand<X> == shape::equation || shape_of_operand<Y> == shape::equation;
+/// One of them is no quantity at all.
+template <class X, class Y>
+inline constexpr bool strange = equates<X, Y> || std::same_as<X, bool> || std::same_as<Y, bool>;
+
+template <class X, class Y>
+concept no_sum =
+    written<X> && written<Y> && (strange<X, Y> || shape_of_operand<X> != shape_of_operand<Y>);
+template <class X, class Y>
+concept no_product = written<X> && written<Y> && (strange<X, Y> || (no_scalar<X> && no_scalar<Y>));
+template <class X, class Y>
+concept no_quotient = written<X> && written<Y> && (strange<X, Y> || no_scalar<Y>);
+/// Of two scalars, as an equation is.
+template <class X, class Y>
+concept no_function = written<X> && written<Y> && (strange<X, Y> || no_scalar<X> || no_scalar<Y>);
+template <class X, class Y>
+concept no_dot_product = written<X> && written<Y> &&
+                         (no_vector<Y> || (shape_of_operand<X> != shape::vector && shape_of_operand<X> != shape::dyadic));
+/// Of two vectors.
+template <class X, class Y>
+concept no_vectors = written<X> && written<Y> && (no_vector<X> || no_vector<Y>);
+
+/// An equation has lost its sign; of other operands the reader can say what they are.
+template <template <int> class Kind, class X>
+constexpr auto meaningless(const X& x, const token& last) {
+  return followed_by<Kind>(operand(x).tokens, equates<X, X> ? misused(misuse::inner_equation) : last);
 }
-template <int a, int b>
-constexpr auto operator+(const vector<a>& v, const scalar<b>& s) {
-  return describe::join<vector<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::word::add));
-}
-template <int a, int b>
-constexpr auto operator-(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens, describe::with(describe::word::subtract));
-}
-template <int a, int b>
-constexpr auto operator-(const vector<a>& v, const scalar<b>& s) {
-  return describe::join<vector<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::word::subtract));
-}
-template <int a, describe::plain_number T>
-constexpr auto operator+(const vector<a>& v, T x) {
-  return v + describe::constant(x);
-}
-template <describe::plain_number T, int b>
-constexpr auto operator+(T x, const vector<b>& v) {
-  return describe::constant(x) + v;
-}
-template <int a, describe::plain_number T>
-constexpr auto operator-(const vector<a>& v, T x) {
-  return v - describe::constant(x);
-}
-template <describe::plain_number T, int b>
-constexpr auto operator-(T x, const vector<b>& v) {
-  return describe::constant(x) - v;
+template <template <int> class Kind, class X, class Y>
+constexpr auto meaningless(const X& x, const Y& y, const token& last) {
+  return followed_by<Kind>(operand(x).tokens, operand(y).tokens,
+                           equates<X, Y> ? misused(misuse::inner_equation) : last);
 }
 
-template <int a, int b>
-constexpr auto operator*(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::multiply));
+} // namespace describe
+
+template <class X, class Y>
+  requires describe::no_sum<X, Y>
+constexpr auto operator+(const X& x, const Y& y) {
+  return describe::meaningless<vector>(x, y, describe::with(describe::word::add));
 }
-template <int a, int b>
-constexpr auto operator/(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens, describe::with(describe::word::divide));
+template <class X, class Y>
+  requires describe::no_sum<X, Y>
+constexpr auto operator-(const X& x, const Y& y) {
+  return describe::meaningless<vector>(x, y, describe::with(describe::word::subtract));
 }
-template <int a, int b>
-constexpr auto operator/(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::divide));
+template <class X, class Y>
+  requires describe::no_product<X, Y>
+constexpr auto operator*(const X& x, const Y& y) {
+  return describe::meaningless<vector>(x, y, describe::with(describe::word::multiply));
 }
-template <describe::plain_number T, int b>
-constexpr auto operator/(T x, const vector<b>& v) {
-  return describe::constant(x) / v;
+template <class X, class Y>
+  requires describe::no_quotient<X, Y>
+constexpr auto operator/(const X& x, const Y& y) {
+  return describe::meaningless<vector>(x, y, describe::with(describe::word::divide));
+}
+template <class X, class Y>
+  requires describe::no_function<X, Y>
+constexpr auto operator==(const X& x, const Y& y) {
+  return describe::meaningless<equation>(x, y, describe::with(describe::word::subtract));
+}
+template <int a>
+constexpr auto operator-(const equation<a>& e) {
+  return describe::meaningless<vector>(e, describe::with(describe::word::negate));
 }
 
-template <int a, int b>
-constexpr auto operator==(const vector<a>& v, const vector<b>& w) {
-  return describe::join<equation<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::subtract));
+template <class X, class Y>
+  requires describe::no_dot_product<X, Y>
+constexpr auto dot(const X& x, const Y& y) {
+  return describe::meaningless<scalar>(x, y, describe::with(describe::word::dot));
 }
-template <int a, int b>
-constexpr auto operator==(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<equation<a + b + 1>>(s.tokens, v.tokens, describe::with(describe::word::subtract));
+template <class X, class Y>
+  requires describe::no_vectors<X, Y>
+constexpr auto cross(const X& x, const Y& y) {
+  return describe::meaningless<vector>(x, y, describe::with(describe::word::cross));
 }
-template <int a, int b>
-constexpr auto operator==(const vector<a>& v, const scalar<b>& s) {
-  return describe::join<equation<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::word::subtract));
+template <class X, class Y>
+  requires describe::no_vectors<X, Y>
+constexpr auto outer(const X& x, const Y& y) {
+  return describe::meaningless<dyadic>(x, y, describe::with(describe::word::outer));
 }
-template <int a, describe::plain_number T>
-constexpr auto operator==(const vector<a>& v, T x) {
-  return v == describe::constant(x);
+template <describe::no_vector X>
+constexpr auto magnitude(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(describe::word::magnitude));
+}
+template <describe::no_vector X>
+constexpr auto normalized(const X& x) {
+  return describe::meaningless<vector>(x, describe::with(describe::word::normalized));
+}
+
+template <describe::no_scalar X>
+constexpr auto sqrt(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sqrt));
+}
+template <describe::no_scalar X>
+constexpr auto sin(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sin));
+}
+template <describe::no_scalar X>
+constexpr auto cos(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cos));
+}
+template <describe::no_scalar X>
+constexpr auto tan(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tan));
+}
+template <describe::no_scalar X>
+constexpr auto asin(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::asin));
+}
+template <describe::no_scalar X>
+constexpr auto acos(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::acos));
+}
+template <describe::no_scalar X>
+constexpr auto atan(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::atan));
+}
+template <describe::no_scalar X>
+constexpr auto exp(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::exp));
+}
+template <describe::no_scalar X>
+constexpr auto log(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::log));
+}
+template <describe::no_scalar X>
+constexpr auto abs(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::abs));
+}
+template <describe::no_scalar X>
+constexpr auto sign(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sign));
+}
+template <class X, class Y>
+  requires describe::no_function<X, Y>
+constexpr auto atan2(const X& x, const Y& y) {
+  return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::atan2));
+}
+template <class X, class Y>
+  requires describe::no_function<X, Y>
+constexpr auto pow(const X& x, const Y& y) {
+  return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::power));
 }
 
 } // namespace kanexpr

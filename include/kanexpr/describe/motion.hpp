@@ -23,34 +23,52 @@ constexpr vector<1> motion_of(word what, const frame_record* frame) {
 constexpr token by_symbol(word what, const scalar<1>& symbol) {
   token t = with(what);
   t.symbol = symbol.tokens[0].symbol;
-  return t;
+  return t.symbol != nullptr ? t : misused(misuse::partial);
+}
+
+template <class T>
+concept no_symbol = written<T> && !std::derived_from<T, scalar<1>>;
+
+/// Motions are those in the inertial frame; `velocity_of<P, N>` is a mistake.
+template <class... Others>
+constexpr auto in_the_inertial_frame(const vector<1>& motion) {
+  if constexpr (sizeof...(Others) == 0)
+    return motion;
+  else
+    return misused<vector>(motion, misuse::seen_motion);
 }
 
 } // namespace describe
 
 /// The position of `Point` from `From`; both must hang on one origin.
-template <class Point, class From>
+template <class Point, class... From>
 inline constexpr auto position_of =
+    describe::misused<vector>(describe::motion_of(describe::word::position, &describe::point_of<Point>),
+                              describe::misuse::points);
+
+template <class Point, class From>
+inline constexpr auto position_of<Point, From> =
     describe::motion_of(describe::word::position, &describe::point_of<Point>) -
     describe::motion_of(describe::word::position, &describe::point_of<From>);
 
 /// Velocity of a point in the inertial frame.
-template <class Point>
-inline constexpr auto velocity_of = describe::motion_of(describe::word::velocity, &describe::point_of<Point>);
+template <class Point, class... In>
+inline constexpr auto velocity_of = describe::in_the_inertial_frame<In...>(
+    describe::motion_of(describe::word::velocity, &describe::point_of<Point>));
 
 /// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
-template <class Point>
-inline constexpr auto acceleration_of =
-    describe::motion_of(describe::word::acceleration, &describe::point_of<Point>);
+template <class Point, class... In>
+inline constexpr auto acceleration_of = describe::in_the_inertial_frame<In...>(
+    describe::motion_of(describe::word::acceleration, &describe::point_of<Point>));
 
 /// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
-template <class Frame>
-inline constexpr auto angular_velocity_of =
-    describe::motion_of(describe::word::angular_velocity, &describe::frame_of<Frame>);
+template <class Frame, class... In>
+inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(
+    describe::motion_of(describe::word::angular_velocity, &describe::frame_of<Frame>));
 
-template <class Frame>
-inline constexpr auto angular_acceleration_of =
-    describe::motion_of(describe::word::angular_acceleration, &describe::frame_of<Frame>);
+template <class Frame, class... In>
+inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(
+    describe::motion_of(describe::word::angular_acceleration, &describe::frame_of<Frame>));
 
 /// The time derivative of a vector as it is seen in `Frame`.
 template <class Frame, int a>
@@ -85,6 +103,34 @@ constexpr vector<a + 1> partial(const vector<a>& v, const scalar<1>& symbol) {
   return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::word::partial, symbol));
 }
 
+template <class X, describe::no_symbol Symbol>
+  requires describe::expression_of_a_model<X>
+constexpr auto partial(const X& x, const Symbol& by) {
+  return describe::misused<vector>(x, by, describe::misuse::partial);
+}
+
+// derivatives and axes that do not fit what they are asked of
+template <describe::no_scalar X>
+constexpr auto derivative(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::unseen_derivative);
+}
+template <class Frame, describe::no_vector X>
+constexpr auto derivative_in(const X& x) {
+  return describe::misused<vector>(x, describe::misuse::seen_scalar);
+}
+template <describe::written X>
+constexpr auto derivative_in(const X& x) {
+  return describe::misused<vector>(x, describe::misuse::unseen_derivative);
+}
+template <class Frame, describe::no_vector X>
+constexpr auto in_axes_of(const X& x) {
+  return describe::misused<vector>(x, describe::misuse::axes);
+}
+template <describe::written X>
+constexpr auto in_axes_of(const X& x) {
+  return describe::misused<vector>(x, describe::misuse::axes);
+}
+
 /// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial
 /// axes.
 template <int a, int columns>
@@ -94,17 +140,21 @@ struct jacobian_matrix {
   describe::token by[columns];
 };
 
-template <int a, class... Symbols>
+template <int a, std::derived_from<scalar<1>>... Symbols>
 constexpr auto jacobian(const vector<a>& v, const Symbols&... symbols) {
   jacobian_matrix<a, sizeof...(Symbols)> j{true, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
   for (int i = 0; i < a; ++i) j.tokens[i] = v.tokens[i];
   return j;
 }
-template <int a, class... Symbols>
+template <int a, std::derived_from<scalar<1>>... Symbols>
 constexpr auto jacobian(const scalar<a>& s, const Symbols&... symbols) {
   jacobian_matrix<a, sizeof...(Symbols)> j{false, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
   for (int i = 0; i < a; ++i) j.tokens[i] = s.tokens[i];
   return j;
+}
+template <describe::expression_of_a_model X, class... Symbols>
+constexpr auto jacobian(const X& x, const Symbols&...) {
+  return describe::misused<vector>(x, describe::misuse::partial);
 }
 
 } // namespace kanexpr

@@ -15,6 +15,7 @@ constexpr point_record record_point() {
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;
     r.velocity = Point::declared_velocity;
+    if (r.fits) r.fits = Point::moves_with;
   }
   return r;
 }
@@ -25,25 +26,28 @@ inline constexpr point_record point_of = record_point<Point>();
 } // namespace describe
 
 /// A point that does not move in the inertial frame: `struct O : origin<O, N> {};`
-template <class Self, class Frame>
+template <class Self, class... Frame>
 struct origin {
   static constexpr describe::point_record place() {
+    const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
     describe::point_record r;
     r.calls_itself = type_name<Self>();
-    r.origin_of = &describe::frame_of<Frame>;
+    r.fits = describe::arguments_of("origin<Self, Frame>", sizeof...(Frame), 1);
+    r.origin_of = frames[0];
     return r;
   }
 };
 
 /// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the
 /// vector's change in time, unless `fixed_in` or `velocity` says how it moves.
-template <class Self, class From, auto vector>
+template <class Self, class From, auto... vector>
 struct offset {
   static constexpr describe::point_record place() {
     describe::point_record r;
     r.calls_itself = type_name<Self>();
     r.parent = &describe::point_of<From>;
-    r.offset = describe::phrase_of<vector>;
+    r.fits = describe::arguments_of("offset<Self, From, vector>", sizeof...(vector), 1);
+    r.offset = describe::given_phrases<vector...>[0];
     return r;
   }
 };
@@ -56,10 +60,12 @@ struct fixed_in {
 
 /// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the
 /// point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
-template <class Reference, auto value>
+template <class Reference, auto... value>
 struct velocity {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_velocity = describe::phrase_of<value>;
+  static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
+  static constexpr describe::arguments moves_with =
+      describe::arguments_of("velocity<Reference, vector>", sizeof...(value), 1);
 };
 
 } // namespace kanexpr

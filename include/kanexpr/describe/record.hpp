@@ -1,22 +1,13 @@
 #pragma once
 
+#include <kanexpr/describe/arguments.hpp>
+#include <kanexpr/describe/mistaken.hpp>
 #include <kanexpr/describe/mixed.hpp>
+#include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/text.hpp>
 
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
 namespace kanexpr::describe {
-
-/// What an expression turns out to be.
-enum class shape : unsigned char {
-  nothing,
-  scalar,
-  vector,
-  dyadic,
-  equation,
-  vanishing, ///< zero_along
-  turning,   ///< kinematics_of
-  foreign,   ///< it is none
-};
 
 /// An expression in static storage.
 struct phrase {
@@ -66,6 +57,12 @@ struct stored {
 template <auto value>
 inline constexpr phrase phrase_of = stored<value>::words;
 
+/// The phrases for the expressions that a word is given, and behind them zeros for those that it is not.
+template <auto... values>
+inline constexpr phrase given_phrases[]{phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>,
+                                        phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>,
+                                        phrase_of<0>,         phrase_of<0>};
+
 enum class orientation_word : unsigned char {
   inertial,
   rotated,
@@ -78,6 +75,7 @@ enum class orientation_word : unsigned char {
 struct frame_record {
   std::string_view called;
   std::string_view calls_itself; ///< the first template argument of its orientation
+  arguments fits{};
   orientation_word orientation = orientation_word::inertial;
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
@@ -90,6 +88,7 @@ struct frame_record {
 struct point_record {
   std::string_view called;
   std::string_view calls_itself;
+  arguments fits{};
   const point_record* parent = nullptr; ///< none: an origin
   const frame_record* origin_of = nullptr;
   phrase offset{};
@@ -101,6 +100,7 @@ struct point_record {
 struct body_record {
   std::string_view called;
   std::string_view calls_itself;
+  arguments fits{};
   bool rigid = false;
   const point_record* center = nullptr;
   const frame_record* frame = nullptr;
@@ -109,6 +109,7 @@ struct body_record {
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
+  std::string_view instead_of_inertia; ///< what stands in its place and is none
 };
 
 enum class load_word : unsigned char {
@@ -125,6 +126,7 @@ enum class load_word : unsigned char {
 
 struct load_record {
   load_word what{};
+  arguments fits{};
   const point_record* point = nullptr;
   const point_record* other_point = nullptr; ///< of two points, or none
   const frame_record* frame = nullptr;

@@ -35,12 +35,22 @@ template <text called, int index = unnumbered>
 struct coordinate : scalar<1> {
   constexpr coordinate()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate, called, index>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// A generalized speed.
 template <text called, int index = unnumbered>
 struct speed : scalar<1> {
   constexpr speed() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::speed, called, index>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// A constant of the system, given with each evaluation or bound in the type by `values`.
@@ -48,12 +58,22 @@ template <text called, int index = unnumbered>
 struct parameter : scalar<1> {
   constexpr parameter()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::parameter, called, index>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// A force, torque or other quantity that is given with each evaluation and may change at will.
 template <text called, int index = unnumbered>
 struct input : scalar<1> {
   constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// A quantity that is known as a function of time: `constexpr prescribed<"theta"> theta;` Its value and its
@@ -62,12 +82,22 @@ template <text called, int index = unnumbered, int order = 0>
 struct prescribed : scalar<1> {
   constexpr prescribed()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index, order>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// The time, for what depends on it explicitly.
 struct time_variable : scalar<1> {
   constexpr time_variable()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// The rate dq/dt of a coordinate, `dot(q)`.
@@ -75,6 +105,11 @@ template <text called, int index = unnumbered>
 struct coordinate_rate : scalar<1> {
   constexpr coordinate_rate()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>()) {}
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 template <text called, int index>

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 namespace kanexpr {
 
@@ -14,8 +15,17 @@ struct text {
   constexpr text(const char (&literal)[size]) {
     for (std::size_t i = 0; i < size; ++i) letters[i] = literal[i];
   }
+  /// Of something that is no string literal: no letters, which who reads a name will refuse.
+  template <class T>
+    requires(!std::is_convertible_v<const T&, std::string_view>)
+  constexpr text(const T&) {}
+
   constexpr std::string_view view() const { return {letters, size - 1}; }
 };
+
+template <class T>
+  requires(!std::is_convertible_v<const T&, std::string_view>)
+text(const T&) -> text<1>;
 
 /// The name of a type as its model wrote it, without namespaces: `Link<3>`.
 template <class T>

@@ -43,6 +43,7 @@ enum class word : unsigned char {
   derivative, ///< in time; of a vector as `frame` sees it
   partial,    ///< by `symbol`
   in_axes,    ///< of `frame`
+  misused,    ///< means nothing in a model: `index` is the describe::misuse
 };
 
 struct token {

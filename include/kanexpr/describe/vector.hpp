@@ -8,6 +8,11 @@ namespace kanexpr {
 template <int size>
 struct vector {
   describe::token tokens[size];
+
+  template <class T>
+  constexpr auto operator=(const T& other) const {
+    return describe::assigned(*this, other);
+  }
 };
 
 /// A sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.
@@ -19,6 +24,10 @@ struct dyadic {
 template <int a>
 constexpr vector<a + 1> operator-(const vector<a>& v) {
   return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::word::negate));
+}
+template <int a>
+constexpr const vector<a>& operator+(const vector<a>& v) {
+  return v;
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator+(const vector<a>& v, const vector<b>& w) {
@@ -76,6 +85,10 @@ template <int a, int b>
 constexpr dyadic<a + b + 1> outer(const vector<a>& v, const vector<b>& w) {
   return describe::join<dyadic<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::outer));
 }
+template <int a>
+constexpr dyadic<a + 1> operator-(const dyadic<a>& d) {
+  return describe::join<dyadic<a + 1>>(d.tokens, describe::with(describe::word::negate));
+}
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator+(const dyadic<a>& d, const dyadic<b>& e) {
   return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens, describe::with(describe::word::add));
@@ -95,6 +108,18 @@ constexpr dyadic<a + b + 1> operator*(const dyadic<a>& d, const scalar<b>& s) {
 template <describe::plain_number T, int b>
 constexpr auto operator*(T s, const dyadic<b>& d) {
   return describe::constant(s) * d;
+}
+template <int a, describe::plain_number T>
+constexpr auto operator*(const dyadic<a>& d, T s) {
+  return describe::constant(s) * d;
+}
+template <int a, int b>
+constexpr dyadic<a + b + 1> operator/(const dyadic<a>& d, const scalar<b>& s) {
+  return describe::join<dyadic<a + b + 1>>(d.tokens, s.tokens, describe::with(describe::word::divide));
+}
+template <int a, describe::plain_number T>
+constexpr auto operator/(const dyadic<a>& d, T s) {
+  return d / describe::constant(s);
 }
 /// The vector d·v.
 template <int a, int b>

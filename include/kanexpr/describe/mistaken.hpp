@@ -1,0 +1,218 @@
+#pragma once
+
+#include <kanexpr/describe/operand.hpp>
+
+/// Operators and functions that C++ has and models do not, such as `dot(q) = u` and `q^2`. What is written
+/// with them is kept, with the mistake behind it: who reads the model knows where it stands, and says so.
+namespace kanexpr {
+
+namespace describe {
+
+template <class X>
+concept expression_of_a_model = written<X> && std::is_class_v<X>;
+template <class X, class Y>
+concept operands_of_a_model = written<X> && written<Y> && (std::is_class_v<X> || std::is_class_v<Y>);
+
+template <template <int> class Kind, class X>
+constexpr auto misused(const X& x, misuse what) {
+  return followed_by<Kind>(operand(x).tokens, misused(what));
+}
+template <template <int> class Kind, class X, class Y>
+constexpr auto misused(const X& x, const Y& y, misuse what) {
+  return followed_by<Kind>(operand(x).tokens, operand(y).tokens, misused(what));
+}
+
+template <class X, class Y>
+constexpr auto assigned(const X& x, const Y& y) {
+  return misused<equation>(x, y, misuse::assignment);
+}
+
+} // namespace describe
+
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator!=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator<(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator>(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator<=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator>=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator&&(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::junction);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator||(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::junction);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator^(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::caret);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator%(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::remainder);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator&(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::bits);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator|(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::bits);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator<<(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::bits);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator>>(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::bits);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator!(const X& x) {
+  return describe::misused<equation>(x, describe::misuse::denial);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator~(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::bits);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator*(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::bits);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator+=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::change);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator-=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::change);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator*=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::change);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator/=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::change);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator++(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::change);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator++(const X& x, int) {
+  return describe::misused<scalar>(x, describe::misuse::change);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator--(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::change);
+}
+template <describe::expression_of_a_model X>
+constexpr auto operator--(const X& x, int) {
+  return describe::misused<scalar>(x, describe::misuse::change);
+}
+
+template <describe::expression_of_a_model X>
+constexpr auto dot(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::rate);
+}
+
+template <describe::expression_of_a_model X>
+constexpr auto sinh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto cosh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto tanh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto asinh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto acosh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto atanh(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto cbrt(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto exp2(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto log2(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto log10(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto floor(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto ceil(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto round(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <describe::expression_of_a_model X>
+constexpr auto fabs(const X& x) {
+  return describe::misused<scalar>(x, describe::misuse::function);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto hypot(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::function);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto fmod(const X& x, const Y& y) {
+  return describe::misused<scalar>(x, y, describe::misuse::function);
+}
+
+} // namespace kanexpr

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string_view>
+
+namespace kanexpr::describe {
+
+/// What C++ lets a person write and a model gives no meaning.
+enum class misuse : unsigned char {
+  assignment,
+  change,
+  caret,
+  remainder,
+  denial,
+  junction,
+  comparison,
+  bits,
+  truth,
+  inner_equation,
+  rate,
+  unseen_derivative,
+  seen_scalar,
+  axes,
+  partial,
+  function,
+  points,
+  seen_motion,
+};
+
+/// How a sentence about a part of a model goes on that holds it.
+constexpr std::string_view what_is_wrong(misuse what) {
+  switch (what) {
+  case misuse::assignment: return " is written with =; an equation is written with ==";
+  case misuse::change: return " is written with an operator that changes a symbol, such as +=";
+  case misuse::caret: return " is written with ^; a power is written pow(x, n)";
+  case misuse::remainder: return " is written with %; models have no remainders";
+  case misuse::denial: return " is written with !; a model holds numbers and vectors, not truth values";
+  case misuse::junction: return " is written with && or ||; equations are written one by one, between commas";
+  case misuse::comparison: return " is written with !=, <, >, <= or >=; models have equations only, with ==";
+  case misuse::bits: return " is written with an operator that models do not have";
+  case misuse::truth: return " holds true or false, which is no number";
+  case misuse::inner_equation: return " holds == inside of an expression; it stands once, outermost";
+  case misuse::rate: return " takes dot of something that is no coordinate, speed or prescribed quantity";
+  case misuse::unseen_derivative:
+    return " takes the derivative of a vector, and not as a frame sees it; write derivative_in<frame>(vector)";
+  case misuse::seen_scalar:
+    return " takes the derivative of a scalar as a frame sees it; write derivative(scalar)";
+  case misuse::axes: return " uses in_axes_of for something else than a vector and a frame: in_axes_of<frame>(vector)";
+  case misuse::partial: return " takes a partial derivative by something that is no symbol";
+  case misuse::function:
+    return " is written with a function that models do not have; those they have are sqrt, sin, cos, tan, "
+           "asin, acos, atan, atan2, exp, log, abs, sign and pow";
+  case misuse::points: return " uses position_of for something else than two points: position_of<point, from>";
+  case misuse::seen_motion:
+    return " names a frame or point too many: motions are those in the inertial frame, velocity_of<point>";
+  }
+  return "";
+}
+
+} // namespace kanexpr::describe

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace kanexpr::describe {
+
+/// What an expression turns out to be.
+enum class shape : unsigned char {
+  nothing,
+  scalar,
+  vector,
+  dyadic,
+  equation,
+  vanishing, ///< zero_along
+  turning,   ///< kinematics_of
+  foreign,   ///< it is none
+};
+
+} // namespace kanexpr::describe
