@@ -16,6 +16,8 @@ namespace compiled {
 /// The tape for some results of a system, derived once for each set of them.
 template <class System, auto... wanted>
 struct code {
+  using system = System;
+
 private:
   static constexpr derivation::outcome outcome = [] {
     if constexpr (static_cast<bool>(survey_of<System>.mistake))
@@ -131,6 +133,7 @@ private:
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
     if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
+      compiled::check_derived<System>();
       return no_results<T>();
     } else {
       T t = lower::scalar_math<T>::from(0);

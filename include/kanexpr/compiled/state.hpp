@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/unparsed.hpp>
 #include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -13,8 +14,9 @@ namespace compiled {
 /// A system's survey, formed once, with the end of the compilation if it holds a mistake.
 template <class System>
 struct surveyed {
+  using system = System;
   static constexpr derivation::survey survey = derivation::survey_of<System>();
-  static constexpr mechanics::problem mistake = survey.mistake;
+  static constexpr mechanics::problem mistake = is_unparsed<System> ? mechanics::problem{} : survey.mistake;
   static_assert(derivation::tell<surveyed>());
 };
 
@@ -69,7 +71,10 @@ public:
   using base::operator=;
   using base::operator[];
 
-  state() { this->setConstant(lower::scalar_math<Scalar>::from(0)); }
+  state() {
+    compiled::check_derived<System>();
+    this->setConstant(lower::scalar_math<Scalar>::from(0));
+  }
 
   template <text called, int index>
   Scalar& operator[](const coordinate<called, index>&) {

@@ -15,9 +15,15 @@ struct extent {
   bool scalar = false;
 };
 
-/// Something that can be asked of a system: a quantity of its own, or an expression of the model.
+/// Something that can be asked of a system: a quantity of its own, or an expression of the model. This is
+/// neither.
 template <auto wanted>
-struct request;
+struct request {
+  static constexpr extent of(const survey&) { return {1, 1, true}; }
+  static constexpr void visit(reader& r) { r.refuse("what a function is asked for is no expression of a model"); }
+  static constexpr symbolic::matrix form(reader&, mechanics::equations&) { return {}; }
+  static constexpr symbolic::matrix with_rates(reader&, mechanics::equations&) { return {}; }
+};
 
 template <quantity wanted>
 struct request<wanted> {

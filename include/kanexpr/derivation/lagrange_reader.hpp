@@ -29,6 +29,7 @@ protected:
 
   constexpr void visit_lagrangian() {
     if (mistake_ || from_.lagrangian.size == 0) return;
+    if (from_.lagrangian.size > 1) return fail({"lagrangian<...> takes one expression"});
     const phrase& p = from_.lagrangian[0];
     if (p.kind != shape::scalar) return fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
     m_.has_lagrangian = true;

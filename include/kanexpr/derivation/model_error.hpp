@@ -8,22 +8,47 @@
 /// How a mistake in a model reaches the person who made it: as the one error of the compilation, a sentence.
 namespace kanexpr {
 
+namespace derivation {
+
+/// Letters `begin` to `end` of a sentence as a template argument.
+template <class Told, int begin, int end>
+constexpr auto text_of() {
+  text<static_cast<std::size_t>(end - begin + 1)> t;
+  for (int i = begin; i < end; ++i) t.letters[i - begin] = Told::mistake.letters[i];
+  t.letters[end - begin] = '\0'; // clang prints letters, not numbers, where the end is written too
+  return t;
+}
+
+} // namespace derivation
+
+#if __cpp_static_assert >= 202306L // C++26: the message may be computed
+
+/// The sentence is the message.
+template <text sentence>
+struct model_error {
+  static_assert(sentence.view().empty(), sentence.view());
+};
+
+namespace derivation {
+
+/// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is told again.
+template <class Told>
+constexpr bool tell() {
+  if constexpr (static_cast<bool>(Told::mistake))
+    return sizeof(model_error<text_of<Told, 0, Told::mistake.length>()>) != 0;
+  else
+    return true;
+}
+
+} // namespace derivation
+
+#else
+
 /// Never defined: its arguments are the sentence that the compiler prints.
 template <text... sentence>
 struct model_error;
 
 namespace derivation {
-
-#if __cpp_static_assert >= 202306L // C++26: the message may be computed
-
-/// Ends the compilation with the sentence `Told::mistake`, if there is one.
-template <class Told>
-constexpr bool tell() {
-  static_assert(!static_cast<bool>(Told::mistake), Told::mistake.view());
-  return true;
-}
-
-#else
 
 // g++ prints character arrays in full, clang cuts them after some thirty letters: there the sentence comes in
 // pieces.
@@ -50,10 +75,7 @@ template <class Told, int piece>
 constexpr auto piece_of() {
   constexpr int begin = piece_begin(Told::mistake, piece), next = piece_begin(Told::mistake, piece + 1);
   constexpr int end = next == Told::mistake.length ? next : next - 1;
-  text<static_cast<std::size_t>(end - begin + 1)> t;
-  for (int i = begin; i < end; ++i) t.letters[i - begin] = Told::mistake.letters[i];
-  t.letters[end - begin] = '\0'; // clang prints letters, not numbers, where the end is written too
-  return t;
+  return text_of<Told, begin, end>();
 }
 
 constexpr int count_pieces(const mechanics::problem& p) {
@@ -62,26 +84,41 @@ constexpr int count_pieces(const mechanics::problem& p) {
   return pieces;
 }
 
-template <text... sentence>
-struct told : model_error<sentence...> {};
-
 // The look-up of `shown` completes its argument's class, which is the error; the call itself stays sound, so
 // that there is no second one. Nor is there where the same sentence is told again.
 constexpr bool shown(const void*) { return true; }
 
-/// Ends the compilation with the sentence `Told::mistake`, if there is one.
+template <text... sentence>
+struct told : model_error<sentence...> {};
+
+/// Of a whole system: what cannot be made of a sentence, so that the compiler shows where the system is
+/// written.
+template <class System, text... sentence>
+struct told_of {
+#ifdef __clang__
+  using error = decltype(System(std::declval<const model_error<sentence...>&>()));
+#else
+  using error = decltype(std::declval<System&>().operator=(std::declval<const model_error<sentence...>&>()));
+#endif
+};
+
+/// Ends the compilation with the sentence `Told::mistake`, if there is one. It is about `Told::system`, if
+/// there is that.
 template <class Told>
 constexpr bool tell() {
   if constexpr (static_cast<bool>(Told::mistake))
     return []<int... i>(std::integer_sequence<int, i...>) {
-      return shown(static_cast<told<piece_of<Told, i>()...>*>(nullptr));
+      if constexpr (requires { typename Told::system; })
+        return shown(static_cast<told_of<typename Told::system, piece_of<Told, i>()...>*>(nullptr));
+      else
+        return shown(static_cast<told<piece_of<Told, i>()...>*>(nullptr));
     }(std::make_integer_sequence<int, count_pieces(Told::mistake)>{});
   else
     return true;
 }
 
-#endif
-
 } // namespace derivation
+
+#endif
 
 } // namespace kanexpr

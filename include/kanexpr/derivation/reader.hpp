@@ -15,6 +15,7 @@ public:
   using load_reader::load_reader;
 
   constexpr void read() {
+    if (from_.inertial == nullptr) return fail({"inertial<...> takes one frame"});
     read_lists();
     if (mistake_) return;
     frame(from_.inertial, "the system");
@@ -87,6 +88,9 @@ private:
   }
 
   constexpr void read_kinematics_of(const frame_record* of, const frame_record* in) {
+    if (in == nullptr)
+      return fail({"kinematics_of takes two frames, and does not have them for ", of->called,
+                   "; write kinematics_of<Frame, Reference>"});
     const int place = frame(of, "kinematics_of"), reference = frame(in, "kinematics_of");
     if (!mistake_) mistake_ = mechanics::check_orientation_kinematics(m_, place, reference);
     if (mistake_) return;

@@ -81,6 +81,21 @@ struct survey {
   }
 };
 
+/// `speed<u>` in place of `speeds<u>`.
+constexpr problem check_symbol_among_words(const describe::token& t, std::string_view system) {
+  using symbolic::symbol_kind;
+  const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
+  const std::string_view list = kind == symbol_kind::coordinate  ? "coordinates"
+                                : kind == symbol_kind::speed     ? "speeds"
+                                : kind == symbol_kind::parameter ? "parameters"
+                                : kind == symbol_kind::input     ? "inputs"
+                                                                 : "";
+  if (list.empty()) return sentence({"an expression stands among the words of ", system});
+  const std::string_view one = list.substr(0, list.size() - 1);
+  return sentence({one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list,
+                   "<...>"});
+}
+
 /// What a system is told that is not one of its words.
 template <class Told>
 constexpr problem check_word(std::string_view system) {
@@ -89,6 +104,8 @@ constexpr problem check_word(std::string_view system) {
   else if constexpr (requires { Told::content(); })
     return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});
+  else if constexpr (std::derived_from<Told, scalar<1>>)
+    return check_symbol_among_words(Told{}.tokens[0], system);
   else if constexpr (requires { Told::orientation(); })
     return sentence({"frame ", type_name<Told>(), " stands among the words of ", system, "; write inertial<",
                      type_name<Told>(), ">"});

@@ -22,6 +22,8 @@ public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
   constexpr const problem& mistake() const { return mistake_; }
+  /// Makes this sentence the mistake, if it is the first.
+  constexpr void refuse(std::string_view because) { fail({because}); }
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     using symbolic::symbol_kind;

@@ -23,7 +23,8 @@ struct foreign {};
 
 template <auto... expressions>
 constexpr auto one_after_another() {
-  if constexpr (((stored<expressions>::words.kind == shape::foreign) || ...)) {
+  if constexpr (sizeof...(expressions) == 0 ||
+                ((stored<expressions>::words.kind == shape::foreign) || ...)) {
     return foreign{};
   } else {
     vanishing<(stored<expressions>::words.size + ...)> all{};
@@ -39,8 +40,8 @@ constexpr auto one_after_another() {
 } // namespace describe
 
 /// A constraint that says that a vector is zero along directions: `zero_along<velocity_of<C>, N::x, N::y>`.
-template <auto vector, auto... directions>
-inline constexpr auto zero_along = describe::one_after_another<vector, directions...>();
+template <auto... vector_and_directions>
+inline constexpr auto zero_along = describe::one_after_another<vector_and_directions...>();
 
 /// What the coordinates satisfy at all times, such as closed loops: equations of scalars, and vectors that
 /// are zero along directions: `configuration_constraints<zero_along<position_of<P, Q>, N::x, N::y>>`.

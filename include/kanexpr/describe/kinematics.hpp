@@ -25,8 +25,11 @@ constexpr turning turning_of(const frame_record* frame, const frame_record* refe
 /// The kinematic differential equations of a frame whose angular velocity is declared: what follows from its
 /// orientation in `Reference` equals what `angular_velocity<Reference, …>` says. Three equations, or four for
 /// a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
+template <class Frame, class... Reference>
+inline constexpr describe::turning kinematics_of = describe::turning_of(&describe::frame_of<Frame>, nullptr);
+
 template <class Frame, class Reference>
-inline constexpr describe::turning kinematics_of =
+inline constexpr describe::turning kinematics_of<Frame, Reference> =
     describe::turning_of(&describe::frame_of<Frame>, &describe::frame_of<Reference>);
 
 } // namespace kanexpr

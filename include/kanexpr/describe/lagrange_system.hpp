@@ -6,11 +6,14 @@ namespace kanexpr {
 
 /// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, in place of
 /// bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
-template <auto expression>
+template <auto... expression>
 struct lagrangian {
   static constexpr std::string_view word = "lagrangian";
   static constexpr void tell(describe::system_record& r) {
-    r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<expression>>::all;
+    if constexpr (sizeof...(expression) == 0)
+      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<nullptr>>::all;
+    else
+      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<expression>...>::all;
   }
 };
 

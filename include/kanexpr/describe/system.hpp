@@ -62,10 +62,13 @@ constexpr void tell(system_record& r) {
 } // namespace describe
 
 /// The inertial frame.
-template <class Frame>
+template <class... Frame>
 struct inertial {
   static constexpr std::string_view word = "inertial";
-  static constexpr void tell(describe::system_record& r) { r.inertial = &describe::frame_of<Frame>; }
+  static constexpr void tell(describe::system_record& r) {
+    const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
+    if constexpr (sizeof...(Frame) == 1) r.inertial = frames[0];
+  }
 };
 
 /// The generalized coordinates, in the order of the state.

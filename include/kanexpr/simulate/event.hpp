@@ -64,7 +64,26 @@ struct event {
   event_handler<System> handler;
 };
 
-/// The event that an expression of the model passes zero:
+namespace simulated {
+
+/// The expression of an event.
+template <auto expression>
+struct watched {
+  static constexpr describe::phrase words = describe::phrase_of<expression>;
+  static constexpr bool passes_zero =
+      words.kind == describe::shape::scalar || words.kind == describe::shape::equation;
+  static constexpr mechanics::problem mistake = [] {
+    if (passes_zero) return mechanics::problem{};
+    return mechanics::sentence({"what when<...> watches", words.size > 0 ? ", with " : "",
+                                derivation::name_in(words), words.size > 0 ? "," : "",
+                                derivation::is_a(words.kind), "it must be a scalar, to pass zero"});
+  }();
+  static_assert(derivation::tell<watched>());
+};
+
+} // namespace simulated
+
+/// The event that an expression of the model passes zero, or that an equation holds:
 /// `when<System, dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
 template <class System, auto expression>
 event<System> when(std::string name, crossing direction = crossing::either,
@@ -72,7 +91,9 @@ event<System> when(std::string name, crossing direction = crossing::either,
   return {std::move(name),
           [](double t, const state<System>& x, const parameter_values<System>& p,
              const input_values<System>& r) -> double {
-            return kanexpr::function<System, expression>{}(t, x, p, r);
+            if constexpr (simulated::watched<expression>::passes_zero)
+              return kanexpr::function<System, expression>{}(t, x, p, r);
+            return 0;
           },
           direction, std::move(handler)};
 }
