@@ -51,8 +51,8 @@ struct constrained {
     if (!regular) return;
     const MatrixXd& j = linear.jacobian;
     const MatrixXd slip = elimination::product(j, speeds_of(m)) + linear.remainder;
-    const MatrixXd nearest =
-        elimination::solve(elimination::product(j, elimination::transposed(j)), slip).x; // least change of the speeds
+    const MatrixXd nearest = elimination::solve(elimination::product(j, elimination::transposed(j)), slip)
+                                 .x; // least change of the speeds
     for (std::size_t i = 0; i < m.u.size(); ++i)
       for (Index r = 0; r < j.rows(); ++r) m.u[i] -= j(r, static_cast<Index>(i)) * nearest(r, 0);
     linear = linearized(m, bounds);

@@ -92,9 +92,17 @@ inline void without_sines_of_lengths(const mechanism& m, constraint& c) {
   detail::without_sines(c.rest, lengths);
 }
 
+// How the constants of a mechanism stand in its other units: what has some lengths as numbers of 1e-9 and
+// others as symbols gives no hint of how long the others are.
+enum class constants {
+  numbers,
+  symbols, // those that have a unit
+};
+
 class in_units {
 public:
-  in_units(const mechanism& from, const units& in) : from_(from), in_(in), given_(from.parameters.size(), 0) {
+  in_units(const mechanism& from, const units& in, constants how)
+      : in_(in), how_(how), given_(from.parameters.size(), 0), to_(from) {
     for (char is_length : lengths_among(from)) q_.push_back(is_length != 0 ? in.length : 1);
     for (double q : q_) qdot_.push_back(q / in.time);
     u_.resize(from.u.size(), 1 / in.time);
@@ -104,10 +112,6 @@ public:
         if (k.how == law::linear) unit = qdot_[static_cast<std::size_t>(k.coordinates[i])];
         if (k.how == law::base_velocity) unit = in.velocity();
       }
-  }
-
-  mechanism run() {
-    to_ = from_;
     for (std::size_t i = 0; i < q_.size(); ++i) to_.q[i] *= q_[i];
     for (std::size_t i = 0; i < u_.size(); ++i) to_.u[i] *= u_[i];
     to_.t *= in_.time;
@@ -130,8 +134,9 @@ public:
       convert(s.rest, 1);
     }
     for (constant& c : to_.gravity) convert(c, in_.velocity() / in_.time);
-    return to_;
   }
+
+  const mechanism& result() const { return to_; }
 
   // Of a constraint, whose row may be multiplied by anything where it is written out.
   constraint converted(constraint c, double row) {
@@ -181,6 +186,11 @@ private:
   // A parameter that stands in several places has one unit in all of them.
   void convert(constant& c, double unit) {
     c.value *= unit;
+    if (how_ == constants::numbers) c.parameter = -1;
+    if (how_ == constants::symbols && unit != 1 && c.value != 0 && c.parameter < 0) {
+      c.parameter = static_cast<int>(to_.parameters.size());
+      to_.parameters.push_back(0), given_.push_back(0);
+    }
     if (c.parameter < 0) return;
     const auto i = static_cast<std::size_t>(c.parameter);
     if (given_[i] != 0 && std::abs(given_[i] / unit - 1) > 1e-12)
@@ -189,8 +199,8 @@ private:
     to_.parameters[i] = c.value;
   }
 
-  const mechanism& from_;
   units in_;
+  constants how_;
   std::vector<double> q_, qdot_, u_;
   std::vector<double> given_; // units of parameters
   mechanism to_;

@@ -22,8 +22,10 @@ public:
   void begin(unsigned seed) { seed_ = seed, reason_.clear(); }
 
   // Numbers against what they should be, relative to `scale` and to the largest of these.
-  void compare(const std::string& what, const Eigen::MatrixXd& found, const Eigen::MatrixXd& wanted, double scale) {
-    if (found.rows() != wanted.rows() || found.cols() != wanted.cols()) return fail(what + " has another size");
+  void compare(const std::string& what, const Eigen::MatrixXd& found, const Eigen::MatrixXd& wanted,
+               double scale) {
+    if (found.rows() != wanted.rows() || found.cols() != wanted.cols())
+      return fail(what + " has another size");
     double size = scale, error = 0;
     for (Eigen::Index i = 0; i < wanted.size(); ++i) size = std::max(size, std::abs(wanted.data()[i]));
     for (Eigen::Index i = 0; i < wanted.size(); ++i) {

@@ -39,7 +39,8 @@ private:
 
 class hostile_states {
 public:
-  hostile_states(recipe::mechanism m, const recipe::in_units& in, dice& d) : m_(std::move(m)), in_(in), d_(d) {}
+  hostile_states(recipe::mechanism m, const recipe::in_units& in, dice& d)
+      : m_(std::move(m)), in_(in), d_(d) {}
 
   void visit(rates_of& rates, errors& found) {
     constexpr double largest = 1e20; // of which the fourth power is far from overflow
@@ -49,7 +50,8 @@ public:
     look_at(rates, found, "huge values", [&](double) { return d_.pick({-1.0, 1.0, 0.1}) * largest; });
     look_at(rates, found, "a mixture", [&](double x) { return d_.pick({0.0, x, 1e-30, largest, -x, 1.0}); });
     // of what is no number nothing is asked but to come back
-    for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double none :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       recipe::mechanism at = m_;
       std::vector<double>& x = d_.chance(0.5) ? at.q : at.u;
       if (!x.empty()) x[static_cast<std::size_t>(d_.whole(0, static_cast<int>(x.size()) - 1))] = none;
@@ -68,7 +70,8 @@ private:
       const double unit = in_.coordinates()[i], x = value(at.q[i] / unit);
       at.q[i] = unit * (is_of_quaternion(i) ? std::clamp(x, -10.0, 10.0) : x); // of many the powers multiply
     }
-    for (std::size_t i = 0; i < at.u.size(); ++i) at.u[i] = in_.speeds()[i] * value(at.u[i] / in_.speeds()[i]);
+    for (std::size_t i = 0; i < at.u.size(); ++i)
+      at.u[i] = in_.speeds()[i] * value(at.u[i] / in_.speeds()[i]);
     const Eigen::MatrixXd x = rates.at(at);
     ++visited;
     if (!rates.status()) {

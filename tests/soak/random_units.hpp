@@ -12,6 +12,10 @@ inline recipe::units any_units(dice& d) {
   return {length, mass, time};
 }
 
+inline recipe::constants any_constants(dice& d) {
+  return d.chance(0.5) ? recipe::constants::numbers : recipe::constants::symbols;
+}
+
 // Results in the old units: every row and column divided by the unit that it has.
 inline Eigen::MatrixXd in_old_units(Eigen::MatrixXd found, const std::vector<double>& rows,
                                     const std::vector<double>& columns = {}, double whole = 1) {
@@ -27,7 +31,8 @@ inline std::vector<double> inverse(std::vector<double> units) {
   for (double& unit : units) unit = 1 / unit;
   return units;
 }
-inline std::vector<double> some_of(const std::vector<double>& units, const kanexpr::symbolic::sequence<int>& which) {
+inline std::vector<double> some_of(const std::vector<double>& units,
+                                   const kanexpr::symbolic::sequence<int>& which) {
   std::vector<double> some;
   for (int i : which) some.push_back(units[static_cast<std::size_t>(i)]);
   return some;

@@ -53,8 +53,8 @@ tally go_through(const asked& a, long wanted, const char* kind) {
 }
 
 void print(const tally& t, const char* what) {
-  std::printf("\n%ld %s in units over 1e-9 to 1e9 each of length, mass and time: %ld failed\n", t.compared, what,
-              t.failed);
+  std::printf("\n%ld %s in units over 1e-9 to 1e9 each of length, mass and time: %ld failed\n", t.compared,
+              what, t.failed);
   std::printf("%ld were singular at their state, and left out\n", t.left_out);
   std::printf("%ld hostile states, of which %ld were refused with a sentence\n", t.hostile, t.refused);
   for (const auto& [name, worst] : t.errors.by_what())
@@ -73,7 +73,8 @@ int main(int count, char** words) {
   line.add_option("--folder", a.folder, "Where seeds of failures are written");
   CLI11_PARSE(line, count, words);
   const auto begin = std::chrono::steady_clock::now();
-  const tally trees = go_through<soak::tree>(a, a.trees, "trees"), bound = go_through<soak::bound>(a, a.bound, "bound");
+  const tally trees = go_through<soak::tree>(a, a.trees, "trees"),
+              bound = go_through<soak::bound>(a, a.bound, "bound");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   print(trees, "mechanisms without constraints");
   print(bound, "mechanisms with constraints");

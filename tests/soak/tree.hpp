@@ -1,4 +1,5 @@
-// A random mechanism without constraints in random units, against Newton's and Euler's equations in plain ones.
+// A random mechanism without constraints in random units, against Newton's and Euler's equations in plain
+// ones.
 #pragma once
 
 #include "hostile.hpp"
@@ -11,7 +12,8 @@ namespace soak {
 
 class tree {
 public:
-  explicit tree(unsigned seed) : d_(seed + 77), base_(mechanism_of(seed)), expected_(newton_euler::evaluate(base_)) {}
+  explicit tree(unsigned seed)
+      : d_(seed + 77), base_(mechanism_of(seed)), expected_(newton_euler::evaluate(base_)) {}
 
   // Where a declared velocity takes all mass from a speed, no mechanism is.
   static bool is_solvable(const Eigen::MatrixXd& mass_matrix) {
@@ -31,8 +33,8 @@ public:
 
   void run(errors& found) {
     const recipe::units in = any_units(d_);
-    recipe::in_units changed(base_, in);
-    const recipe::mechanism m = changed.run();
+    const recipe::in_units changed(base_, in, any_constants(d_));
+    const recipe::mechanism& m = changed.result();
     recipe::builder b("N");
     const recipe::building built(m, b);
     found.expect(b.check().view().empty(), std::string(b.check().view()));
@@ -62,19 +64,22 @@ private:
 
   void compare(const recipe::mechanism& m, recipe::builder& b, kanexpr::mechanics::equations& derived,
                const recipe::in_units& changed, const recipe::units& in, errors& found) const {
-    using kanexpr::mechanics::quantity;
     using Eigen::MatrixXd;
+    using kanexpr::mechanics::quantity;
     const auto value = [&](quantity q) { return recipe::number(b, m, derived.get(q)); };
     const auto scalar = [](double x) { return MatrixXd::Constant(1, 1, x); };
     const std::vector<double> forces = inverse(changed.speeds());
     const double force = 1 + expected_.force_scale;
-    found.compare("qdot", in_old_units(value(quantity::qdot), changed.rates_of_coordinates()), expected_.qdot, 1);
+    found.compare("qdot", in_old_units(value(quantity::qdot), changed.rates_of_coordinates()), expected_.qdot,
+                  1);
     found.compare("mass matrix", in_old_units(value(quantity::mass_matrix), forces, forces, in.energy()),
                   expected_.mass_matrix, 1);
-    found.compare("forcing", in_old_units(value(quantity::forcing), forces, {}, in.power()), expected_.forcing, force);
+    found.compare("forcing", in_old_units(value(quantity::forcing), forces, {}, in.power()),
+                  expected_.forcing, force);
     found.compare("active forces", in_old_units(value(quantity::active_forces), forces, {}, in.power()),
                   expected_.active_forces, force);
-    found.compare("kinetic energy", value(quantity::kinetic_energy) / in.energy(), scalar(expected_.kinetic_energy), 1);
+    found.compare("kinetic energy", value(quantity::kinetic_energy) / in.energy(),
+                  scalar(expected_.kinetic_energy), 1);
     if (m.has_gravity || !m.springs.empty() || !m.twists.empty())
       found.compare("potential energy", value(quantity::potential_energy) / in.energy(),
                     scalar(expected_.potential_energy), 10);

@@ -30,7 +30,7 @@ namespace detail {
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& outputs, const mechanism* of)
-      : g_(&g), of_(of), sizes_(g, outputs), value_(g.size(), 0.0) {
+      : g_(&g), of_(of), sizes_(g), value_(g.size(), 0.0) {
     const sequence<char> live = symbolic::live_nodes(g, outputs);
     for (int id = 0; id < g.size(); ++id)
       if (live[id] != 0 && g[id].op == symbolic::operation::symbol) symbols_.push(id);

@@ -45,6 +45,7 @@ private:
     int column = none;
   };
 
+  static constexpr double rounding = 1e-13; ///< beside 1
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
   template <class Takes>
@@ -69,7 +70,7 @@ private:
         double least = 1; // of the entry beside the largest of its row, over the states
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
-          const double beside = l > 1e-9 ? magnitude(states_[s](i, j)) / l : 0;
+          const double beside = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
           if (beside < least) least = beside;
         }
         double worth = least / (in_row[i] + in_column[j]);

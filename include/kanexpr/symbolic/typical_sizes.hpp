@@ -8,16 +8,15 @@ namespace kanexpr::symbolic {
 /// that is a length is as long as the lengths that a model has as numbers, in whatever units.
 class typical_sizes {
 public:
-  constexpr typical_sizes(const graph& g, const sequence<int>& outputs) : g_(&g), known_(g.size()) {
-    const sequence<char> live = live_nodes(g, outputs);
-    if (!holds_unusual_number(live)) return;
+  constexpr explicit typical_sizes(const graph& g) : g_(&g) {
+    if (!holds_unusual_number()) return;
+    known_.resize(g.size());
     for (int passes = 0; passes < most_passes; ++passes) {
       found_ = false;
-      for (int id = 0; id < g.size(); ++id)
-        if (live[id] != 0) known_[id] = estimate(g[id], id);
+      for (int id = 0; id < g.size(); ++id) known_[id] = estimate(g[id], id);
       sequence<double> wanted(g.size(), 0.0); // size of a node, as where it stands has it; 0: any
       for (int id = g.size() - 1; id >= 0; --id)
-        if (live[id] != 0 && g[id].op < operation::pair) hand_down(id, wanted, passes > 0);
+        if (g[id].op < operation::pair) hand_down(id, wanted, passes > 0);
       if (!found_ && passes > 0) break;
     }
   }
@@ -35,9 +34,9 @@ private:
 
   /// As the lengths of a machine in metres: there is nothing to find out.
   static constexpr bool is_usual(double size) { return size > 0.02 && size < 50; }
-  constexpr bool holds_unusual_number(const sequence<char>& live) const {
+  constexpr bool holds_unusual_number() const {
     for (int id = 0; id < g_->size(); ++id)
-      if (live[id] != 0 && (*g_)[id].op == operation::constant) {
+      if ((*g_)[id].op == operation::constant) {
         const double size = elementary::abs(g_->number_at(id).value());
         if (size != 0 && !is_usual(size)) return true;
       }
@@ -91,8 +90,8 @@ private:
     return a.is_open() && b.is_open() && a.unknown == b.unknown && a.power == b.power ? a : estimate_of{};
   }
 
-  /// What the operands of a node should be as large as, if something says it: first that they are in the argument of
-  /// a function, which is a number, then the terms beside them.
+  /// What the operands of a node should be as large as, if something says it: first that they are in the
+  /// argument of a function, which is a number, then the terms beside them.
   constexpr void hand_down(int id, sequence<double>& wanted, bool by_terms) {
     const node& n = (*g_)[id];
     const estimate_of& own = known_[id];
