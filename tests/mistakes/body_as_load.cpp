@@ -1,4 +1,4 @@
-// expect: loads<...> lists Bob, which is not a load
+// expect: loads<...> lists Bob, which is a body; write bodies<...> around it
 #include "pendulum.hpp"
 
 struct System

@@ -85,7 +85,9 @@ private:
       if (!mistake_) mechanics::add_torsional_damper(m_, on, other, damping);
       break;
     }
-    case load_word::none: fail({"loads<...> lists ", r.called, ", which is not a load"}); break;
+    case load_word::none:
+      return fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
+                   r.instead.empty() ? "not a load" : r.instead});
     }
   }
 

@@ -78,7 +78,8 @@ protected:
   constexpr void check_written(const phrase& p, std::string_view whom) {
     for (int i = 0; i < p.size && !mistake_; ++i) {
       if (p.tokens[i].what != describe::word::misused) continue;
-      const std::string_view held = part_.empty() ? name_in(p) : "";
+      const bool named = !part_.empty() || whom.substr(0, 4) == "the ";
+      const std::string_view held = named ? "" : name_in(p);
       fail({part_, whom, held.empty() ? "" : " with ", held,
             describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
     }

@@ -98,7 +98,9 @@ private:
   }
 
   constexpr void read_body(const body_record& r) {
-    if (r.calls_itself.empty()) return fail({"bodies<...> lists ", r.called, ", which is not a body"});
+    if (r.calls_itself.empty())
+      return fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",
+                   r.instead.empty() ? "not a body" : r.instead});
     if (r.called != r.calls_itself) return slip("body ", r.called, r.calls_itself);
     if (!r.fits) return misfit("body ", r.called, r.fits);
     if (!r.instead_of_inertia.empty())

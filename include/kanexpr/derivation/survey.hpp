@@ -92,8 +92,8 @@ constexpr problem check_symbol_among_words(const describe::token& t, std::string
                                                                  : "";
   if (list.empty()) return sentence({"an expression stands among the words of ", system});
   const std::string_view one = list.substr(0, list.size() - 1);
-  return sentence({one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list,
-                   "<...>"});
+  return sentence(
+      {one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list, "<...>"});
 }
 
 /// What a system is told that is not one of its words.
@@ -112,8 +112,12 @@ constexpr problem check_word(std::string_view system) {
   else if constexpr (requires { Told::load.what; })
     return sentence(
         {name_of(Told::load).view(), " stands among the words of ", system, "; write loads<...> around it"});
+  else if constexpr (requires { Told::place(); })
+    return sentence({"point ", type_name<Told>(), " stands among the words of ", system,
+                     "; points are found by what uses them"});
   else
-    return sentence({type_name<Told>(), " is no word of a system, and ", system, " holds it"});
+    return sentence(
+        {short_name(type_name<Told>()).view(), " is no word of a system, and ", system, " holds it"});
 }
 
 template <describe::method by, class... Words>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/problem.hpp>
 
 /// The words for parts of a model, for sentences about them.
 namespace kanexpr::derivation {
@@ -35,6 +36,13 @@ constexpr std::string_view name_in(const phrase& p) {
   for (int i = 0; i < p.size; ++i)
     if (p.tokens[i].frame != nullptr) return p.tokens[i].frame->called;
   return "";
+}
+
+/// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
+constexpr mechanics::problem short_name(std::string_view called) {
+  constexpr std::size_t longest = 40;
+  if (called.size() <= longest) return mechanics::sentence({called});
+  return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});
 }
 
 /// Whether tokens in postfix order are one expression.

@@ -76,8 +76,7 @@ struct rigid_body {
     r.center = &describe::point_of<Center>;
     r.frame = &describe::frame_of<Frame>;
     r.mass = describe::phrase_of<mass>;
-    r.fits =
-        describe::arguments_of("rigid_body<Self, Center, Frame, mass, Inertia>", sizeof...(Inertia), 1);
+    r.fits = describe::arguments_of("rigid_body<Self, Center, Frame, mass, Inertia>", sizeof...(Inertia), 1);
     (describe::give_inertia<Inertia>(r), ...);
     return r;
   }
@@ -88,7 +87,10 @@ namespace describe {
 template <class Body>
 inline constexpr body_record body_of = [] {
   body_record r;
-  if constexpr (requires { Body::content(); }) r = Body::content(); // else no body: it has no name for itself
+  if constexpr (requires { Body::content(); })
+    r = Body::content();
+  else
+    r.instead = what_it_is<Body>(); // and it has no name for itself
   r.called = type_name<Body>();
   return r;
 }();

@@ -7,56 +7,62 @@ namespace kanexpr {
 /// A force that acts at a point: `force<P, F*N::x>`.
 template <class Point, auto... vector>
 struct force {
-  static constexpr describe::load_record load{.what = describe::load_word::force,
-                                              .fits = describe::arguments_of("force<Point, vector>", sizeof...(vector), 1),
-                                              .point = &describe::point_of<Point>,
-                                              .value = describe::given_phrases<vector...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::force,
+      .fits = describe::arguments_of("force<Point, vector>", sizeof...(vector), 1),
+      .point = &describe::point_of<Point>,
+      .value = describe::given_phrases<vector...>[0]};
 };
 
 /// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.
 template <class Frame, auto... vector>
 struct torque {
-  static constexpr describe::load_record load{.what = describe::load_word::torque,
-                                              .fits = describe::arguments_of("torque<Frame, vector>", sizeof...(vector), 1),
-                                              .frame = &describe::frame_of<Frame>,
-                                              .value = describe::given_phrases<vector...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::torque,
+      .fits = describe::arguments_of("torque<Frame, vector>", sizeof...(vector), 1),
+      .frame = &describe::frame_of<Frame>,
+      .value = describe::given_phrases<vector...>[0]};
 };
 
 /// A force on a point, and the opposite on another: `force_between<P, Q, F*A::x>`.
 template <class Point, class Other, auto... vector>
 struct force_between {
-  static constexpr describe::load_record load{.what = describe::load_word::force,
-                                              .fits = describe::arguments_of("force_between<Point, Other, vector>", sizeof...(vector), 1),
-                                              .point = &describe::point_of<Point>,
-                                              .other_point = &describe::point_of<Other>,
-                                              .value = describe::given_phrases<vector...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::force,
+      .fits = describe::arguments_of("force_between<Point, Other, vector>", sizeof...(vector), 1),
+      .point = &describe::point_of<Point>,
+      .other_point = &describe::point_of<Other>,
+      .value = describe::given_phrases<vector...>[0]};
 };
 
 /// A torque on whatever is fixed in a frame, and the opposite on another, as a motor between them has it:
 /// `torque_between<B, A, T*A::z>`.
 template <class Frame, class Other, auto... vector>
 struct torque_between {
-  static constexpr describe::load_record load{.what = describe::load_word::torque,
-                                              .fits = describe::arguments_of("torque_between<Frame, Other, vector>", sizeof...(vector), 1),
-                                              .frame = &describe::frame_of<Frame>,
-                                              .other_frame = &describe::frame_of<Other>,
-                                              .value = describe::given_phrases<vector...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::torque,
+      .fits = describe::arguments_of("torque_between<Frame, Other, vector>", sizeof...(vector), 1),
+      .frame = &describe::frame_of<Frame>,
+      .other_frame = &describe::frame_of<Other>,
+      .value = describe::given_phrases<vector...>[0]};
 };
 
 /// Uniform gravity on every body, by the acceleration of free fall: `gravity<-g*N::z>`.
 template <auto... acceleration>
 struct gravity {
-  static constexpr describe::load_record load{.what = describe::load_word::gravity,
-                                              .fits = describe::arguments_of("gravity<vector>", sizeof...(acceleration), 1),
-                                              .value = describe::given_phrases<acceleration...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::gravity,
+      .fits = describe::arguments_of("gravity<vector>", sizeof...(acceleration), 1),
+      .value = describe::given_phrases<acceleration...>[0]};
 };
 
 /// A potential energy of coordinates, parameters, time and inputs: `potential_energy<k*q1*q1/2>`.
 template <auto... energy>
 struct potential_energy {
-  static constexpr describe::load_record load{.what = describe::load_word::potential_energy,
-                                              .fits = describe::arguments_of("potential_energy<scalar>", sizeof...(energy), 1),
-                                              .value = describe::given_phrases<energy...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::potential_energy,
+      .fits = describe::arguments_of("potential_energy<scalar>", sizeof...(energy), 1),
+      .value = describe::given_phrases<energy...>[0]};
 };
 
 /// A straight massless spring between two points, which pulls them to each other with
@@ -64,45 +70,51 @@ struct potential_energy {
 /// direction where the distance is zero, and is no number there.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring {
-  static constexpr describe::load_record load{.what = describe::load_word::spring,
-                                              .fits = describe::arguments_of("spring<Point, Other, stiffness, natural length>", sizeof...(stiffness_and_length), 1, 2),
-                                              .point = &describe::point_of<Point>,
-                                              .other_point = &describe::point_of<Other>,
-                                              .value = describe::given_phrases<stiffness_and_length...>[0],
-                                              .rest = describe::given_phrases<stiffness_and_length...>[1]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::spring,
+      .fits = describe::arguments_of("spring<Point, Other, stiffness, natural length>",
+                                     sizeof...(stiffness_and_length), 1, 2),
+      .point = &describe::point_of<Point>,
+      .other_point = &describe::point_of<Other>,
+      .value = describe::given_phrases<stiffness_and_length...>[0],
+      .rest = describe::given_phrases<stiffness_and_length...>[1]};
 };
 
 /// A straight massless damper between two points, which pulls them to each other with
 /// damping·(rate of their distance): `damper<P, Q, c>`. Where the distance is zero its force is no number.
 template <class Point, class Other, auto... damping>
 struct damper {
-  static constexpr describe::load_record load{.what = describe::load_word::damper,
-                                              .fits = describe::arguments_of("damper<Point, Other, damping>", sizeof...(damping), 1),
-                                              .point = &describe::point_of<Point>,
-                                              .other_point = &describe::point_of<Other>,
-                                              .value = describe::given_phrases<damping...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::damper,
+      .fits = describe::arguments_of("damper<Point, Other, damping>", sizeof...(damping), 1),
+      .point = &describe::point_of<Point>,
+      .other_point = &describe::point_of<Other>,
+      .value = describe::given_phrases<damping...>[0]};
 };
 
 /// A spring that turns an angle back to where it is at rest, with stiffness·(angle − rest):
 /// `torsional_spring<q2, k>`, `torsional_spring<q2 - q1, k, a>`.
 template <auto... angle_stiffness_and_rest>
 struct torsional_spring {
-  static constexpr describe::load_record load{.what = describe::load_word::torsional_spring,
-                                              .fits = describe::arguments_of("torsional_spring<angle, stiffness, rest>", sizeof...(angle_stiffness_and_rest), 2, 3),
-                                              .value = describe::given_phrases<angle_stiffness_and_rest...>[1],
-                                              .angle = describe::given_phrases<angle_stiffness_and_rest...>[0],
-                                              .rest = describe::given_phrases<angle_stiffness_and_rest...>[2]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::torsional_spring,
+      .fits = describe::arguments_of("torsional_spring<angle, stiffness, rest>",
+                                     sizeof...(angle_stiffness_and_rest), 2, 3),
+      .value = describe::given_phrases<angle_stiffness_and_rest...>[1],
+      .angle = describe::given_phrases<angle_stiffness_and_rest...>[0],
+      .rest = describe::given_phrases<angle_stiffness_and_rest...>[2]};
 };
 
 /// A torque −damping·ω on whatever is fixed in a frame that turns with ω in another, and the opposite on
 /// that: `torsional_damper<B, A, c>`.
 template <class Frame, class Other, auto... damping>
 struct torsional_damper {
-  static constexpr describe::load_record load{.what = describe::load_word::torsional_damper,
-                                              .fits = describe::arguments_of("torsional_damper<Frame, Other, damping>", sizeof...(damping), 1),
-                                              .frame = &describe::frame_of<Frame>,
-                                              .other_frame = &describe::frame_of<Other>,
-                                              .value = describe::given_phrases<damping...>[0]};
+  static constexpr describe::load_record load{
+      .what = describe::load_word::torsional_damper,
+      .fits = describe::arguments_of("torsional_damper<Frame, Other, damping>", sizeof...(damping), 1),
+      .frame = &describe::frame_of<Frame>,
+      .other_frame = &describe::frame_of<Other>,
+      .value = describe::given_phrases<damping...>[0]};
 };
 
 namespace describe {
@@ -115,6 +127,7 @@ constexpr load_record record_load() {
   } else {
     r.what = load_word::none;
     r.called = type_name<Load>();
+    r.instead = what_it_is<Load>();
   }
   return r;
 }

@@ -5,6 +5,7 @@
 #include <kanexpr/describe/mixed.hpp>
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/text.hpp>
+#include <kanexpr/describe/what_it_is.hpp>
 
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
 namespace kanexpr::describe {
@@ -59,9 +60,9 @@ inline constexpr phrase phrase_of = stored<value>::words;
 
 /// The phrases for the expressions that a word is given, and behind them zeros for those that it is not.
 template <auto... values>
-inline constexpr phrase given_phrases[]{phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>,
-                                        phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>,
-                                        phrase_of<0>,         phrase_of<0>};
+inline constexpr phrase given_phrases[sizeof...(values) + 9]{
+    phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>,
+    phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>};
 
 enum class orientation_word : unsigned char {
   inertial,
@@ -110,6 +111,7 @@ struct body_record {
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
   std::string_view instead_of_inertia; ///< what stands in its place and is none
+  std::string_view instead;            ///< what it is, if it is no body
 };
 
 enum class load_word : unsigned char {
@@ -135,6 +137,7 @@ struct load_record {
   phrase angle{};                            ///< of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   std::string_view called{};
+  std::string_view instead{}; ///< what it is, if it is no load
 };
 
 } // namespace kanexpr::describe

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+
+namespace kanexpr::describe {
+
+/// What a type is, for a sentence about one that stands where it does not belong. Empty: none of a model's
+/// words.
+template <class T>
+constexpr std::string_view what_it_is() {
+  if constexpr (requires { T::content(); })
+    return "a body; write bodies<...> around it";
+  else if constexpr (requires { T::orientation(); })
+    return "a frame; frames are found by what uses them";
+  else if constexpr (requires { T::place(); })
+    return "a point; points are found by what uses them";
+  else if constexpr (requires { T::load.what; })
+    return "a load; write loads<...> around it";
+  else if constexpr (requires { T::word; })
+    return "a word of the system";
+  else
+    return {};
+}
+
+} // namespace kanexpr::describe

@@ -1,0 +1,130 @@
+// Functions of what they do not take.
+#include "shapes.hpp"
+
+// expect: the torque on A takes the cross product of a scalar and a scalar
+namespace n1 {
+struct System : loaded<torque<A, cross(q, u)>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: the torque between A and N takes the cross product of a vector and a scalar
+namespace n2 {
+struct System : loaded<torque_between<A, N, cross(N::x, q)>> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: the force at P takes the dot product of a scalar and a scalar; write *
+namespace n3 {
+struct System : loaded<force<P, dot(q, u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: the force at O takes the dot product of a vector and a scalar
+namespace n4 {
+struct System : loaded<force<O, dot(N::x, 2) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: the force between P and O takes the magnitude of a scalar; write abs
+namespace n5 {
+struct System : loaded<force_between<P, O, magnitude(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: the force between P and Q normalizes a scalar
+namespace n6 {
+struct System : loaded<force_between<P, Q, normalized(q)>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: the stiffness of the spring between P and O takes sin of a vector
+namespace n7 {
+struct System : loaded<spring<P, O, sin(N::x)>> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: the stiffness of the spring between P and Q takes sqrt of a vector
+namespace n8 {
+struct System : loaded<spring<P, Q, sqrt(q* N::x)>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: the stiffness of the spring between Q and O raises a vector to the power of a scalar; write dot(v,
+// expect: v)
+namespace n9 {
+struct System : loaded<spring<Q, O, pow(N::x, 2)>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: the damping of the damper between P and O takes atan2 of a vector and a scalar
+namespace n10 {
+struct System : loaded<damper<P, O, atan2(N::x, q)>> {};
+void f() { use<System>(); }
+} // namespace n10
+
+// expect: the potential energy with k takes dot of something that is no coordinate, speed or prescribed
+// expect: quantity
+namespace n11 {
+struct System : loaded<potential_energy<k * dot(q* q)>> {};
+void f() { use<System>(); }
+} // namespace n11
+
+// expect: the damping of the damper between P and Q takes dot of something that is no coordinate, speed or
+// expect: prescribed quantity
+namespace n12 {
+struct System : loaded<damper<P, Q, dot(m)>> {};
+void f() { use<System>(); }
+} // namespace n12
+
+// expect: the torque on N takes dot of something that is no coordinate, speed or prescribed quantity
+namespace n13 {
+struct System : loaded<torque<N, dot(A::x) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// expect: a kinematic differential equation with q takes dot of something that is no coordinate, speed or
+// expect: prescribed quantity
+namespace n14 {
+struct System : moved_by<dot(q* q) == u> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: the damping of the damper between Q and O is written with a function that models do not have;
+// expect: those they have are sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, abs, sign and pow
+namespace n15 {
+struct System : loaded<damper<Q, O, tanh(u)>> {};
+void f() { use<System>(); }
+} // namespace n15
+
+// expect: the damping of the torsional damper between A and N is written with a function that models do not
+// expect: have
+namespace n16 {
+struct System : loaded<torsional_damper<A, N, hypot(u, c)>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the inertia of Rod takes the outer product of a vector and a scalar
+namespace n17 {
+struct Rod : rigid_body<Rod, P, A, m, inertia_dyadic<m * outer(A::x, l)>> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: the inertia of Plate multiplies a dyadic by a dyadic; write dot, cross or outer
+namespace n18 {
+struct Plate : rigid_body<Plate, P, A, m, inertia_dyadic<outer(A::x, A::x) * outer(A::x, A::x)>> {};
+struct System : pendulum_with<Plate> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: the force at Q takes the dot product of a vector and a dyadic
+namespace n19 {
+struct System : loaded<force<Q, dot(N::x, outer(N::x, N::y))>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the torsional spring with q takes the dot product of a scalar and a vector
+namespace n20 {
+struct System : loaded<torsional_spring<dot(q, N::x), k>> {};
+void f() { use<System>(); }
+} // namespace n20
