@@ -153,4 +153,113 @@ TEST(events, whose_value_is_not_a_number_end_a_simulation) {
   EXPECT_GT(run.trajectory.size(), 1u);
 }
 
+// Integrators look for changes of sign. A ball that begins on the ground, or below it by less than can be
+// told, meets it at once if it goes down.
+template <integrator by>
+void takes_what_is_zero_at_the_start_by_its_direction() {
+  struct beginning {
+    double at, speed;
+    bool meets_the_ground;
+  };
+  for (const beginning s : {beginning{0, -3, true}, beginning{-1e-17, -3, true}, beginning{-5e-11, -3, true},
+                            beginning{0, 3, false}, beginning{1e-17, 3, false}, beginning{-1e-17, 3, false},
+                            beginning{-1, -3, false}}) {
+    const auto run = simulate<System, by>({{h, s.at}, {v, s.speed}}, ball, {0, 0.2},
+                                          {.output_every = 0.1, .events = {contact(bounce)}});
+    ASSERT_TRUE(run) << run.cause();
+    ASSERT_EQ(run.events.size(), s.meets_the_ground ? 1u : 0u) << s.at << ' ' << s.speed;
+    const double speed = s.meets_the_ground ? -restitution * s.speed : s.speed;
+    EXPECT_NEAR(run.state[v], speed - gravity_strength * 0.2, 1e-8);
+    for (const occurrence& e : run.events) EXPECT_EQ(e.t, 0);
+  }
+}
+
+TEST(events, at_the_start_are_taken_by_their_direction) {
+  takes_what_is_zero_at_the_start_by_its_direction<integrator::adams>();
+  takes_what_is_zero_at_the_start_by_its_direction<integrator::bdf>();
+  takes_what_is_zero_at_the_start_by_its_direction<integrator::explicit_runge_kutta>();
+  takes_what_is_zero_at_the_start_by_its_direction<integrator::implicit_runge_kutta>();
+  takes_what_is_zero_at_the_start_by_its_direction<integrator::differential_algebraic>();
+}
+
+// Nothing holds a ball that a handler brings to rest: it must say what happens.
+template <integrator by>
+void does_not_let_a_ball_at_rest_fall_through_the_ground() {
+  for (const double at : {0.0, -1e-17, 1e-17}) {
+    const auto stopped =
+        simulate<System, by>({{h, at}, {v, 0}}, ball, {0, 1}, {.events = {contact(after_event::stop)}});
+    ASSERT_TRUE(stopped) << stopped.cause();
+    EXPECT_TRUE(stopped.stopped_by_event);
+    EXPECT_NEAR(stopped.time, 0, 1e-8);
+    const auto fallen = simulate<System, by>({{h, at}, {v, 0}}, ball, {0, 1}, {.events = {contact(bounce)}});
+    EXPECT_FALSE(fallen);
+    EXPECT_THAT(fallen.cause(), testing::HasSubstr("events happen ever faster"));
+    EXPECT_GE(fallen.state[h], -1e-9);
+    EXPECT_EQ(fallen.events[0].name, "contact");
+  }
+  const auto caught = simulate<System, by>(start, ball, {0, 9},
+                                           {.events = {contact([](moment<System>& now) { now.x[v] = 0; })}});
+  EXPECT_FALSE(caught);
+  EXPECT_THAT(caught.cause(), testing::HasSubstr("events happen ever faster"));
+  EXPECT_NEAR(caught.time, time_of_bounce(0), 1e-4);
+  EXPECT_GE(caught.state[h], -1e-9);
+}
+
+TEST(events, do_not_let_a_ball_at_rest_fall_through_the_ground) {
+  does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::adams>();
+  does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::bdf>();
+  does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::explicit_runge_kutta>();
+  does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::implicit_runge_kutta>();
+  does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::differential_algebraic>();
+}
+
+// The ball dives: its speed is halved, and it goes on.
+TEST(events, happen_once_where_the_motion_goes_on) {
+  const auto run = simulate<System>(
+      start, ball, {0, 2}, {.events = {contact([](moment<System>& now) { now.x[v] = now.x[v] / 2; })}});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_EQ(run.events.size(), 1u);
+  EXPECT_LT(run.state[h], -2);
+}
+
+// It is held up by what pulls it later.
+TEST(events, that_were_zero_since_the_start_happen_where_they_leave_it) {
+  const auto run =
+      simulate<System>({{h, 0}, {v, 0}}, {{m, 0.3}, {g, 0}}, {0, 2},
+                       {.events = {contact(bounce),
+                                   {"pushed", [](double t, auto&, auto&, auto&) { return t - 1; },
+                                    crossing::rising, [](moment<System>& now) { now.x[v] = -1; }}}});
+  ASSERT_EQ(run.events.size(), 2u) << run.cause();
+  EXPECT_EQ(run.events[1].name, "contact");
+  EXPECT_EQ(run.events[1].t, run.events[0].t);
+  EXPECT_NEAR(run.state[h], restitution, 1e-8);
+}
+
+TEST(events, at_the_end_happen) {
+  const auto run =
+      simulate<System>(start, ball, {0, 0.25},
+                       {.events = {{"end", [](double t, auto&, auto&, auto&) { return t - 0.25; },
+                                    crossing::rising, [](moment<System>& now) { now.x[v] = 7; }}}});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_EQ(run.time, 0.25);
+  EXPECT_EQ(run.state[v], 7);
+  EXPECT_EQ(run.trajectory.back().x[v], 7);
+}
+
+// Sums of rounding put each at a time of its own.
+TEST(events, may_be_many_at_one_time) {
+  std::vector<event<System>> many;
+  for (int i = 3; i <= 62; ++i)
+    many.push_back({"event " + std::to_string(i),
+                    [=](double t, const state<System>& x, auto&, auto&) {
+                      return i * (t - 0.3) + (x[h] - (2 - gravity_strength * 0.3 * 0.3 / 2)) / i;
+                    },
+                    crossing::either, [](moment<System>&) {}});
+  const auto run = simulate<System>(start, ball, {0, 1}, {.events = many});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_EQ(run.events.size(), 60u);
+  for (const occurrence& e : run.events) EXPECT_NEAR(e.t, 0.3, 1e-8);
+}
+
 } // namespace

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -52,7 +53,8 @@ TEST(simulate, tells_what_is_missing_before_the_first_step) {
 }
 
 TEST(simulate, refuses_what_it_cannot_do) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(cause_with({.inputs = idle}, {1, 0}), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(cause_with({.inputs = idle}, {0, nan}), "the time span is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 0}), "a tolerance must be positive");
@@ -65,6 +67,30 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 2}}),
             "the output time 2 is outside the time span");
   EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 0.2}}), "the output time 0.2 comes after 0.5");
+  EXPECT_EQ(cause_with({.inputs = idle}, {-1e308, 1e308}), "the time span is longer than numbers can say");
+  EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = nan}), "a tolerance must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = infinite}), "a tolerance is not finite");
+  EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 1}),
+            "the relative tolerance is 1; it must be below 1");
+  EXPECT_EQ(cause_with({.inputs = idle, .most_drift = nan}), "the drift that is allowed must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_every = nan}),
+            "the time between two samples must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_every = infinite}),
+            "the time between two samples is not finite");
+  for (const double fine : {1e-16, 1e-300, std::numeric_limits<double>::denorm_min()})
+    EXPECT_THAT(cause_with({.inputs = idle, .output_every = fine}),
+                testing::EndsWith(" s are closer than times up to 1 can be told apart"));
+  EXPECT_THAT(cause_with({.inputs = idle, .output_every = 1e-6}, {0, 1e9}),
+              testing::AllOf(testing::StartsWith("samples every 1e-06 s take "),
+                             testing::HasSubstr(" GB, and the machine has "),
+                             testing::EndsWith(" GB; hand them on by each_sample, with keep = false")));
+  EXPECT_EQ(cause_with({.inputs = idle, .first_step = infinite}), "the size of a step is not finite");
+  EXPECT_EQ(cause_with({.inputs = idle, .least_step = -1}), "the size of a step must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .least_step = 0.2, .greatest_step = 0.1}),
+            "the least step, 0.2, is longer than the greatest, 0.1");
+  for (const long steps : {0L, -1L})
+    EXPECT_EQ(cause_with({.inputs = idle, .most_steps = steps}),
+              "the most steps that are allowed must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .keep = false}), "samples are neither kept nor handed to a function");
   EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = nan}), "the size of a step must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .events = {{"odd", nullptr}}}),
@@ -149,6 +175,85 @@ TEST(simulate, ends_where_a_function_given_to_it_throws) {
                              }});
   EXPECT_THAT(run.cause(), testing::EndsWith("threw something that is no std::exception"));
   EXPECT_GT(run.trajectory.size(), 3u);
+}
+
+// Where a simulation fails, the time and the state that it tells are those of its last sample.
+void expect_one_end(const simulation<System>& run, const std::vector<sample<System>>& handed) {
+  EXPECT_FALSE(run);
+  ASSERT_FALSE(run.trajectory.empty());
+  EXPECT_EQ(run.trajectory.back().t, run.time) << run.cause();
+  EXPECT_EQ(run.trajectory.back().x, run.state) << run.cause();
+  ASSERT_EQ(handed.size(), run.trajectory.size());
+  EXPECT_EQ(handed.back().t, run.time);
+}
+
+template <integrator by>
+void ends_at_one_state() {
+  const auto singular = [](double t) {
+    return input_values<System>::Constant(1 / (0.5 - t) / (0.5 - t) / (0.5 - t));
+  };
+  const auto from_half = [](double t) {
+    return input_values<System>::Constant(t < 0.5 ? 1 : std::sqrt(0.5 - t));
+  };
+  const auto throwing = [](double t) {
+    if (t > 0.5) throw std::runtime_error("no more torque");
+    return input_values<System>::Zero();
+  };
+  std::vector<sample<System>> handed;
+  for (const double every : {0.0, 0.02, 0.7})
+    for (const input_source<System>& inputs :
+         {input_source<System>(singular), input_source<System>(from_half), input_source<System>(throwing)}) {
+      handed.clear();
+      const auto run =
+          simulate<System, by>(start, numbers, {0, 1},
+                               {.inputs = inputs, .output_every = every, .each_sample = [&](const auto& s) {
+                                  handed.push_back(s);
+                                }});
+      expect_one_end(run, handed);
+      EXPECT_NEAR(run.time, 0.5, 0.1);
+      EXPECT_LE(run.time, 0.5);
+    }
+  for (const double every : {0.0, 0.02, 0.7}) {
+    handed.clear();
+    simulation_options<System> o{.inputs = idle, .output_every = every, .each_sample = [&](const auto& s) {
+                                   handed.push_back(s);
+                                   if (s.t > 0.5) throw 7;
+                                 }};
+    expect_one_end(simulate<System, by>(start, numbers, {0, 1}, o), handed);
+    o.each_sample = [&](const auto& s) { handed.push_back(s); };
+    o.most_steps = 5;
+    handed.clear();
+    expect_one_end(simulate<System, by>(start, numbers, {0, 1}, o), handed);
+    o.most_steps = 10000;
+    o.events = {{"odd", [](double t, auto&, auto&, auto&) { return t < 0.5 ? 1 : std::sqrt(0.5 - t); }}};
+    handed.clear();
+    expect_one_end(simulate<System, by>(start, numbers, {0, 1}, o), handed);
+  }
+}
+
+TEST(simulate, ends_at_one_state_where_it_fails) {
+  ends_at_one_state<integrator::adams>();
+  ends_at_one_state<integrator::explicit_runge_kutta>();
+  ends_at_one_state<integrator::differential_algebraic>();
+}
+
+template <integrator by>
+void leaves_the_start_where_the_first_step_fails() {
+  const auto later = [](double t) { return input_values<System>::Constant(t == 0 ? 1 : std::sqrt(-t)); };
+  for (const double every : {0.0, 0.1}) {
+    const auto run = simulate<System, by>(start, numbers, {0, 1}, {.inputs = later, .output_every = every});
+    EXPECT_FALSE(run);
+    EXPECT_EQ(run.time, 0);
+    EXPECT_EQ(run.state[q], 0.3);
+    EXPECT_EQ(run.state[u], 0);
+    EXPECT_EQ(run.trajectory.size(), 1u);
+  }
+}
+
+TEST(simulate, leaves_the_start_where_the_first_step_fails) {
+  leaves_the_start_where_the_first_step_fails<integrator::adams>();
+  leaves_the_start_where_the_first_step_fails<integrator::explicit_runge_kutta>();
+  leaves_the_start_where_the_first_step_fails<integrator::differential_algebraic>();
 }
 
 } // namespace

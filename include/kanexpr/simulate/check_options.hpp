@@ -3,10 +3,14 @@
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
+
+#include <unistd.h>
 
 /// What is wrong with the way a simulation is asked for, before its first step.
 namespace kanexpr::simulated {
@@ -17,11 +21,44 @@ inline std::string digits(double number) {
   return text;
 }
 
+/// In bytes.
+inline double memory_of_machine() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
 inline std::string check_span(const time_span& span) {
   if (!std::isfinite(span.from) || !std::isfinite(span.to)) return "the time span is not finite";
   if (span.to < span.from)
     return "the time span ends at " + digits(span.to) + ", before it begins at " + digits(span.from);
+  if (!std::isfinite(span.to - span.from)) return "the time span is longer than numbers can say";
   return {};
+}
+
+inline std::string check_tolerance(double tolerance) {
+  if (!(tolerance > 0)) return "a tolerance must be positive";
+  return std::isinf(tolerance) ? "a tolerance is not finite" : "";
+}
+
+/// Regular samples that the times of the span can tell apart and, if they are kept, that memory can hold.
+inline std::string check_output_every(double every, const time_span& span, std::size_t bytes_each) {
+  if (every == 0) return {};
+  if (!(every > 0)) return "the time between two samples must be positive";
+  if (std::isinf(every)) return "the time between two samples is not finite";
+  const std::string samples_every = "samples every " + digits(every) + " s";
+  const double latest = std::max(std::abs(span.from), std::abs(span.to));
+  if (span.from < span.to && every < 4 * std::numeric_limits<double>::epsilon() * latest)
+    return samples_every + " are closer than times up to " + digits(latest) + " can be told apart";
+  const double bytes = (span.to - span.from) / every * static_cast<double>(bytes_each);
+  if (const double room = memory_of_machine(); bytes > room)
+    return samples_every + " take " + digits(bytes / 1e9) + " GB, and the machine has " + digits(room / 1e9) +
+           " GB; hand them on by each_sample, with keep = false";
+  return {};
+}
+
+/// The size of a step, of which 0 leaves the choice to the integrator.
+inline std::string check_step(double size) {
+  if (!(size >= 0)) return "the size of a step must be positive";
+  return std::isinf(size) ? "the size of a step is not finite" : "";
 }
 
 inline std::string check_output_times(const std::vector<double>& times, const time_span& span) {
@@ -39,13 +76,22 @@ template <class System>
 std::string check_options(const simulation_options<System>& o, const time_span& span) {
   if (const std::string wrong = check_span(span); !wrong.empty()) return wrong;
   if (o.inputs.problem()) return std::string(o.inputs.problem().view());
-  if (!(o.relative_tolerance > 0) || !(o.absolute_tolerance > 0)) return "a tolerance must be positive";
+  for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance})
+    if (std::string wrong = check_tolerance(tolerance); !wrong.empty()) return wrong;
+  if (o.relative_tolerance >= 1)
+    return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
   if (!(o.most_drift > 0)) return "the drift that is allowed must be positive";
-  if (!(o.output_every >= 0)) return "the time between two samples must be positive";
+  if (std::string wrong = check_output_every(o.output_every, span, o.keep ? sizeof(sample<System>) : 0);
+      !wrong.empty())
+    return wrong;
   if (o.output_every > 0 && !o.output_times.empty())
     return "samples are asked for at regular and at particular times; give output_every or output_times";
-  if (!(o.first_step >= 0) || !(o.least_step >= 0) || !(o.greatest_step >= 0))
-    return "the size of a step must be positive";
+  for (const double step : {o.first_step, o.least_step, o.greatest_step})
+    if (std::string wrong = check_step(step); !wrong.empty()) return wrong;
+  if (o.greatest_step > 0 && o.least_step > o.greatest_step)
+    return "the least step, " + digits(o.least_step) + ", is longer than the greatest, " +
+           digits(o.greatest_step);
+  if (o.most_steps <= 0) return "the most steps that are allowed must be positive";
   if (!o.keep && !o.each_sample) return "samples are neither kept nor handed to a function";
   for (std::size_t i = 0; i < o.events.size(); ++i)
     if (!o.events[i].value) return "the event " + o.events[i].name + " has no function whose zeros it is";

@@ -1,62 +1,193 @@
 #pragma once
 
 #include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/tolerances.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <vector>
 
 namespace kanexpr::simulated {
 
-/// Tells where events follow one another too fast for numbers, as the bounces of a ball do in the end: a
-/// function that a handler turned round is found beyond zero and no event was seen, or passes zero in one
-/// direction while its rate has the other.
+/// Watched functions that are zero where an integration begins, at the start or after a handler. Integrators
+/// look for changes of sign, so that they take no notice of those.
 template <class System>
 class departures {
 public:
   using state = kanexpr::state<System>;
 
-  /// Whether functions pass zero against their rates.
-  bool contradict(double t, const state& x, const std::vector<int>& passed, surroundings<System>& around) {
-    const std::vector<int> signs = signs_of_rates(t, x, passed.size(), around);
-    for (std::size_t i = 0; i < passed.size(); ++i)
-      if (signs[i] * passed[i] < 0) return true;
-    return false;
+  explicit departures(surroundings<System>& around) : around_(around) {}
+
+  void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
+
+  /// The functions that pass zero at the start: those that are zero there, as far as the tolerances tell, and
+  /// leave it in the direction of their event. An event of either direction must be seen on both sides.
+  std::vector<int> at_start(double t, const state& x, double span) {
+    std::vector<int> passed(count());
+    waiting_.assign(count(), 0), returning_ = completing_ = waiting_;
+    if (count() == 0 || !evaluate(t, x, here_)) return passed; // the integrator will tell why
+    for (std::size_t i = 0; i < count(); ++i) waiting_[i] = direction(i) * here_[i] >= 0 ? direction(i) : 0;
+    if (!none(waiting_)) find_margins(t, x);
+    for (std::size_t i = 0; i < count(); ++i)
+      if (waiting_[i] != 0 && std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
+    if (!none(waiting_)) look_ahead(t, x, 1e-3 * span, passed);
+    around_.forget();
+    return passed;
   }
 
-  /// Notes to which side those go that have just passed zero, from the state in which the handlers left them.
-  void note(double t, const state& x, const std::vector<int>& passed, surroundings<System>& around) {
-    sides_ = signs_of_rates(t, x, passed.size(), around);
-    for (std::size_t i = 0; i < passed.size(); ++i)
-      if (sides_[i] * passed[i] >= 0) sides_[i] = 0;
-  }
-
-  /// Whether one is back beyond where it was noted, and was not seen to return.
-  bool missed(double t, const state& x, const std::vector<int>& passed, surroundings<System>& around) {
-    if (sides_.empty()) return false;
-    bool found = false;
-    std::vector<double> now(sides_.size());
-    if (around.watch(t, x.data(), now.data()) == answer::given)
-      for (std::size_t i = 0; i < sides_.size(); ++i)
-        found |= sides_[i] * now[i] < 0 && sides_[i] * (now[i] - here_[i]) < 0 && passed[i] == 0;
-    sides_.clear();
+  /// After a step: functions that were zero since the start and have left it meanwhile in the direction of
+  /// their event.
+  std::vector<int> left(double t, const state& x, const std::vector<int>& passed) {
+    std::vector<int> found(count());
+    if (none(waiting_) || !evaluate(t, x, later_)) return found;
+    for (std::size_t i = 0; i < count(); ++i) {
+      const double moved = later_[i] - here_[i];
+      if (waiting_[i] == 0 || (passed[i] == 0 && !is_clear(i, moved))) continue;
+      if (passed[i] == 0 && waiting_[i] * later_[i] > 0 && waiting_[i] * moved > 0) found[i] = waiting_[i];
+      waiting_[i] = 0;
+    }
     return found;
   }
 
-private:
-  /// Of each watched function: 1 where it rises, 0 where that cannot be told.
-  std::vector<int> signs_of_rates(double t, const state& x, std::size_t count, surroundings<System>& around) {
-    std::vector<int> signs(count);
-    here_.resize(count), later_.resize(count);
-    if (around.watch(t, x.data(), here_.data()) != answer::given) return signs;
-    const state ahead = state(x + instant * equations_of_motion<System>::rhs(t, x, around.p(), around.r()));
-    if (around.watch(t + instant, ahead.data(), later_.data()) == answer::given)
-      for (std::size_t i = 0; i < count; ++i) signs[i] = (later_[i] > here_[i]) - (later_[i] < here_[i]);
-    return signs;
+  /// How far ahead the rates of functions are looked at: a small part of a step.
+  void look_ahead_by(double step) {
+    if (step > 0) ahead_ = 1e-3 * step;
   }
 
-  static constexpr double instant = 1e-6; // the rates are held meanwhile: only the sign of a change counts
+  /// Whether functions pass zero against their rates.
+  bool contradict(double t, const state& x, const std::vector<int>& passed) {
+    const std::vector<double> changes = changes_at(t, x);
+    for (std::size_t i = 0; i < passed.size(); ++i)
+      if (changes[i] * passed[i] < 0) return true;
+    return false;
+  }
 
-  std::vector<int> sides_;
-  std::vector<double> here_, later_;
+  /// Notes what is to come of functions that have just passed zero, after handlers that left the state `x`:
+  /// one that they turned round, or brought to rest, is to return; one that goes on may still be before zero.
+  void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
+    const std::vector<double> changes_before = changes_at(t, before), changes = changes_at(t, x);
+    returning_.assign(count(), 0), completing_.assign(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (passed[i] == 0) continue;
+      if (changes[i] * passed[i] > 1e-9 * std::abs(changes_before[i]))
+        completing_[i] = here_[i] * passed[i] <= 0 ? passed[i] : 0;
+      else if (around_.events()[i].handler)
+        returning_[i] = -passed[i];
+    }
+    if (none(returning_) && none(completing_) && none(waiting_)) return;
+    find_margins(t, x);
+    for (std::size_t i = 0; i < count(); ++i)
+      if (std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
+  }
+
+  /// After a step: takes from `passed` what was passed before; and tells whether a function that was to
+  /// return is found beyond zero, and was not seen to pass it.
+  bool missed(double t, const state& x, std::vector<int>& passed) {
+    if (none(returning_) && none(completing_)) return false;
+    if (!evaluate(t, x, later_)) return false;
+    for (std::size_t i = 0; i < count(); ++i) {
+      const double moved = later_[i] - here_[i];
+      if (completing_[i] != 0 && passed[i] == completing_[i]) passed[i] = completing_[i] = 0;
+      if (is_clear(i, moved)) completing_[i] = 0;
+      if (returning_[i] == 0) continue;
+      if (passed[i] != 0 || (returning_[i] * later_[i] > 0 && is_clear(i, moved)))
+        returning_[i] = 0;
+      else if (returning_[i] * later_[i] < 0 && returning_[i] * moved < 0 && is_clear(i, moved))
+        return true;
+    }
+    return false;
+  }
+
+private:
+  std::size_t count() const { return around_.events().size(); }
+  int direction(std::size_t i) const { return around_.direction(static_cast<int>(i)); }
+  static bool none(const std::vector<int>& of) {
+    return std::ranges::all_of(of, [](int each) { return each == 0; });
+  }
+
+  bool evaluate(double t, const state& x, std::vector<double>& values) {
+    values.resize(count());
+    return around_.watch(t, x.data(), values.data()) == answer::given;
+  }
+
+  /// How much each function changes where the entries of the state, and the time, change by what cannot be
+  /// told.
+  void find_margins(double t, const state& x) {
+    margins_.assign(count(), 0);
+    const state units = tolerances_.at(x);
+    const auto add = [&](double at, const state& beside) {
+      if (evaluate(at, beside, later_))
+        for (std::size_t i = 0; i < count(); ++i) margins_[i] += std::abs(later_[i] - here_[i]);
+    };
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      state beside = x;
+      beside(j) += units(j);
+      add(t, beside);
+    }
+    add(t * (1 + 4 * std::numeric_limits<double>::epsilon()), x);
+    around_.forget();
+  }
+  bool is_clear(std::size_t i, double moved) const { return std::abs(moved) > 1e-3 * margins_[i]; }
+
+  bool rates(double t, const state& x, state& out) {
+    if (around_.take(t, x) != answer::given) return false;
+    const auto found = equations_of_motion<System>::rhs(t, x, around_.p(), around_.r());
+    out = found;
+    return static_cast<bool>(compiled::status_of(found)) && out.allFinite();
+  }
+
+  /// Looks farther and farther ahead until it is seen to which side the functions go that are zero.
+  void look_ahead(double t, const state& x, double farthest, std::vector<int>& passed) {
+    const state units = tolerances_.at(x);
+    state slope, rough, fine;
+    if (!rates(t, x, slope)) return;
+    const double fastest = slope.cwiseQuotient(units).cwiseAbs().maxCoeff();
+    for (ahead_ = 1e-3 / fastest; ahead_ <= farthest && !none(waiting_); ahead_ *= 2) {
+      if (!advance(t, x, rough, fine)) return;
+      if (state(fine - x).cwiseQuotient(units).cwiseAbs().maxCoeff() > 1e6) return;
+      if (!evaluate(t + ahead_, rough, later_)) return;
+      const std::vector<double> roughly = later_;
+      if (!evaluate(t + ahead_, fine, later_)) return;
+      for (std::size_t i = 0; i < count(); ++i) {
+        const double moved = later_[i] - here_[i], error = roughly[i] - later_[i];
+        if (waiting_[i] == 0 || !is_clear(i, moved) || std::abs(error) > std::abs(moved) / 2) continue;
+        if (waiting_[i] * moved > 0) passed[i] = waiting_[i];
+        waiting_[i] = 0;
+      }
+    }
+  }
+
+  /// To the state after `ahead_` by the midpoint rule and by the classic Runge-Kutta method.
+  bool advance(double t, const state& x, state& rough, state& fine) {
+    state k1, k2, k3, k4;
+    const double h = ahead_;
+    if (!rates(t, x, k1) || !rates(t + h / 2, state(x + h / 2 * k1), k2) ||
+        !rates(t + h / 2, state(x + h / 2 * k2), k3) || !rates(t + h, state(x + h * k3), k4))
+      return false;
+    rough = x + h * k2;
+    fine = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    return true;
+  }
+
+  /// By how much each function changes in `ahead_`, with the rates of this state; 0 where that cannot be
+  /// told.
+  std::vector<double> changes_at(double t, const state& x) {
+    std::vector<double> changes(count());
+    state now;
+    if (evaluate(t, x, here_) && rates(t, x, now) && evaluate(t + ahead_, state(x + ahead_ * now), later_))
+      std::ranges::transform(later_, here_, changes.begin(), std::minus<>());
+    around_.forget();
+    return changes;
+  }
+
+  surroundings<System>& around_;
+  tolerances<System> tolerances_;
+  double ahead_ = 0;
+  std::vector<int> waiting_;                ///< to leave zero in a direction
+  std::vector<int> returning_, completing_; ///< to a side, in a direction
+  std::vector<double> here_, later_, margins_;
 };
 
 } // namespace kanexpr::simulated

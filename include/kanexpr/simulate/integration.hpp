@@ -20,7 +20,7 @@ public:
   integration(const given_parameters<System>& p, const time_span& span,
               const simulation_options<System>& options)
       : options_(options), span_(span), around_(p.values, options.inputs, options.events), moving_(around_),
-        sampling_(options, span, around_, result_.trajectory) {
+        sampling_(options, span, around_, result_.trajectory), departures_(around_) {
     result_.trajectory = kanexpr::trajectory<System>(p.values);
     if (p.problem) fail(std::string(p.problem.view()));
   }
@@ -51,11 +51,12 @@ private:
 
   /// Ends the simulation where it stands.
   bool fail_here(const std::string& why) {
+    const std::string because = around_.reason();
+    if (has_begun_) sampling_.end(result_.time, result_.state);
     std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
     for (int i = 0; i < known.coordinates + known.speeds; ++i)
       where +=
           (i == 0 ? "" : ", ") + surroundings<System>::name_of_state(i) + " = " + digits(result_.state(i));
-    const std::string& because = around_.reason();
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
@@ -66,10 +67,20 @@ private:
     if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
     if (std::string wrong = read_tolerances(options_, o.absolute_tolerances); !wrong.empty())
       return fail(std::move(wrong));
-    if (!assemble_at(span_.from, result_.state)) return false;
+    departures_.set(tolerances_of(o));
+    state first = result_.state;
+    if (!assemble_at(span_.from, first)) return false;
+    result_.state = first;
     if (moving_.start(span_.from, result_.state, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
+    has_begun_ = true;
     return sampling_.begin(span_.from, result_.state) || fail_here("");
+  }
+
+  static tolerances<System> tolerances_of(const solvers::stepper_options& o) {
+    tolerances<System> of_entries{o.relative_tolerance, {}};
+    std::ranges::copy(o.absolute_tolerances, of_entries.absolute.begin());
+    return of_entries;
   }
 
   solvers::stepper_options stepper_options() const {
@@ -101,34 +112,39 @@ private:
   }
 
   void go() {
-    const bool by_steps =
-        sampling_.takes_each_step() || options_.dense || options_.progress || stepper().goes_by_steps();
-    bool goes_on = true;
-    while (goes_on && result_.time < span_.to) {
-      const double target = by_steps || sampling_.is_over() ? span_.to : sampling_.next();
-      const solvers::arrival arrived = stepper().advance(target, !by_steps);
-      result_.time = stepper().time();
-      std::copy_n(stepper().state(), result_.state.size(), result_.state.begin());
-      if (arrived == solvers::arrival::failed) {
-        sampling_.record_last(result_.time, result_.state);
-        fail_here(stepper().failed().sentence);
-        return;
-      }
-      if (stepper().steps() > options_.most_steps) {
-        fail_here("the most steps that are allowed were taken");
-        return;
-      }
-      around_.forget();
-      if (options_.dense) sampling_.keep_polynomial(stepper(), result_.time, begun_);
-      const std::vector<int> passed =
-          arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
-      goes_on = (sampling_.go_on(stepper(), result_.time, result_.state) || fail_here("")) && is_seen(passed);
-      if (goes_on && arrived == solvers::arrival::event) goes_on = pass_event(passed);
-      if (options_.progress && goes_on)
-        goes_on = around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
-                      answer::given ||
-                  fail_here("");
-    }
+    const std::vector<int> passed = departures_.at_start(result_.time, result_.state, span_.to - span_.from);
+    bool goes_on = !is_any(passed) || pass_event(passed);
+    while (goes_on && result_.time < span_.to) goes_on = step();
+  }
+
+  /// One step of the integrator. Until its end is known to be sound the simulation stands at its beginning.
+  bool step() {
+    if (stepper().steps() >= options_.most_steps)
+      return fail_here("the most steps that are allowed were taken");
+    const solvers::arrival arrived = stepper().advance(span_.to, false);
+    if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
+    around_.forget();
+    const double t = stepper().time();
+    state x;
+    std::copy_n(stepper().state(), x.size(), x.begin());
+    std::vector<int> passed =
+        arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
+    if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
+    if (const std::vector<int> left = departures_.left(t, x, passed); is_any(left))
+      return pass_event(left) && restart();
+    result_.time = t, result_.state = x;
+    if (options_.dense) sampling_.keep_polynomial(stepper(), t, begun_);
+    if (!sampling_.go_on(stepper(), t, result_.state)) return fail_here("");
+    departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
+    if (is_any(passed) && !pass_event(passed)) return false;
+    return !options_.progress ||
+           around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
+               answer::given ||
+           fail_here("");
+  }
+
+  static bool is_any(const std::vector<int>& passed) {
+    return std::ranges::any_of(passed, [](int each) { return each != 0; });
   }
 
   /// Lets the handlers of what happened act, and goes on from the state that they leave.
@@ -154,27 +170,32 @@ private:
     if (changed && !x.allFinite())
       return fail_here("the handler of an event left a state that is not finite");
     if (changed && !assemble_at(t, x)) return false;
+    departures_.note(t, result_.state, x, passed);
     result_.state = x;
     if (changed && sampling_.takes_each_step() && !sampling_.record(t, x)) return fail_here("");
     result_.stopped_by_event = stops;
-    if (stops) return false;
-    begun_ = t;
-    if (changed) departures_.note(t, x, passed, around_);
-    return moving_.restart(x) || fail_here(stepper().failed().sentence);
+    return !stops && restart();
   }
 
-  bool is_seen(const std::vector<int>& passed) {
-    return !departures_.missed(result_.time, result_.state, passed, around_) || fail_here(ever_faster);
+  /// Goes on anew from where the simulation stands.
+  bool restart() {
+    begun_ = result_.time;
+    return moving_.restart(result_.time, result_.state) || fail_here(stepper().failed().sentence);
   }
 
-  /// Whether events pile up at one time.
+  /// Whether one event happens again and again at one time.
   bool is_endless(const std::vector<int>& passed) {
-    const double scale = std::max({1.0, std::abs(span_.from), std::abs(span_.to)});
-    const double since = result_.time - last_event_;
-    events_at_once_ = since <= 1e-12 * scale ? events_at_once_ + 1 : 0;
-    last_event_ = result_.time;
-    return events_at_once_ > 20 ||
-           (since <= 1e-6 * scale && departures_.contradict(result_.time, result_.state, passed, around_));
+    const double t = result_.time, latest = std::max(std::abs(span_.from), std::abs(span_.to));
+    bool is_soon = false;
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+      if (passed[i] == 0) continue;
+      repetition& r = repetitions_[i];
+      r.times = t - r.last <= 1e-12 * latest ? r.times + 1 : 0;
+      is_soon |= t - r.last <= 1e-6 * latest;
+      r.last = t;
+      if (r.times > 20) return true;
+    }
+    return is_soon && departures_.contradict(t, result_.state, passed);
   }
 
   void end() {
@@ -194,8 +215,13 @@ private:
   sampling<System> sampling_;
   departures<System> departures_;
   double begun_ = -std::numeric_limits<double>::infinity();
-  double last_event_ = -std::numeric_limits<double>::infinity();
-  int events_at_once_ = 0;
+  /// How often in a row an event has happened at one time.
+  struct repetition {
+    double last = -std::numeric_limits<double>::infinity();
+    int times = 0;
+  };
+  std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
+  bool has_begun_ = false;
 };
 
 } // namespace kanexpr::simulated

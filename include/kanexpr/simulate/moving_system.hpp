@@ -40,11 +40,12 @@ public:
 
   solvers::stepper& stepper() { return *integrating_; }
 
-  /// Goes on from another state.
-  bool restart(const kanexpr::state<System>& x) {
+  /// Goes on from another state, and from no later time.
+  bool restart(double t, const kanexpr::state<System>& x) {
     solvers::stepper& s = stepper();
+    s.go_back_to(t);
     if constexpr (is_implicit) {
-      if (motion.start(s.time(), x, s.state(), s.rates()) != answer::given) return false;
+      if (motion.start(t, x, s.state(), s.rates()) != answer::given) return false;
     } else {
       std::ranges::copy(x, s.state());
     }

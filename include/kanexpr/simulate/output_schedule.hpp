@@ -2,6 +2,7 @@
 
 #include <kanexpr/simulate/time_span.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -14,9 +15,12 @@ class output_schedule {
 public:
   output_schedule(const time_span& span, double every, const std::vector<double>& times)
       : span_(span), every_(every), times_(times) {
-    if (every > 0)
-      count_ = static_cast<std::size_t>(std::ceil((span.to - span.from) / every * (1 - 1e-12))) + 1;
-    if (!times.empty()) count_ = times.size();
+    if (every > 0) {
+      const double parts = (span.to - span.from) / every;
+      const double rounding = std::min(1e-12 * parts, 1e-3); // a last part as short as that is none
+      count_ = std::ceil(parts - rounding) + 1;
+    }
+    if (!times.empty()) count_ = static_cast<double>(times.size());
   }
 
   /// Whether no times are asked for: each step of the integrator is a sample.
@@ -24,8 +28,8 @@ public:
 
   bool is_over() const { return next_ == count_; }
   double next() const {
-    if (!times_.empty()) return times_[next_];
-    return next_ + 1 == count_ ? span_.to : span_.from + static_cast<double>(next_) * every_;
+    if (!times_.empty()) return times_[static_cast<std::size_t>(next_)];
+    return next_ + 1 == count_ ? span_.to : span_.from + next_ * every_;
   }
   void pass() { ++next_; }
 
@@ -33,7 +37,7 @@ private:
   time_span span_;
   double every_;
   const std::vector<double>& times_;
-  std::size_t next_ = 0, count_ = 0;
+  double next_ = 0, count_ = 0; // whole numbers
 };
 
 } // namespace kanexpr::simulated

@@ -7,6 +7,8 @@
 #include <kanexpr/simulate/surroundings.hpp>
 
 #include <algorithm>
+#include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,15 +39,18 @@ public:
     return true;
   }
 
-  /// After a step to a time and a state: what was due on the way there.
-  bool go_on(solvers::stepper& s, double t, const state& x) {
+  /// After a step to a time and a state: what was due on the way there. Where a sample is due at its end the
+  /// state is brought to the constraints.
+  bool go_on(solvers::stepper& s, double t, state& x) {
     if (takes_each_step()) return record(t, x);
     for (; !is_over() && next() <= t; schedule_.pass()) {
-      const bool is_between = next() < t;
-      state due = x;
-      if (is_between && !interpolate(s, next(), due)) return false;
-      if ((is_between || !s.goes_by_steps()) && !bring_to_constraints(next(), due)) return false;
-      if (!record(next(), due)) return false;
+      if (next() < t) {
+        state due = x;
+        if (!interpolate(s, next(), due) || !bring_to_constraints(next(), due) || !record(next(), due))
+          return false;
+      } else if ((!s.goes_by_steps() && !bring_to_constraints(t, x)) || !record(t, x)) {
+        return false;
+      }
     }
     return true;
   }
@@ -53,17 +58,26 @@ public:
   bool record(double t, const state& x) {
     if (around_.take(t, x) != answer::given) return false;
     const sample now{t, x, around_.r()};
-    if (options_.each_sample && around_.guarded("the function that is given each sample",
-                                                [&] { options_.each_sample(now); }) != answer::given)
+    try {
+      if (options_.keep) kept_.add(now);
+    } catch (const std::bad_alloc&) {
+      around_.refuse("there is no memory for another sample");
       return false;
-    if (options_.keep) kept_.add(now);
-    return true;
+    }
+    last_ = now;
+    is_refused_ = options_.each_sample && around_.guarded("the function that is given each sample", [&] {
+      options_.each_sample(now);
+    }) != answer::given;
+    return !is_refused_;
   }
 
-  /// The last state that was reached, for one who looks for what went wrong.
-  void record_last(double t, const state& x) {
-    if (options_.keep && (kept_.empty() || kept_.back().t < t) && x.allFinite())
-      kept_.add(sample{t, x, around_.r()});
+  /// Makes the time and the state that were reached the last sample; or goes back to the last sample, where
+  /// that was refused or no more can be taken.
+  void end(double& t, state& x) {
+    if (!last_) return;
+    const bool is_taken = last_->t == t && last_->x == x;
+    if (!is_taken && !is_refused_ && last_->t <= t) record(t, x);
+    t = last_->t, x = last_->x;
   }
 
   /// The polynomial of the last step, from no earlier than the last event.
@@ -116,6 +130,8 @@ private:
   surroundings<System>& around_;
   trajectory<System>& kept_;
   constraint_projection<System> projection_;
+  std::optional<sample> last_;
+  bool is_refused_ = false; ///< by the function that is given each sample
   std::vector<double> whole_;
 };
 

@@ -53,6 +53,8 @@ public:
   virtual double step_begin() const = 0;
   virtual double step_end() const = 0;
 
+  /// Leaves the way from an earlier time, of which `state` is given before it goes on.
+  void go_back_to(double t) { t_ = t; }
   /// Goes on from what `state` was changed to.
   virtual bool restart() = 0;
 
