@@ -215,13 +215,13 @@ TEST(fixed_step, feeds_the_state_of_each_stage_back) {
 }
 
 TEST(fixed_step, says_that_the_state_is_not_finite_and_leaves_it) {
-  pendulum::parameters p = conservative();
-  p[simple_pendulum::l] = 0;
+  const pendulum::parameters p = conservative();
+  const pendulum::inputs endless(std::numeric_limits<double>::infinity());
   const pendulum::state before(0.4, 0.5);
   const auto expect_refused = [&](auto step) {
     pendulum::state x = before;
     double now = 3;
-    const status s = step(now, x, 0.01, p, pendulum::inputs(0.0));
+    const status s = step(now, x, 0.01, p, endless);
     EXPECT_FALSE(s);
     EXPECT_EQ(s.cause(), "the state after the step is not finite");
     EXPECT_EQ(x, before);

@@ -109,7 +109,7 @@ TEST(scalars, each_lane_of_a_pack_has_the_bits_of_its_own_evaluation) {
     const auto [own_mass_matrix, own_rates, own_energy] = all(x, p, r);
     for (int i = 0; i < 4; ++i) EXPECT_EQ(mass_matrix(i)[lane], own_mass_matrix(i));
     for (int i = 0; i < 4; ++i) EXPECT_EQ(rates(i)[lane], own_rates(i));
-    EXPECT_EQ(energy[lane], own_energy);
+    EXPECT_EQ(energy.value[lane], own_energy.value);
   }
 }
 
