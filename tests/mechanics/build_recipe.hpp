@@ -121,8 +121,11 @@ private:
     for (const inertia& i : b.dyadic)
       total.add(b_.inertia(frames[at(i.axes)], now_(i.scalars[0]), now_(i.scalars[1]), now_(i.scalars[2]),
                            now_(i.scalars[3]), now_(i.scalars[4]), now_(i.scalars[5])));
-    if (b.about < 0) return b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total);
-    b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total, points[at(b.about)]);
+    if (b.about < 0)
+      b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total);
+    else
+      b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total, points[at(b.about)]);
+    if (b.inertia_changes) b_.changing_inertia(called);
   }
 
   void add_force(const load& f) {

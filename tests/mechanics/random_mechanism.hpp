@@ -76,10 +76,10 @@ private:
     for (int p : sliding_)
       if (style_ == style::star || style_ == style::scattered || d_.chance(0.2)) particle(p);
   }
-  void particle(int where) { m_.bodies.push_back({where, -1, number(d_.between(0.3, 2)), {}, -1}); }
+  void particle(int where) { m_.bodies.push_back({where, -1, number(d_.between(0.3, 2)), {}, -1, false}); }
 
   void rigid(int center, int frame) {
-    body b{center, frame, number(d_.between(0.3, 2)), {inertia_in(frame)}, -1};
+    body b{center, frame, number(d_.between(0.3, 2)), {inertia_in(frame)}, -1, false};
     const recipe::frame& f = m_.frames[at(frame)];
     if (f.how == turn::about_basis && d_.chance(0.3)) { // as round as a wheel: the axes below serve as well
       const double across = d_.between(0.3, 1), along = d_.between(0.3, 1);
@@ -89,8 +89,10 @@ private:
       b.dyadic = {i};
     } else if (d_.chance(0.3)) {
       b.dyadic.push_back(inertia_in(d_.chance(0.5) ? welded(frame) : frame));
+      b.inertia_changes = b.dyadic.back().axes != frame && !m_.frames.back().angle[0].terms.empty(); // driven
     } else if (d_.chance(0.05)) {
       b.dyadic = {inertia_in(any_frame())}; // no physics, but the equations have to hold
+      b.inertia_changes = true;
     }
     if (d_.chance(0.1)) b.about = center;
     if (d_.chance(0.2)) give_about_another_point(b);

@@ -73,6 +73,7 @@ struct body {
   constant mass;
   std::vector<inertia> dyadic;
   int about = -1;
+  bool inertia_changes = false; // as the body sees it
 };
 
 struct load {

@@ -245,8 +245,37 @@ TEST(builder_mistakes, knows_names_that_are_used_twice) {
             "two frames are called N");
   EXPECT_EQ(told([](auto& b) { b.particle("Bob", b.bob, b.m); }), "two bodies are called Bob");
   EXPECT_EQ(told([](auto& b) { b.origin(""); }), "one of the points has no name");
-  EXPECT_EQ(told([](auto& b) { b.speed(std::string(64, 'u')); }),
-            "the name " + std::string(64, 'u') + " is longer than a name can be, 63 letters");
+}
+
+TEST(builder_mistakes, knows_what_a_name_is) {
+  EXPECT_EQ(told([](auto& b) { b.parameter(""); }), "one of the symbols has no name");
+  EXPECT_EQ(told([](auto& b) { b.parameter(std::string(60, 'k')); }), "");
+  EXPECT_EQ(told([](auto& b) { b.speed(std::string(61, 'u')); }),
+            "the name " + std::string(61, 'u') + " is longer than a name can be, 60 letters");
+  EXPECT_EQ(told([](auto& b) { b.input("th'"); }), "the name th' holds a prime, which stands for a rate");
+  EXPECT_EQ(told([](auto& b) { b.rotated("R'", b.n, b.theta, b.along(b.n, 0, 0, 1)); }),
+            "the name R' holds a prime, which stands for a rate");
+  EXPECT_EQ(told([](auto& b) { b.parameter("2m"); }), "the name 2m does not begin with a letter");
+  EXPECT_EQ(told([](auto& b) { b.parameter("θ"); }), "");
+  for (const char* called : {"a\"b", "a\nb", "a\x7f"})
+    EXPECT_EQ(told([&](auto& b) { b.parameter(called); }),
+              "the name of one of the symbols holds a quote or a control character");
+  EXPECT_EQ(told([](auto& b) { b.parameter("t"); }), "");
+  EXPECT_EQ(told([](auto& b) { b.parameter("t"), b.time(); }), "the name t is used twice");
+  EXPECT_EQ(told([](auto& b) { b.time(), b.time(), b.parameter("t"); }), "the name t is used twice");
+}
+
+// Of a name that is too long for a sentence both ends are left.
+TEST(builder_mistakes, keep_the_ends_of_names) {
+  const auto called = [](char last) { return "Link" + std::string(300, 'x') + last; };
+  for (const char last : {'a', 'b'}) {
+    const std::string found(kanexpr::mechanics::sentence({"two frames are called ", called(last)}).view());
+    EXPECT_TRUE(found.starts_with("two frames are called Linkxx")) << found;
+    EXPECT_TRUE(found.ends_with(std::string("xx") + last)) << found;
+    EXPECT_EQ(found.size(), 255u);
+    const kanexpr::symbolic::name name(called(last));
+    EXPECT_TRUE(name.view().starts_with("Linkxx") && name.view().ends_with(std::string("xx") + last));
+  }
 }
 
 TEST(builder_mistakes, looks_at_axes_and_sequences) {

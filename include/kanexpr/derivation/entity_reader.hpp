@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derivation/misfit_wording.hpp>
 #include <kanexpr/derivation/phrase_reader.hpp>
 #include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
@@ -44,7 +45,7 @@ public:
       const int reference = frame(r->reference, r->called);
       const mechanics::vector w =
           vector_of(r->angular_velocity, {"the angular velocity of frame ", r->called}, r->called);
-      if (!mistake_) mechanics::declare_angular_velocity(m_, place, reference, w);
+      if (!mistake_) mechanics::declare_angular_velocity(m_, place, reference, w, r->turns_apart);
     }
     describing_ = describing_before;
     return place;
@@ -79,28 +80,38 @@ public:
   }
 
 protected:
+  /// Whether an entity is told nothing twice, and only what belongs to it.
+  constexpr bool words_belong(describe::misfit beside, std::string_view called) {
+    const problem found = misfit_of(beside, called);
+    if (found) fail({found.view()});
+    return !found;
+  }
+
   /// `struct B : rotated<A, ...>` would be a second A.
   constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
     fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ",
           called});
   }
-  constexpr void misfit(std::string_view kind, std::string_view called, const describe::arguments& has) {
+  constexpr void wrong_count(std::string_view kind, std::string_view called, const describe::arguments& has) {
     fail({kind, called, has.missing > 0 ? " lacks an argument" : " has an argument too many", "; write ",
           has.form});
   }
 
 private:
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
+    if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail(
           {r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
-    if (!r.fits) return misfit("frame ", r.called, r.fits);
+    if (!r.fits) return wrong_count("frame ", r.called, r.fits);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
       fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
     if (r.orientation == describe::orientation_word::inertial && &r != from_.inertial)
       fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
             from_.inertial->called});
+    if (&r == from_.inertial && r.reference != nullptr)
+      fail({"the inertial frame ", r.called, " is given an angular velocity"});
     if (open_frames_.contains(&r)) fail({"frame ", r.called, " stands in itself"});
     for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
       for (const frame_record* f : *list)
@@ -108,11 +119,14 @@ private:
   }
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
+    if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail(
           {r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
-    if (!r.fits) return misfit("point ", r.called, r.fits);
+    if (!r.fits) return wrong_count("point ", r.called, r.fits);
+    if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
+      fail({"point ", r.called, " is an origin, fixed in the inertial frame, and is said to move"});
     if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)

@@ -25,7 +25,7 @@ public:
 
 protected:
   constexpr void read_load(const load_record& r) {
-    if (!r.fits) return misfit("", name_of(r).view(), r.fits);
+    if (!r.fits) return wrong_count("", name_of(r).view(), r.fits);
     if (!moves(r)) return evaluate_load(r);
     check_written(r.value, name_of(r).view());
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||

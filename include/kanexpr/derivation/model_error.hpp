@@ -58,24 +58,29 @@ inline constexpr int longest_piece = 30;
 inline constexpr int longest_piece = mechanics::problem::capacity;
 #endif
 
-/// Where piece number `piece` of a sentence begins, cut at spaces; the length of the sentence for those
-/// behind its end.
+/// Where the piece of a sentence ends that begins at `begin`: at a space, if there is one, else in a word.
+constexpr int piece_end(const mechanics::problem& p, int begin) {
+  const int most = begin + longest_piece;
+  if (most >= p.length) return p.length;
+  int end = most;
+  while (end > begin && p.letters[end] != ' ') --end;
+  return end > begin ? end : most;
+}
+
+/// Where piece number `piece` of a sentence begins; the length of the sentence for those behind its end.
 constexpr int piece_begin(const mechanics::problem& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
-    int end = begin + longest_piece;
-    if (end >= p.length) return p.length;
-    while (end > begin + 1 && p.letters[end] != ' ') --end;
-    begin = end + 1;
+    begin = piece_end(p, begin);
+    if (begin < p.length && p.letters[begin] == ' ') ++begin;
   }
-  return begin < p.length ? begin : p.length;
+  return begin;
 }
 
 template <class Told, int piece>
 constexpr auto piece_of() {
-  constexpr int begin = piece_begin(Told::mistake, piece), next = piece_begin(Told::mistake, piece + 1);
-  constexpr int end = next == Told::mistake.length ? next : next - 1;
-  return text_of<Told, begin, end>();
+  constexpr int begin = piece_begin(Told::mistake, piece);
+  return text_of<Told, begin, piece_end(Told::mistake, begin)>();
 }
 
 constexpr int count_pieces(const mechanics::problem& p) {

@@ -72,7 +72,7 @@ private:
     const value number = evaluate(right, s->called.view());
     if (!mistake_ && (number.kind != shape::scalar || !number.scalar.is_constant()))
       fail({"the value of parameter ", s->called.view(), " is not a number"});
-    bind(s->called, number.scalar);
+    bind(*s, number.scalar);
   }
 
   constexpr void read_kinematics(const phrase& p) {
@@ -98,11 +98,12 @@ private:
   }
 
   constexpr void read_body(const body_record& r) {
+    if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",
                    r.instead.empty() ? "not a body" : r.instead});
     if (r.called != r.calls_itself) return slip("body ", r.called, r.calls_itself);
-    if (!r.fits) return misfit("body ", r.called, r.fits);
+    if (!r.fits) return wrong_count("body ", r.called, r.fits);
     if (!r.instead_of_inertia.empty())
       return fail({"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is no inertia"});
     for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one
@@ -117,6 +118,7 @@ private:
       b.frame = frame(r.frame, r.called);
       b.inertia = inertia_of(r);
       if (r.about != nullptr) b.about = point(r.about, r.called);
+      b.inertia_changes = r.inertia_changes;
     }
     if (!mistake_) m_.bodies.push(b);
   }

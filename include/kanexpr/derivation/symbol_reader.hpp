@@ -2,6 +2,7 @@
 
 #include <kanexpr/derivation/wording.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/check_name.hpp>
 #include <kanexpr/mechanics/mechanism.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
@@ -28,7 +29,7 @@ public:
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     using symbolic::symbol_kind;
     switch (r.kind) {
-    case symbol_kind::time: return m_.time;
+    case symbol_kind::time: claim_time(); return m_.time;
     case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
     case symbol_kind::coordinate_rate:
       if (takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
@@ -37,7 +38,8 @@ public:
       if (takes_rates_as_speeds())
         fail({part_, whom, " holds the speed ", r.called.view(),
               "; a lagrange_system has no speeds but the rates of its coordinates"});
-      if (has(m_.auxiliary_speeds, r.called)) return find(m_.auxiliary_speeds, r.called);
+      if (has(m_.auxiliary_speeds, r.called))
+        return listed(m_.auxiliary_speeds, m_.auxiliary_speeds, r, "auxiliary speed", whom);
       return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate:
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
@@ -49,7 +51,7 @@ public:
     case symbol_kind::multiplier: break;
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
-        if (bound_[i] == r.called) return bound_values_[i];
+        if (bound_[i] == r.called) return is_the_same(r, "parameter"), bound_values_[i];
       return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
     case symbol_kind::input:
       if (from_.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
@@ -85,7 +87,7 @@ protected:
       fail({kind_of(*s), s->called.view(), " stands in the list of ", list});
       return nullptr;
     }
-    claim_name(s->called, list);
+    claim(*s, list);
     return s;
   }
 
@@ -109,29 +111,41 @@ protected:
             below.view()});
   }
 
+  /// Takes the name of a symbol, which has to be one.
+  constexpr void claim(const symbol_record& r, std::string_view list) {
+    const std::string_view called = r.called.view();
+    const std::size_t primes = r.order > 0 ? static_cast<std::size_t>(r.order) : 0;
+    const bool whole = r.called.length < symbolic::name::capacity;
+    if (const problem found = mechanics::check_name(r.given == 0 ? ""
+                                                    : whole      ? called.substr(0, called.size() - primes)
+                                                                 : called,
+                                                    list))
+      return fail({found.view()});
+    claim_name(r.called, list, mark_of(r));
+  }
+
   /// A name means one thing in a system.
-  constexpr void claim_name(const symbolic::name& called, std::string_view list) {
-    if (called.view().empty())
-      fail({"among the ", list, " is one without a name; a name is a text between quotes"});
-    for (int i = 0; i < names_.size(); ++i)
-      if (names_[i] == called) {
-        if (lists_[i] == list)
+  constexpr void claim_name(const symbolic::name& called, std::string_view list, int mark = 0) {
+    for (const claimed& other : claimed_)
+      if (other.called == called) {
+        if (other.list == list && other.mark != mark)
+          fail({"two of the ", list, " are called ", called.view()});
+        else if (other.list == list)
           fail({called.view(), " is listed twice among the ", list});
-        else if (lists_[i] == "values")
+        else if (other.list == "values")
           fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
         else
-          fail(
-              {"the name ", called.view(), " is used twice: among the ", lists_[i], " and among the ", list});
+          fail({"the name ", called.view(), " is used twice: among the ", other.list, " and among the ",
+                list});
       }
-    names_.push(called);
-    lists_.push(list);
+    claimed_.push({called, list, mark});
   }
 
   /// Binds a parameter to a number.
-  constexpr void bind(const symbolic::name& called, expression number) {
-    bound_.push(called);
+  constexpr void bind(const symbol_record& r, expression number) {
+    bound_.push(r.called);
     bound_values_.push(number);
-    claim_name(called, "values");
+    claim(r, "values");
   }
   constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
 
@@ -154,7 +168,8 @@ private:
   /// Of a coordinate: the rate of its rate, which must be a speed.
   constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
     if (takes_rates_as_speeds())
-      return listed(m_.coordinates, m_.speed_rates, {r.kind, derivative(r, 0)}, "coordinate", whom);
+      return listed(m_.coordinates, m_.speed_rates,
+                    {r.kind, derivative(r, 0), describe::unprescribed, r.given}, "coordinate", whom);
     fail({part_, whom, " holds the second derivative of coordinate ", derivative(r, 0).view(),
           "; write it by the rates of the speeds"});
     return m_.zero();
@@ -171,9 +186,9 @@ private:
   /// Without a list of inputs a prescribed quantity takes three places in a row: what an acceleration needs.
   constexpr void place_with_derivatives(const symbol_record& r) {
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
-      const symbol_record one{r.kind, derivative(r, order), order};
+      const symbol_record one{r.kind, derivative(r, order), order, r.given};
       if (has(m_.inputs, one.called)) continue;
-      claim_name(one.called, "inputs");
+      claim(one, "inputs");
       place_input(one);
     }
   }
@@ -181,7 +196,7 @@ private:
   constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)
-      if (m_.g->symbol_at(own[i].node()).called == r.called) return wanted[i];
+      if (m_.g->symbol_at(own[i].node()).called == r.called) return is_the_same(r, kind), wanted[i];
     fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
     return m_.zero();
   }
@@ -189,20 +204,46 @@ private:
   constexpr expression mentioned(sequence<expression>& known, const symbol_record& r, bool complete,
                                  std::string_view kind, std::string_view whom) {
     for (const expression& e : known)
-      if (m_.g->symbol_at(e.node()).called == r.called) return e;
+      if (m_.g->symbol_at(e.node()).called == r.called) return is_the_same(r, kind), e;
     if (complete) {
       fail(
           {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
       return m_.zero();
     }
-    claim_name(r.called, kind == "input" ? "inputs" : "parameters");
+    claim(r, kind == "input" ? "inputs" : "parameters");
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
+  }
+
+  /// A name that is taken.
+  struct claimed {
+    symbolic::name called;
+    std::string_view list;
+    int mark = 0; ///< which symbol of that name it is
+  };
+
+  /// What tells apart symbols of one kind and name: `parameter<"k", 1>` and `parameter<"k1">`, an input and a
+  /// prescribed quantity.
+  static constexpr int mark_of(const symbol_record& r) {
+    const bool is_prescribed = r.kind == symbolic::symbol_kind::input && r.order != describe::unprescribed;
+    return 2 * r.given + (is_prescribed ? 1 : 0);
+  }
+
+  /// A symbol that was found by its name must be the one that took it.
+  constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
+    const int mark = mark_of(r);
+    for (const claimed& c : claimed_)
+      if (c.called == r.called && c.mark != mark) fail({"two ", kind, "s are called ", r.called.view()});
+  }
+
+  constexpr void claim_time() {
+    if (!is_time_claimed_) claim_name("t", "symbols for the time");
+    is_time_claimed_ = true;
   }
 
   sequence<symbolic::name> bound_;
   sequence<expression> bound_values_;
-  sequence<symbolic::name> names_;
-  sequence<std::string_view> lists_;
+  sequence<claimed> claimed_;
+  bool is_time_claimed_ = false;
 };
 
 } // namespace kanexpr::derivation

@@ -21,7 +21,7 @@ constexpr void give_inertia(body_record& r) {
 ///
 /// Ixx, Iyy, Izz, and Ixy, Iyz, Izx where they are not zero.
 template <class Frame, auto... scalars>
-struct inertia {
+struct inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
     r.inertia_axes = &describe::frame_of<Frame>;
     if (r.fits)
@@ -34,7 +34,7 @@ struct inertia {
 /// Inertia about the mass centre as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) +
 /// …>`.
 template <auto... value>
-struct inertia_dyadic {
+struct inertia_dyadic : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
     if (r.fits) r.fits = describe::arguments_of("inertia_dyadic<dyadic>", sizeof...(value), 1);
     r.inertia_dyadic = describe::given_phrases<value...>[0];
@@ -43,7 +43,7 @@ struct inertia_dyadic {
 
 /// An inertia that is given about another point of the body.
 template <class Point, class... Inertia>
-struct inertia_about {
+struct inertia_about : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
     if (r.fits) r.fits = describe::arguments_of("inertia_about<Point, Inertia>", sizeof...(Inertia), 1);
     (describe::give_inertia<Inertia>(r), ...);
@@ -51,9 +51,20 @@ struct inertia_about {
   }
 };
 
+/// An inertia that is not the same at all times as the body sees it, on purpose: given in axes that turn in
+/// the body, or about a point that moves in it.
+template <class... Inertia>
+struct changing_inertia : describe::inertia_words {
+  static constexpr void give_to(describe::body_record& r) {
+    if (r.fits) r.fits = describe::arguments_of("changing_inertia<Inertia>", sizeof...(Inertia), 1);
+    (describe::give_inertia<Inertia>(r), ...);
+    r.inertia_changes = true;
+  }
+};
+
 /// A mass at a point: `struct Bob : particle<Bob, P, m> {};`
 template <class Self, class Point, auto... mass>
-struct particle {
+struct particle : describe::body_words {
   static constexpr describe::body_record content() {
     describe::body_record r;
     r.called = type_name<Self>();
@@ -67,7 +78,7 @@ struct particle {
 
 /// A rigid body by its mass centre, the frame fixed in it, its mass and its inertia.
 template <class Self, class Center, class Frame, auto mass, class... Inertia>
-struct rigid_body {
+struct rigid_body : describe::body_words {
   static constexpr describe::body_record content() {
     describe::body_record r;
     r.called = type_name<Self>();
@@ -92,6 +103,7 @@ inline constexpr body_record body_of = [] {
   else
     r.instead = what_it_is<Body>(); // and it has no name for itself
   r.called = type_name<Body>();
+  r.beside = find_misfit<Body>();
   return r;
 }();
 

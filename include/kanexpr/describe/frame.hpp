@@ -12,10 +12,12 @@ constexpr frame_record record_frame() {
   if constexpr (requires { Frame::orientation(); })
     r = Frame::orientation(); // else no frame: it has no name for itself
   r.called = type_name<Frame>();
+  r.beside = find_misfit<Frame>();
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;
     if (r.fits) r.fits = Frame::turns_with;
+    r.turns_apart = Frame::turns_apart;
   }
   return r;
 }
@@ -33,7 +35,7 @@ constexpr vector<1> basis(const frame_record* frame, int axis) {
 
 /// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`.
 template <class Frame>
-struct axes {
+struct axes : orientation_words {
   static constexpr vector<1> x = basis(&frame_of<Frame>, 0);
   static constexpr vector<1> y = basis(&frame_of<Frame>, 1);
   static constexpr vector<1> z = basis(&frame_of<Frame>, 2);
@@ -141,13 +143,25 @@ struct direction_cosines : describe::axes<Self> {
   }
 };
 
-/// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always.
+/// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always. It is
+/// that of the orientation, or that and the spin about an axis by an angle which the orientation leaves out.
 template <class Reference, auto... value>
-struct angular_velocity {
+struct angular_velocity : describe::turning_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
   static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
   static constexpr describe::arguments turns_with =
       describe::arguments_of("angular_velocity<Reference, vector>", sizeof...(value), 1);
+  static constexpr bool turns_apart = false;
+};
+
+/// The same of a frame whose orientation does not follow its angular velocity, on purpose.
+template <class Reference, auto... value>
+struct angular_velocity_apart_from_orientation : describe::turning_words {
+  static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
+  static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
+  static constexpr describe::arguments turns_with = describe::arguments_of(
+      "angular_velocity_apart_from_orientation<Reference, vector>", sizeof...(value), 1);
+  static constexpr bool turns_apart = true;
 };
 
 } // namespace kanexpr

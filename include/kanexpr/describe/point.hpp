@@ -11,6 +11,7 @@ constexpr point_record record_point() {
   point_record r;
   if constexpr (requires { Point::place(); }) r = Point::place(); // else no point: it has no name for itself
   r.called = type_name<Point>();
+  r.beside = find_misfit<Point>();
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;
@@ -27,7 +28,7 @@ inline constexpr point_record point_of = record_point<Point>();
 
 /// A point that does not move in the inertial frame: `struct O : origin<O, N> {};`
 template <class Self, class... Frame>
-struct origin {
+struct origin : describe::place_words {
   static constexpr describe::point_record place() {
     const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
     describe::point_record r;
@@ -41,7 +42,7 @@ struct origin {
 /// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the
 /// vector's change in time, unless `fixed_in` or `velocity` says how it moves.
 template <class Self, class From, auto... vector>
-struct offset {
+struct offset : describe::place_words {
   static constexpr describe::point_record place() {
     describe::point_record r;
     r.calls_itself = type_name<Self>();
@@ -54,14 +55,14 @@ struct offset {
 
 /// This point and the one it is offset from are fixed in `Frame`: v = v_from + ω × r (two-point theorem).
 template <class Frame>
-struct fixed_in {
+struct fixed_in : describe::fixing_words {
   static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
 };
 
 /// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the
 /// point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
 template <class Reference, auto... value>
-struct velocity {
+struct velocity : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
   static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
   static constexpr describe::arguments moves_with =

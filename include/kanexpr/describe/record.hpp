@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/arguments.hpp>
+#include <kanexpr/describe/misfit.hpp>
 #include <kanexpr/describe/mistaken.hpp>
 #include <kanexpr/describe/mixed.hpp>
 #include <kanexpr/describe/shape.hpp>
@@ -84,6 +85,8 @@ struct frame_record {
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
+  bool turns_apart = false; ///< from its orientation
+  misfit beside = misfit::none;
 };
 
 struct point_record {
@@ -96,6 +99,7 @@ struct point_record {
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
+  misfit beside = misfit::none;
 };
 
 struct body_record {
@@ -112,6 +116,8 @@ struct body_record {
   const point_record* about = nullptr;
   std::string_view instead_of_inertia; ///< what stands in its place and is none
   std::string_view instead;            ///< what it is, if it is no body
+  bool inertia_changes = false;
+  misfit beside = misfit::none;
 };
 
 enum class load_word : unsigned char {

@@ -13,7 +13,7 @@ namespace describe {
 template <symbolic::symbol_kind kind, text called, int index, int order = unprescribed>
 struct symbol_storage {
   static constexpr symbol_record record = [] {
-    symbol_record r{kind, symbolic::name(called.view()), order};
+    symbol_record r{kind, symbolic::name(called.view()), order, static_cast<int>(called.view().size())};
     if (index != unnumbered) r.called.append(index);
     for (int i = 0; i < order; ++i) r.called.append("'");
     return r;

@@ -18,6 +18,7 @@ struct symbol_record {
   symbolic::symbol_kind kind;
   symbolic::name called; ///< theta'' for the second derivative of a prescribed theta
   int order = unprescribed;
+  int given = 0; ///< how many letters the model gave, before an index and primes
 };
 
 enum class word : unsigned char {

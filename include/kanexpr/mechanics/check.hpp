@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/check_inertia.hpp>
 #include <kanexpr/mechanics/check_kinematics.hpp>
 #include <kanexpr/mechanics/check_loads.hpp>
+#include <kanexpr/mechanics/check_turning.hpp>
 #include <kanexpr/mechanics/partition.hpp>
 #include <kanexpr/mechanics/prescribed.hpp>
 #include <kanexpr/mechanics/wording.hpp>
@@ -27,6 +29,7 @@ public:
     for (const point& p : m_.points) check(p);
     for (const body& b : m_.bodies) check(b);
     if (!found_) found_ = checking_loads(m_, held_).run();
+    if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
     return found_;
   }
 
@@ -50,6 +53,18 @@ private:
   constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
     if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
       fail({of, whose, " holds the input ", u.input, ", whose ", u.what, " is not known"});
+  }
+
+  /// At generic states.
+  constexpr void what_is_declared() {
+    bool declared = false, apart = false;
+    for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
+    if (declared) {
+      checking_turning turning(m_, held_);
+      found_ = turning.run();
+      apart = turning.is_any_apart();
+    }
+    if (!found_) found_ = checking_inertia(m_, held_, apart).run();
   }
 
   constexpr void check_frame(int place) {

@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/central_inertia.hpp>
 #include <kanexpr/mechanics/contents.hpp>
+#include <kanexpr/mechanics/generic_states.hpp>
 #include <kanexpr/mechanics/wording.hpp>
 
 /// Mistakes in what acts on a system.
@@ -34,7 +35,7 @@ public:
   constexpr problem run() {
     for (const force& f : m_.forces) check(f);
     for (const torque& t : m_.torques) check(t);
-    if (const std::string_view u = rate_in(m_.gravity); !u.empty()) fail_for_rate("gravity", {}, u);
+    check_gravity();
     for (int i = 0; i < m_.potential_energies.size() && !found_; ++i)
       found_ =
           check_stillness(m_, held_, m_.potential_energies[i], "potential energy ", counted(i + 1).view());
@@ -112,15 +113,66 @@ private:
       fail_for_rate("the damping between ", names.view(), u);
   }
 
+  /// Its potential energy is −m g·r, and its force m g: the derivative of the energy only where g has none.
+  constexpr void check_gravity() {
+    std::string_view coordinate, turns; // that it holds, and the frame that turns with it
+    for (const vector::part& part : m_.gravity.parts) {
+      for (int i = 0; i < 3; ++i) {
+        free_of_rates(part.value[i], "gravity", {});
+        if (held_.holds(part.value[i], kind::coordinate))
+          coordinate = held_.name_of(part.value[i], kind::coordinate);
+      }
+      for (int f = part.frame; f != mechanism::inertial && !part.value.is_zero(); f = m_.frames[f].parent)
+        if (const std::string_view q = coordinate_of(m_.frames[f]); !q.empty() && coordinate.empty())
+          coordinate = q, turns = frame(part.frame);
+    }
+    if (found_ || coordinate.empty() || !gravity_changes()) return;
+    if (turns.empty()) return varies("gravity", {}, sentence({"coordinate ", coordinate}));
+    fail({"gravity is given along axes of ", turns, ", which turn with coordinate ", coordinate,
+          "; it may hold parameters, inputs and time only"});
+  }
+  /// A coordinate that a frame turns with in its parent.
+  constexpr std::string_view coordinate_of(const mechanics::frame& f) const {
+    if (f.kind != orientation::matrix)
+      return held_.holds(f.angle, kind::coordinate) ? held_.name_of(f.angle, kind::coordinate) : "";
+    for (int i = 0; i < 9; ++i)
+      if (const expression e = f.to_parent(i / 3, i % 3); held_.holds(e, kind::coordinate))
+        return held_.name_of(e, kind::coordinate);
+    return {};
+  }
+  /// Whether it depends on coordinates in the end: told along several axes it may be one vector all the time.
+  constexpr bool gravity_changes() const {
+    const components g = express(m_, m_.gravity, mechanism::inertial);
+    symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, then its derivatives
+    for (int i = 0; i < 3; ++i) {
+      all(0, i) = g[i];
+      for (int j = 1; j < all.rows; ++j) all(j, i) = symbolic::differentiate(g[i], m_.coordinates[j - 1]);
+    }
+    for (const numbers& state : at_generic_states(all)) {
+      double whole = 0, most = 0;
+      for (int i = 0; i < state.entries.size(); ++i) {
+        const double size = symbolic::elementary::abs(state.entries[i]);
+        if (i < 3) whole += size;
+        if (i >= 3 && size > most) most = size;
+      }
+      if (most > 1e-9 * whole) return true;
+    }
+    return false;
+  }
+
   /// What would be a force of its own if it changed with coordinates.
   constexpr void constant_in_motion(expression e, std::string_view of, std::string_view whose) {
+    if (held_.holds(e, kind::coordinate))
+      varies(of, whose, sentence({"coordinate ", held_.name_of(e, kind::coordinate)}));
+    free_of_rates(e, of, whose);
+  }
+  constexpr void free_of_rates(expression e, std::string_view of, std::string_view whose) {
     struct word {
       kind what;
       std::string_view called;
     };
-    for (const word& w :
-         {word{kind::coordinate, "coordinate "}, word{kind::auxiliary_speed, "auxiliary speed "},
-          word{kind::coordinate_rate, "rate of coordinate "}})
+    for (const word& w : {word{kind::auxiliary_speed, "auxiliary speed "},
+                          word{kind::coordinate_rate, "rate of coordinate "}})
       if (held_.holds(e, w.what)) varies(of, whose, sentence({w.called, held_.name_of(e, w.what)}));
     if (held_.holds(e, kind::speed)) varies(of, whose, speed_called(m_, held_.name_of(e, kind::speed)));
     if (held_.holds(e, kind::speed_rate))

@@ -21,6 +21,17 @@ public:
     return false;
   }
 
+  /// Made of numbers and parameters alone.
+  constexpr bool is_fixed(expression e) const {
+    return (held_[e.node()] & ~(bit(kind::parameter) | nonlinear)) == 0;
+  }
+  constexpr bool is_fixed(const components& v) const {
+    return is_fixed(v.x) && is_fixed(v.y) && is_fixed(v.z);
+  }
+  constexpr bool is_fixed(const matrix3& m) const {
+    return is_fixed(m.row[0]) && is_fixed(m.row[1]) && is_fixed(m.row[2]);
+  }
+
   /// False where a product, quotient or function of speeds or rates occurs, even if they would cancel.
   constexpr bool looks_linear(expression e) const { return (held_[e.node()] & nonlinear) == 0; }
 

@@ -102,9 +102,12 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
 }
 
 /// The angular velocity of a frame in `reference`, given by hand; it is used in place of the derived one.
-constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value) {
+/// `apart`: it need not be that of the orientation.
+constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,
+                                        bool apart = false) {
   m.frames[frame].reference = reference;
   m.frames[frame].angular_velocity = value;
+  m.frames[frame].turns_apart = apart;
 }
 
 } // namespace kanexpr::mechanics

@@ -114,6 +114,7 @@ struct frame {
   sequence<expression> quaternion; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
   int reference = none;            ///< the frame that a declared angular velocity is measured in
   vector angular_velocity;
+  bool turns_apart = false; ///< from its orientation, on purpose
 
   constexpr bool turns_by_declaration() const { return reference != none; }
 };
@@ -135,7 +136,8 @@ struct body {
   int frame = none;  ///< none: a particle
   expression mass;
   dyadic inertia;
-  int about = none; ///< the point that the inertia is about
+  int about = none;             ///< the point that the inertia is about
+  bool inertia_changes = false; ///< as the body sees it, on purpose
 };
 
 struct force {

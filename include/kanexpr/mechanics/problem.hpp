@@ -15,12 +15,41 @@ struct problem {
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
 };
 
-/// The first mistake is the one that is told; what follows from it would only confuse.
+namespace detail {
+
+constexpr std::string_view left_out = "...";
+
+/// How long a piece may be so that all of them fit.
+constexpr std::size_t longest_piece_of(std::initializer_list<std::string_view> pieces) {
+  std::size_t longest = problem::capacity;
+  for (;; --longest) {
+    std::size_t whole = 0;
+    for (std::string_view piece : pieces) whole += piece.size() < longest ? piece.size() : longest;
+    if (whole <= problem::capacity || longest <= 2 * left_out.size()) return longest;
+  }
+}
+
+} // namespace detail
+
+/// The first mistake is the one that is told; what follows from it would only confuse. Of names that are too
+/// long for a sentence the middle is left out, so that its end is there and names stay distinct.
 constexpr problem sentence(std::initializer_list<std::string_view> pieces) {
   problem p;
-  for (std::string_view piece : pieces)
-    for (char letter : piece)
+  const auto append = [&](std::string_view text) {
+    for (char letter : text)
       if (p.length < problem::capacity) p.letters[p.length++] = letter;
+  };
+  const std::size_t longest = detail::longest_piece_of(pieces);
+  for (std::string_view piece : pieces) {
+    if (piece.size() <= longest) {
+      append(piece);
+      continue;
+    }
+    const std::size_t kept = longest - detail::left_out.size();
+    append(piece.substr(0, kept - kept / 2));
+    append(detail::left_out);
+    append(piece.substr(piece.size() - kept / 2));
+  }
   return p;
 }
 

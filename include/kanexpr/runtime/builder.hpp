@@ -43,11 +43,12 @@ public:
   /// A quantity that is known as a function of time: three inputs in a row, r, dot(r) and dot(dot(r)).
   expression prescribed(std::string_view r) {
     mechanics::name called = r;
-    const expression value = input(called.view());
+    const expression value = input(r);
     expression last = value;
     for (int order = 1; order <= 2; ++order) {
       called.append("'");
-      const expression rate = input(called.view());
+      inspect_.unused(called.view());
+      const expression rate = m_.input(called);
       m_.prescribed_rates.push({last, rate});
       last = rate;
     }
@@ -66,7 +67,7 @@ public:
     m_.has_lagrangian = true;
     m_.lagrangian = energy;
   }
-  expression time() const { return m_.time; }
+  expression time() { return inspect_.take_time(), m_.time; }
   expression number(double value) const { return m_.number(value); }
 
   /// The rate of a coordinate, speed or prescribed quantity.
@@ -159,16 +160,14 @@ public:
     if (!new_frame(called, parent) || !inspect_.own(to_parent, called)) return {};
     return frame_id{mechanics::add_frame_by_matrix(m_, called, place(parent), to_parent)};
   }
-  /// The angular velocity of a frame in another one, used in place of the derived one.
+  /// The angular velocity of a frame in another one, used in place of the derived one. It is that of the
+  /// orientation, or that and the spin about an axis by an angle which the orientation leaves out.
   void angular_velocity(frame_id frame, frame_id reference, const vector& value) {
-    constexpr std::string_view whose = "a declared angular velocity";
-    if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
-    if (frame == inertial_frame())
-      inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
-    else if (m_.frames[place(frame)].turns_by_declaration())
-      inspect_.fail({"frame ", name_of(frame), " is given two angular velocities"});
-    else if (inspect_.own(value, name_of(frame)))
-      mechanics::declare_angular_velocity(m_, place(frame), place(reference), value);
+    declare(frame, reference, value, false);
+  }
+  /// The same of a frame whose orientation does not follow its angular velocity, on purpose.
+  void angular_velocity_apart_from_orientation(frame_id frame, frame_id reference, const vector& value) {
+    declare(frame, reference, value, true);
   }
 
   // ---- points
@@ -214,6 +213,15 @@ public:
         inspect_.present(frame, called) && inspect_.own(mass, called) && inspect_.own(inertia, called) &&
         inspect_.present(about, called))
       mechanics::add_rigid_body(m_, called, place(center), place(frame), mass, inertia, place(about));
+  }
+  /// The inertia of a rigid body is not the same at all times as the body sees it, on purpose.
+  void changing_inertia(std::string_view body) {
+    for (mechanics::body& b : m_.bodies)
+      if (b.called.view() == body) {
+        b.inertia_changes = true;
+        return;
+      }
+    inspect_.fail({"the inertia of ", body, " is said to change, and there is no such body"});
   }
   void force(point_id at, const vector& value) {
     if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
@@ -312,6 +320,17 @@ public:
   }
 
 private:
+  void declare(frame_id frame, frame_id reference, const vector& value, bool apart) {
+    constexpr std::string_view whose = "a declared angular velocity";
+    if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
+    if (frame == inertial_frame())
+      inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
+    else if (m_.frames[place(frame)].turns_by_declaration())
+      inspect_.fail({"frame ", name_of(frame), " is given two angular velocities"});
+    else if (inspect_.own(value, name_of(frame)))
+      mechanics::declare_angular_velocity(m_, place(frame), place(reference), value, apart);
+  }
+
   std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }
   std::string_view name_of(point_id p) const { return m_.points[place(p)].called.view(); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/check_name.hpp>
 #include <kanexpr/mechanics/mechanism.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
@@ -75,13 +76,19 @@ public:
       if (other.called.view() == called) return fail({"two ", kinds, " are called ", called});
     return true;
   }
-  bool fresh_symbol(std::string_view called) {
-    if (!tellable("symbols", called)) return false;
+  bool fresh_symbol(std::string_view called) { return tellable("symbols", called) && unused(called); }
+  /// The rate of a quantity has the quantity's name and a prime.
+  bool unused(std::string_view called) {
     for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs, &m_.auxiliary_speeds})
       for (const expression& e : *list)
         if (m_.g->symbol_at(e.node()).called.view() == called)
           return fail({"the name ", called, " is used twice"});
-    return true;
+    if (called != name_of_time || !has_time_) return true;
+    return fail({"the name ", called, " is used twice"});
+  }
+  void take_time() {
+    if (!has_time_) unused(name_of_time);
+    has_time_ = true;
   }
 
 private:
@@ -92,14 +99,15 @@ private:
     return fail({whom, " speaks of ", what, " number ", told.view(), ", which does not exist"});
   }
   bool tellable(std::string_view kinds, std::string_view called) {
-    if (called.empty()) return fail({"one of the ", kinds, " has no name"});
-    if (called.size() > mechanics::name::capacity)
-      return fail({"the name ", called, " is longer than a name can be, 63 letters"});
-    return true;
+    const problem found = mechanics::check_name(called, kinds);
+    return !found || fail({found.view()});
   }
+
+  static constexpr std::string_view name_of_time = "t";
 
   const mechanics::mechanism& m_;
   problem mistake_;
+  bool has_time_ = false;
 };
 
 } // namespace kanexpr::runtime

@@ -4,15 +4,22 @@
 
 namespace kanexpr::symbolic {
 
-/// A short name that is a plain value, so that a graph of names can leave a constant evaluation.
+/// A short name that is a plain value, so that a graph of names can leave a constant evaluation. Of a longer
+/// text, such as the name of a type, the middle is left out.
 struct name {
   static constexpr int capacity = 63;
   char letters[capacity + 1]{};
   int length = 0;
 
   constexpr name() = default;
-  constexpr name(std::string_view text) { append(text); }
-  constexpr name(const char* text) { append(text); }
+  constexpr name(std::string_view text) {
+    constexpr std::size_t kept = capacity / 2 - 1;
+    if (text.size() <= capacity)
+      append(text);
+    else
+      append(text.substr(0, kept)), append("..."), append(text.substr(text.size() - kept));
+  }
+  constexpr name(const char* text) : name(std::string_view(text)) {}
 
   constexpr void append(std::string_view text) {
     for (char letter : text)

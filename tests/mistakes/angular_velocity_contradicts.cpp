@@ -1,0 +1,10 @@
+// expect: the angular velocity of frame B is not that of its orientation, and no angle that is left out
+// explains expect: it; if that is meant, write angular_velocity_apart_from_orientation<...>
+#include "pendulum.hpp"
+
+struct B : rotated<B, N, q, N::z>, angular_velocity<N, 2 * u * N::z> {};
+struct Rod : rigid_body<Rod, P, B, m, inertia<B, 0, m * l * l, m * l * l>> {};
+
+struct System : pendulum_with<Rod> {};
+
+int main() { use<System>(); }

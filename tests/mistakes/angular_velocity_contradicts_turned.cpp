@@ -1,0 +1,17 @@
+// expect: the angular velocity of frame D is not that of its orientation, and no angle that is left out
+// explains expect: it; if that is meant, write angular_velocity_apart_from_orientation<...>
+#include "pendulum.hpp"
+
+constexpr coordinate<"lean"> lean;
+constexpr coordinate<"spin"> spin;
+constexpr speed<"w"> w;
+
+// The speeds are meant along the axes of the frame that leans, and the rate of q for another.
+struct L : rotated<L, A, lean, A::x> {};
+struct D : rotated<D, L, spin, L::y>, angular_velocity<N, u * L::x + v * L::y + w * L::z> {};
+struct Disc : rigid_body<Disc, P, D, m, inertia<D, 1, 2, 1>> {};
+
+struct System : kane_system<inertial<N>, coordinates<q, lean, spin>, speeds<u, v, w>,
+                            kinematics<dot(lean) == u, dot(q) == w, dot(spin) == v>, bodies<Disc>> {};
+
+int main() { use<System>(); }

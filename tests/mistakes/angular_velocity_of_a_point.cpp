@@ -1,0 +1,9 @@
+// expect: angular_velocity<...> stands beside Q, which is no frame
+#include "pendulum.hpp"
+
+struct Q : offset<Q, O, l * A::x>, angular_velocity<N, u * N::z> {};
+struct Bead : particle<Bead, Q, m> {};
+
+struct System : pendulum_with<Bead> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,8 @@
+// expect: fixed_in<...> stands beside Bead, which is no point
+#include "pendulum.hpp"
+
+struct Bead : particle<Bead, P, m>, fixed_in<A> {};
+
+struct System : pendulum_with<Bead> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,8 @@
+// expect: gravity is given along axes of A, which turn with coordinate q; it may hold parameters, inputs
+// expect: and time only
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<gravity<-g * A::y>>> {};
+
+int main() { use<System>(); }

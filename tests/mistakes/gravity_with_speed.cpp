@@ -1,0 +1,7 @@
+// expect: gravity holds the speed u; it may hold parameters, inputs and time only
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<gravity<-g * N::y + 0.1 * velocity_of<P>>>> {};
+
+int main() { use<System>(); }

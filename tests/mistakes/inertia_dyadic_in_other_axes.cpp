@@ -1,0 +1,13 @@
+// expect: the inertia of Rotor is given in axes of A and changes as seen from B, with which the body turns;
+// if expect: that is meant, write changing_inertia<...>
+#include "pendulum.hpp"
+
+struct B : rotated<B, A, s, A::x> {};
+struct Rotor : rigid_body<Rotor, P, B, m,
+                          inertia_dyadic<outer(B::x, B::x) + 2 * outer(A::y, A::y) + 3 * outer(B::z, B::z)>> {
+};
+
+struct System : kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>,
+                            kinematics<dot(q) == u, dot(s) == v>, bodies<Rotor>> {};
+
+int main() { use<System>(); }

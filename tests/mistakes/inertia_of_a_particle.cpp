@@ -1,0 +1,8 @@
+// expect: an inertia stands beside Bead; it belongs into rigid_body<...>
+#include "pendulum.hpp"
+
+struct Bead : particle<Bead, P, m>, inertia<A, 0, 1, 1> {};
+
+struct System : pendulum_with<Bead> {};
+
+int main() { use<System>(); }

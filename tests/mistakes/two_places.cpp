@@ -1,0 +1,9 @@
+// expect: point Q is given two places
+#include "pendulum.hpp"
+
+struct Q : offset<Q, O, l * A::x>, origin<Q, N> {};
+struct Bead : particle<Bead, Q, m> {};
+
+struct System : pendulum_with<Bead> {};
+
+int main() { use<System>(); }
