@@ -305,3 +305,42 @@ TEST(words, prescribed_quantities_by_name) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(r(i), i + 1);
   EXPECT_EQ(kept[dot(swing2)], 5);
 }
+
+namespace {
+
+struct apart : rotated<apart, A2, q3, A2::x>, angular_velocity_apart_from_orientation<A2, 2 * u3 * own::x> {};
+struct a_body_whose_name_is_longer_than_a_piece_of_a_sentence
+    : particle<a_body_whose_name_is_longer_than_a_piece_of_a_sentence, O, 0 * m> {};
+
+} // namespace
+
+// What is a mistake elsewhere, where a model says that it is meant.
+TEST(words, on_purpose) {
+  using rotor = hanging<A3, G<A3>, usual<A2>>::System;
+  EXPECT_EQ(
+      derive<rotor>().mistake(),
+      "the inertia of Body is given in axes of A2 and changes as seen from A3, with which the body turns; if "
+      "that is meant, write changing_inertia<...>");
+  using changing_rotor = hanging<A3, G<A3>, changing_inertia<usual<A2>>>::System;
+  EXPECT_EQ(derive<changing_rotor>().mistake(), "");
+  using given_elsewhere = hanging<A3, G<A3>, inertia_about<O, changing_inertia<usual<A2>>>>::System;
+  EXPECT_EQ(derive<given_elsewhere>().mistake(), "");
+  using turning_apart = hanging<apart, G<apart>, usual<apart>>::System;
+  EXPECT_EQ(derive<turning_apart>().mistake(), "");
+}
+
+// clang shows some thirty letters at a time.
+TEST(words, are_shown_in_pieces_that_lose_no_letter) {
+  using named = kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
+                            bodies<a_body_whose_name_is_longer_than_a_piece_of_a_sentence>>;
+  const mechanics::problem told = derivation::survey_of<named>().mistake;
+  std::string whole(told.view()), shown;
+  EXPECT_EQ(whole, "body a_body_whose_name_is_longer_than_a_piece_of_a_sentence has no mass");
+  for (int piece = 0; piece < derivation::count_pieces(told); ++piece) {
+    const int begin = derivation::piece_begin(told, piece), end = derivation::piece_end(told, begin);
+    EXPECT_LE(end - begin, derivation::longest_piece);
+    shown += told.view().substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+  }
+  std::erase(whole, ' '), std::erase(shown, ' ');
+  EXPECT_EQ(shown, whole);
+}

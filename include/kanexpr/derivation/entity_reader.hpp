@@ -82,9 +82,9 @@ public:
 protected:
   /// Whether an entity is told nothing twice, and only what belongs to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
-    const problem found = misfit_of(beside, called);
-    if (found) fail({found.view()});
-    return !found;
+    if (beside == describe::misfit::none) return true;
+    fail({misfit_of(beside, called).view()});
+    return false;
   }
 
   /// `struct B : rotated<A, ...>` would be a second A.

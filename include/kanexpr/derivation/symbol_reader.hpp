@@ -113,15 +113,11 @@ protected:
 
   /// Takes the name of a symbol, which has to be one.
   constexpr void claim(const symbol_record& r, std::string_view list) {
-    const std::string_view called = r.called.view();
-    const std::size_t primes = r.order > 0 ? static_cast<std::size_t>(r.order) : 0;
-    const bool whole = r.called.length < symbolic::name::capacity;
-    if (const problem found = mechanics::check_name(r.given == 0 ? ""
-                                                    : whole      ? called.substr(0, called.size() - primes)
-                                                                 : called,
-                                                    list))
-      return fail({found.view()});
-    claim_name(r.called, list, mark_of(r));
+    if (r.is_named) return claim_name(r.called, list, mark_of(r));
+    std::string_view called = r.given == 0 ? "" : r.called.view();
+    if (called.size() < symbolic::name::capacity && r.order > 0)
+      called.remove_suffix(static_cast<std::size_t>(r.order));
+    fail({mechanics::check_name(called, list).view()});
   }
 
   /// A name means one thing in a system.
@@ -169,7 +165,8 @@ private:
   constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
     if (takes_rates_as_speeds())
       return listed(m_.coordinates, m_.speed_rates,
-                    {r.kind, derivative(r, 0), describe::unprescribed, r.given}, "coordinate", whom);
+                    {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate",
+                    whom);
     fail({part_, whom, " holds the second derivative of coordinate ", derivative(r, 0).view(),
           "; write it by the rates of the speeds"});
     return m_.zero();
@@ -186,7 +183,7 @@ private:
   /// Without a list of inputs a prescribed quantity takes three places in a row: what an acceleration needs.
   constexpr void place_with_derivatives(const symbol_record& r) {
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
-      const symbol_record one{r.kind, derivative(r, order), order, r.given};
+      const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};
       if (has(m_.inputs, one.called)) continue;
       claim(one, "inputs");
       place_input(one);
@@ -232,7 +229,8 @@ private:
   constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
     const int mark = mark_of(r);
     for (const claimed& c : claimed_)
-      if (c.called == r.called && c.mark != mark) fail({"two ", kind, "s are called ", r.called.view()});
+      if (c.mark != mark && c.called.length == r.called.length && c.called == r.called)
+        fail({"two ", kind, "s are called ", r.called.view()});
   }
 
   constexpr void claim_time() {

@@ -103,7 +103,7 @@ inline constexpr body_record body_of = [] {
   else
     r.instead = what_it_is<Body>(); // and it has no name for itself
   r.called = type_name<Body>();
-  r.beside = find_misfit<Body>();
+  if constexpr (requires { sizeof(Body); }) r.beside = find_misfit<Body>(); // else it is described only later
   return r;
 }();
 

@@ -12,7 +12,8 @@ constexpr frame_record record_frame() {
   if constexpr (requires { Frame::orientation(); })
     r = Frame::orientation(); // else no frame: it has no name for itself
   r.called = type_name<Frame>();
-  r.beside = find_misfit<Frame>();
+  if constexpr (requires { sizeof(Frame); })
+    r.beside = find_misfit<Frame>(); // else it is described only later
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;

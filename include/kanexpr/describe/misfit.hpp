@@ -1,7 +1,5 @@
 #pragma once
 
-#include <type_traits>
-
 /// Words that an entity is given twice, or that belong to an entity of another kind. A second word of a kind
 /// hides the first from those who look for it, so both would be lost without a word.
 namespace kanexpr::describe {
@@ -29,29 +27,27 @@ enum class misfit : unsigned char {
   inertia_beside,
 };
 
-/// Whether an entity has words of a kind; true of one that has several.
-template <class Entity, class Words>
-inline constexpr bool has_words = std::is_base_of_v<Words, Entity>;
-
-template <class Entity, class Words>
-inline constexpr bool has_several = has_words<Entity, Words> && !std::is_convertible_v<Entity*, Words*>;
-
+/// Of an entity that is described. It is asked of each, so that it makes no use of templates, which the
+/// compiler would have to keep.
 template <class Entity>
 constexpr misfit find_misfit() {
-  if constexpr (requires { sizeof(Entity); }) { // else it is described only later
-    if (has_several<Entity, orientation_words>) return misfit::two_orientations;
-    if (has_several<Entity, place_words>) return misfit::two_places;
-    if (has_several<Entity, body_words>) return misfit::two_bodies;
-    if (has_several<Entity, turning_words>) return misfit::two_angular_velocities;
-    if (has_several<Entity, velocity_words>) return misfit::two_velocities;
-    if (has_several<Entity, fixing_words>) return misfit::two_fixings;
-    const bool is_point = has_words<Entity, place_words>;
-    if (has_words<Entity, turning_words> && !has_words<Entity, orientation_words>)
-      return misfit::angular_velocity_of_no_frame;
-    if (has_words<Entity, velocity_words> && !is_point) return misfit::velocity_of_no_point;
-    if (has_words<Entity, fixing_words> && !is_point) return misfit::fixing_of_no_point;
-    if (has_words<Entity, inertia_words>) return misfit::inertia_beside;
-  }
+  constexpr bool is_frame = __is_base_of(orientation_words, Entity);
+  constexpr bool is_point = __is_base_of(place_words, Entity);
+  constexpr bool turns = __is_base_of(turning_words, Entity), moves = __is_base_of(velocity_words, Entity),
+                 is_fixed = __is_base_of(fixing_words, Entity);
+  // a base that is there, and that a pointer cannot be converted to, is there more than once
+  constexpr Entity* e = nullptr;
+  if (is_frame && !requires { static_cast<orientation_words*>(e); }) return misfit::two_orientations;
+  if (is_point && !requires { static_cast<place_words*>(e); }) return misfit::two_places;
+  if (__is_base_of(body_words, Entity) && !requires { static_cast<body_words*>(e); })
+    return misfit::two_bodies;
+  if (turns && !requires { static_cast<turning_words*>(e); }) return misfit::two_angular_velocities;
+  if (moves && !requires { static_cast<velocity_words*>(e); }) return misfit::two_velocities;
+  if (is_fixed && !requires { static_cast<fixing_words*>(e); }) return misfit::two_fixings;
+  if (turns && !is_frame) return misfit::angular_velocity_of_no_frame;
+  if (moves && !is_point) return misfit::velocity_of_no_point;
+  if (is_fixed && !is_point) return misfit::fixing_of_no_point;
+  if (__is_base_of(inertia_words, Entity)) return misfit::inertia_beside;
   return misfit::none;
 }
 

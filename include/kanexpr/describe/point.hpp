@@ -11,7 +11,8 @@ constexpr point_record record_point() {
   point_record r;
   if constexpr (requires { Point::place(); }) r = Point::place(); // else no point: it has no name for itself
   r.called = type_name<Point>();
-  r.beside = find_misfit<Point>();
+  if constexpr (requires { sizeof(Point); })
+    r.beside = find_misfit<Point>(); // else it is described only later
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;

@@ -18,7 +18,8 @@ struct symbol_record {
   symbolic::symbol_kind kind;
   symbolic::name called; ///< theta'' for the second derivative of a prescribed theta
   int order = unprescribed;
-  int given = 0; ///< how many letters the model gave, before an index and primes
+  int given = 0;        ///< how many letters the model gave, before an index and primes
+  bool is_named = true; ///< as a symbol may be
 };
 
 enum class word : unsigned char {

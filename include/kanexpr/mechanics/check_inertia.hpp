@@ -35,9 +35,10 @@ public:
         for (int i = 0; i < 3; ++i) wanted.push(p.value[i]);
     }
     generic_motion motion(m_, held_, wanted);
-    for (int state = 0; state < 3; ++state) {
+    for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
       motion.draw();
       if (!motion.move()) continue;
+      ++looked; // what stays at one generic state stays at all
       for (const doubt& d : doubtful_)
         if (changes(motion, d)) return told(m_.bodies[d.body]);
     }

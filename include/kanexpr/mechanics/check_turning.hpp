@@ -8,6 +8,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
+/// An equality that holds at one generic state holds at all; axes that stay are looked for at three.
+///
 /// What of a declared angular velocity the orientation does not say has to be the spin of angles that the
 /// orientation leaves out, as that of a wheel that is the same from all sides. One such angle turns about an
 /// axis that is fixed in the frame, and about which the frame's own angles do not turn it.
@@ -21,14 +23,17 @@ public:
   }
 
   constexpr problem run() {
-    bool apart = false;
-    for (int state = 0; state < 3; ++state) {
+    bool open = false; // whether something is to be explained
+    for (int state = 0, looked = 0; state < 6 && looked < (open ? 3 : 1); ++state) {
       motion_.draw();
-      if (motion_.has_free_speeds()) take(false);
-      take(true);
+      if (motion_.has_free_speeds() && !take(false)) continue;
+      if (take(true)) ++looked;
+      for (const turning& t : declared_) {
+        is_any_apart_ = is_any_apart_ || t.all.size() != 0;
+        open = open || t.bound.size() != 0;
+      }
     }
-    for (const turning& t : declared_) apart = apart || t.all.size() != 0;
-    if (apart)
+    if (open)
       for (int rates = 0; rates < 4; ++rates)
         if (motion_.move_freely())
           for (turning& t : declared_) t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
@@ -38,7 +43,6 @@ public:
             {"the angular velocity of frame ", called(t.frame),
              " is not that of its orientation, and no angle that is left out explains it; if that "
              "is meant, write angular_velocity_apart_from_orientation<...>"});
-    is_any_apart_ = apart;
     return {};
   }
 
@@ -63,8 +67,8 @@ private:
   }
   constexpr triple in_own_axes(int f, triple v) const { return motion_.basis(f).along(v); }
 
-  constexpr void take(bool with_free_speeds) {
-    if (!motion_.move(with_free_speeds)) return;
+  constexpr bool take(bool with_free_speeds) {
+    if (!motion_.move(with_free_speeds)) return false;
     for (turning& t : declared_) {
       const int reference = m_.frames[t.frame].reference;
       if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
@@ -78,6 +82,7 @@ private:
       if (with_free_speeds && motion_.has_free_speeds() && length(left - t.before) > rounding)
         t.free.add(left - t.before);
     }
+    return true;
   }
 
   constexpr bool is_explained(const turning& t) const {

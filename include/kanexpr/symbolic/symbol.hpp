@@ -35,6 +35,27 @@ struct name {
   constexpr bool operator==(const name& other) const { return view() == other.view(); }
 };
 
+/// How long the name of a symbol may be: the primes of its derivatives come behind it.
+inline constexpr int longest_name = name::capacity - 3;
+
+constexpr bool begins_name(char letter) { // beyond ASCII it is a part of a letter
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
+         static_cast<unsigned char>(letter) >= 0x80;
+}
+/// Neither a quote nor a control character.
+constexpr bool is_printed(char letter) {
+  return letter != '"' && static_cast<unsigned char>(letter) >= ' ' && letter != '\x7f';
+}
+
+/// A name begins with a letter and has at most 60, none of which is a prime, a quote or a control character:
+/// primes stand for rates.
+constexpr bool is_name(std::string_view text) {
+  if (text.empty() || text.size() > longest_name || !begins_name(text[0])) return false;
+  for (char letter : text)
+    if (!is_printed(letter) || letter == '\'') return false;
+  return true;
+}
+
 enum class symbol_kind : unsigned char {
   time,
   coordinate, ///< generalized coordinate q
