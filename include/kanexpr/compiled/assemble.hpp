@@ -42,6 +42,12 @@ public:
     else
       return std::get<0>(configuration()(t_, at_norm_one(x), p_, r_));
   }
+  coordinate_vector configuration_terms(const state<System>& x) const {
+    if constexpr (coordinates() == 0)
+      return {};
+    else
+      return eom::configuration_terms(t_, x, p_, r_);
+  }
   square configuration_jacobian(const state<System>& x) const {
     square by_dependent;
     if constexpr (coordinates() != 0) {
@@ -57,6 +63,14 @@ public:
       return {};
     else
       return std::get<0>(velocities()(t_, x, p_, r_));
+  }
+  speed_vector velocity_terms(const state<System>& x) const {
+    if constexpr (known.constraints == 0) {
+      return {};
+    } else {
+      const auto [residual, jacobian] = velocities()(t_, x, p_, r_);
+      return numeric::terms_of(residual, jacobian, x.template tail<known.speeds>());
+    }
   }
   /// What the norms of quaternions are off.
   Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
@@ -115,8 +129,8 @@ assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t =
   return numeric::assemble(constraints, x, options);
 }
 
-/// Whether a state satisfies the constraints, and its quaternions have norm 1, to within `tolerance`; if not,
-/// what is off and by how much.
+/// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
+/// and its quaternions have norm 1; if not, what is off and by how much.
 template <class System, class P = parameter_values<System>, class R = input_values<System>>
 consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
                               double tolerance = 1e-9) {

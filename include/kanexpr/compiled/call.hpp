@@ -33,6 +33,7 @@ constexpr std::string_view result_name() {
     case quantity::angular_momentum: return "angular_momentum";
     case quantity::center_of_mass: return "center_of_mass";
     case quantity::configuration_residual: return "configuration_residual";
+    case quantity::configuration_terms: return "configuration_terms";
     case quantity::configuration_jacobian: return "configuration_jacobian";
     case quantity::configuration_jacobian_full: return "configuration_jacobian_full";
     case quantity::velocity_residual: return "velocity_residual";

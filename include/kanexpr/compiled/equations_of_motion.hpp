@@ -62,6 +62,8 @@ struct equations_of_motion {
 
   /// What the configuration constraints leave, zero where they hold.
   static constexpr function<System, mechanics::quantity::configuration_residual> configuration_residual{};
+  /// How large the terms are of which each of that is the sum.
+  static constexpr function<System, mechanics::quantity::configuration_terms> configuration_terms{};
   /// Its derivatives by the dependent coordinates.
   static constexpr function<System, mechanics::quantity::configuration_jacobian> configuration_jacobian{};
   /// Its derivatives by all coordinates.

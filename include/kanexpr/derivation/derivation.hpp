@@ -44,7 +44,8 @@ struct request<wanted> {
     case quantity::linear_momentum:
     case quantity::angular_momentum:
     case quantity::center_of_mass: return {3, 1};
-    case quantity::configuration_residual: return {l, 1};
+    case quantity::configuration_residual:
+    case quantity::configuration_terms: return {l, 1};
     case quantity::configuration_jacobian: return {l, l};
     case quantity::configuration_jacobian_full: return {l, n};
     case quantity::constraint_residual: return {l + m, 1};

@@ -11,6 +11,7 @@
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/singular.hpp>
 #include <kanexpr/mechanics/system_form.hpp>
+#include <kanexpr/symbolic/terms.hpp>
 
 #include <optional>
 
@@ -76,6 +77,7 @@ public:
     case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
     case quantity::configuration_residual: return column(m_->configuration_constraints);
+    case quantity::configuration_terms: return column(configuration_terms());
     case quantity::configuration_jacobian:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_full: return configuration_;
@@ -281,6 +283,12 @@ private:
     sequence<expression> residual;
     for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
     return residual;
+  }
+  constexpr sequence<expression> configuration_terms() const {
+    symbolic::sizes_of_terms sizes(*m_->g);
+    sequence<expression> terms;
+    for (const expression& f : m_->configuration_constraints) terms.push(sizes.of(f));
+    return terms;
   }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {

@@ -21,6 +21,7 @@ enum class quantity {
   angular_momentum,            ///< 3, inertial axes, about the origin
   center_of_mass,              ///< 3, inertial axes, from the origin
   configuration_residual,      ///< l
+  configuration_terms,         ///< l: how large the terms are of which that is the sum
   configuration_jacobian,      ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_full, ///< its derivatives by all coordinates, l×n
   velocity_residual,           ///< m: the velocity constraints, then the rates of configuration constraints

@@ -100,21 +100,39 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   return report;
 }
 
-/// Says whether a state satisfies the constraints to within `tolerance`, and which it does not.
+/// How large the terms are of which each row of J u + c is the sum.
+template <class Residual, class Jacobian, class Speeds>
+Residual terms_of(const Residual& residual, const Jacobian& jacobian, const Speeds& u) {
+  Residual terms = residual;
+  for (Eigen::Index i = 0; i < terms.size(); ++i) {
+    double all = 0, rest = residual(i);
+    for (Eigen::Index j = 0; j < u.size(); ++j) {
+      const double term = jacobian(i, j) * u(j);
+      all += std::abs(term), rest -= term;
+    }
+    terms(i) = all + std::abs(rest);
+  }
+  return terms;
+}
+
+/// Says whether a state satisfies the constraints to within `tolerance` of the terms that they are sums of,
+/// and which it does not.
 template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
-  const auto look_at = [&](const auto& residual, std::string_view which) {
+  const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
     for (int i = 0; i < residual.size() && !report.reason; ++i)
-      if (!(std::abs(residual(i)) <= tolerance))
+      if (!(std::abs(residual(i)) <= tolerance * terms(i)))
         report.reason =
             with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
                         residual(i));
     return largest(residual);
   };
-  report.configuration_residual = look_at(c.configuration_residual(x), "configuration constraint ");
-  report.velocity_residual = look_at(c.velocity_residual(x), "velocity constraint ");
-  look_at(c.quaternion_residual(x), "the norm of quaternion ");
+  report.configuration_residual =
+      look_at(c.configuration_residual(x), c.configuration_terms(x), "configuration constraint ");
+  report.velocity_residual = look_at(c.velocity_residual(x), c.velocity_terms(x), "velocity constraint ");
+  const auto norms = c.quaternion_residual(x);
+  look_at(norms, std::remove_cv_t<decltype(norms)>::Ones(norms.size()), "the norm of quaternion ");
   return report;
 }
 

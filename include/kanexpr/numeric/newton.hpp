@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 
 #include <cmath>
@@ -10,7 +11,8 @@ namespace kanexpr::numeric {
 
 struct newton_options {
   int most_steps = 50;
-  double tolerance = 1e-10; ///< of the last step, beside 1 + |x|
+  /// The last step is so short that it changes the Jacobian by no more than this part of it.
+  double tolerance = 1e-10;
 };
 
 struct newton_report {
@@ -22,8 +24,8 @@ struct newton_report {
 
 /// Solves f(x) = 0 by Newton's method, each step halved until the residual falls; where the Jacobian is
 /// singular the step is that of least squares with damping (Levenberg). Goes on after convergence while that
-/// lowers the residual, so the result is as good as rounding allows. Takes no memory for vectors of fixed
-/// size.
+/// lowers the residual, so the result is as good as rounding allows. Units of equations and unknowns do not
+/// matter. Takes no memory for vectors of fixed size.
 template <class Vector, class Function, class Jacobian>
 newton_report newton(Vector& x, const Function& function, const Jacobian& jacobian,
                      const newton_options& options = {}) {
@@ -38,35 +40,44 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   if (x.size() == 0 || report.residual == 0) report.converged = true;
   if (report.converged || !f.allFinite()) return report;
 
-  while (report.steps < options.most_steps) {
+  bool goes_on = true;
+  while (goes_on && report.steps < options.most_steps) {
     const Matrix slope = jacobian(x);
     if (!slope.allFinite()) break;
-    factorized<Vector> factors(slope);
+    const equilibration<Vector> scale(slope);
+    const Matrix scaled = scale.applied_to(slope);
+    factorized<Vector> factors(scaled);
     report.singular = factors.is_singular();
-    Vector step = -f;
+    Vector step = -scale.rows.cwiseProduct(f);
     if (report.singular) {
-      Matrix damped = slope.transpose() * slope;
-      damped.diagonal().array() += 1e-6 * (damped.trace() + 1e-12);
-      step = -(slope.transpose() * f);
+      Matrix damped = scaled.transpose() * scaled;
+      damped.diagonal().array() += 1e-6 * damped.trace();
+      step = scaled.transpose() * step;
       factors = factorized<Vector>(damped);
     }
     factors.solve(step);
+    step = step.cwiseProduct(scale.columns);
     if (!step.allFinite()) break;
 
+    const Vector before = x;
+    const double was = scale.rows.cwiseProduct(f).norm();
     double part = 1;
     bool fell = false;
     for (int halvings = 0; halvings < 30 && !fell; ++halvings, part /= 2) {
-      const Vector tried = x + part * step;
+      const Vector tried = before + part * step;
       const Vector left = function(tried);
-      if (!left.allFinite() || !(left.norm() < f.norm())) continue;
+      if (!left.allFinite() || !(scale.rows.cwiseProduct(left).norm() < was)) continue;
       x = tried;
       f = left;
       fell = true;
     }
     ++report.steps;
     report.residual = size(f);
-    report.converged = !report.singular && size(step) <= options.tolerance * (1 + size(x));
-    if (!fell || report.residual == 0) break;
+    goes_on = fell && report.residual != 0;
+    if (!report.singular && (!goes_on || report.steps == options.most_steps)) {
+      const Matrix after = scale.applied_to(Matrix(jacobian(before + step)));
+      report.converged = (after - scaled).cwiseAbs().maxCoeff() <= options.tolerance;
+    }
   }
   if (report.residual == 0) report.converged = true;
   return report;

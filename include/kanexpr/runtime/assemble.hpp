@@ -21,8 +21,10 @@ public:
         quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
         first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
         residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
+        terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
         jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
+        velocity_jacobian_(m.function(m.get(mechanics::quantity::constraint_jacobian))),
         speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
 
   int coordinates() const { return coordinates_.size(); }
@@ -38,7 +40,12 @@ public:
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
     return by_dependent;
   }
+  Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
+  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) {
+    return numeric::terms_of(velocity_residual(x), velocity_jacobian_(t_, x, p_, r_),
+                             x.tail(x.size() - first_speed_));
+  }
   /// What the norms of quaternions are off.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
@@ -77,7 +84,7 @@ private:
   double t_;
   const P& p_;
   const R& r_;
-  interpreted<double> residual_, jacobian_, velocity_residual_, speeds_solved_;
+  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_jacobian_, speeds_solved_;
 };
 
 } // namespace runtime
@@ -91,8 +98,8 @@ assembly assemble(model<System, also...>& m, Eigen::VectorXd& x, const P& p = {}
   return numeric::assemble(constraints, x, options);
 }
 
-/// Whether a state satisfies the constraints, and its quaternions have norm 1, to within `tolerance`; if not,
-/// what is off and by how much.
+/// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
+/// and its quaternions have norm 1; if not, what is off and by how much.
 template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
 consistency check_consistency(model<System, also...>& m, const Eigen::VectorXd& x, const P& p, const R& r,
                               double t = 0, double tolerance = 1e-9) {

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/contents.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/limit.hpp>
+#include <kanexpr/symbolic/terms.hpp>
 
 #include <cmath>
 #include <string>
@@ -80,23 +81,26 @@ private:
     symbolic::matrix column(g_, zero.size(), 1);
     column.entries = zero;
     const symbols left = values(column).values.entries;
+    symbolic::sizes_of_terms sizes(g_);
+    for (symbolic::expression& e : column.entries) e = sizes.of(e);
+    const symbols terms = values(column).values.entries;
     const mechanics::contents held(g_);
     for (int i = 0; i < left.size(); ++i) {
       if (held.holds_any(left[i], {kind::coordinate, kind::speed, kind::coordinate_rate, kind::speed_rate,
                                    kind::multiplier}))
         continue;
-      if (vanishes(left[i])) continue;
+      if (vanishes(left[i], terms[i])) continue;
       problems_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
                           ": it leaves " + symbolic::print(left[i]));
     }
   }
 
-  /// Whether an expression is zero at two generic values of the symbols that it holds.
-  bool vanishes(symbolic::expression e) const {
+  /// Whether a sum is zero beside its terms, at two generic values of the symbols that it holds.
+  bool vanishes(symbolic::expression e, symbolic::expression terms) const {
     for (const double first : {0.7312, 1.2931}) {
       const auto any = [&](int id) { return 0.4 + std::fmod(first * (id + 1), 1.0); };
-      const double value = symbolic::values_at(g_, {e.node()}, any)[0];
-      if (!(std::abs(value) <= tolerance)) return false;
+      const symbolic::sequence<double> value = symbolic::values_at(g_, {e.node(), terms.node()}, any);
+      if (!(std::abs(value[0]) <= tolerance * value[1])) return false;
     }
     return true;
   }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace kanexpr::numeric {
+
+/// Scales of the rows and columns of a matrix, powers of two, that bring the largest entry of each near 1:
+/// then pivots can be compared, whatever the units of equations and unknowns are.
+template <class Vector>
+struct equilibration {
+  Vector rows, columns;
+
+  template <class Matrix>
+  explicit equilibration(const Matrix& a) : rows(Vector::Ones(a.rows())), columns(Vector::Ones(a.cols())) {
+    for (int sweeps = 0; sweeps < 3; ++sweeps) {
+      for (Eigen::Index i = 0; i < a.rows(); ++i) {
+        double most = 0;
+        for (Eigen::Index j = 0; j < a.cols(); ++j) most = std::max(most, std::abs(a(i, j)) * columns(j));
+        rows(i) = inverse(most);
+      }
+      for (Eigen::Index j = 0; j < a.cols(); ++j) {
+        double most = 0;
+        for (Eigen::Index i = 0; i < a.rows(); ++i) most = std::max(most, std::abs(a(i, j)) * rows(i));
+        columns(j) = inverse(most);
+      }
+    }
+  }
+
+  template <class Matrix>
+  Matrix applied_to(const Matrix& a) const {
+    return rows.asDiagonal() * a * columns.asDiagonal();
+  }
+
+private:
+  static double inverse(double size) {
+    return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  }
+};
+
+} // namespace kanexpr::numeric
