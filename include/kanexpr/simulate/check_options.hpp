@@ -76,7 +76,7 @@ template <class System>
 std::string check_options(const simulation_options<System>& o, const time_span& span) {
   if (const std::string wrong = check_span(span); !wrong.empty()) return wrong;
   if (o.inputs.problem()) return std::string(o.inputs.problem().view());
-  for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance})
+  for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance.value_or(1)})
     if (std::string wrong = check_tolerance(tolerance); !wrong.empty()) return wrong;
   if (o.relative_tolerance >= 1)
     return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
@@ -98,11 +98,13 @@ std::string check_options(const simulation_options<System>& o, const time_span& 
   return check_output_times(o.output_times, span);
 }
 
-/// The absolute tolerance of each entry of the state.
+/// The absolute tolerance of each entry of a state, `sizes` being how large they are.
 template <class System>
-std::string read_tolerances(const simulation_options<System>& o, std::vector<double>& tolerances) {
+std::string read_tolerances(const simulation_options<System>& o, const kanexpr::state<System>& sizes,
+                            std::vector<double>& tolerances) {
   kanexpr::state<System> each;
-  each.setConstant(o.absolute_tolerance);
+  each = 0.01 * o.relative_tolerance * sizes;
+  if (o.absolute_tolerance) each.setConstant(*o.absolute_tolerance);
   compiled::values_reader reader(compiled::survey_of<System>, System::record, type_name<System>(),
                                  range_of(compiled::symbols_of::state, compiled::survey_of<System>),
                                  each.data());

@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/moving_system.hpp>
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/simulate/simulation.hpp>
+#include <kanexpr/simulate/state_sizes.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -65,12 +66,14 @@ private:
     if (x.problem) return fail(std::string(x.problem.view()));
     solvers::stepper_options o = stepper_options();
     if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
-    if (std::string wrong = read_tolerances(options_, o.absolute_tolerances); !wrong.empty())
-      return fail(std::move(wrong));
-    departures_.set(tolerances_of(o));
     state first = result_.state;
     if (!assemble_at(span_.from, first)) return false;
     result_.state = first;
+    const state_sizes<System> found(span_.from, first, around_.p(), around_.r(), span_.to - span_.from);
+    if (std::string wrong = read_tolerances(options_, found.sizes(), o.absolute_tolerances); !wrong.empty())
+      return fail(std::move(wrong));
+    const tolerances<System> of_entries = tolerances_of(o);
+    departures_.set(of_entries), sampling_.set(of_entries);
     if (moving_.start(span_.from, result_.state, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
     has_begun_ = true;

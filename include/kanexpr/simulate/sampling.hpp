@@ -5,6 +5,7 @@
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/tolerances.hpp>
 
 #include <algorithm>
 #include <new>
@@ -26,6 +27,9 @@ public:
            trajectory<System>& kept)
       : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
         kept_(kept) {}
+
+  /// What corrections are measured by.
+  void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
 
   bool takes_each_step() const { return schedule_.takes_each_step(); }
   bool is_over() const { return schedule_.is_over(); }
@@ -107,8 +111,7 @@ private:
   bool bring_to_constraints(double t, state& x) {
     if constexpr (constraint_projection<System>::is_needed) {
       if (around_.take(t, x) != answer::given) return false;
-      const auto scale = options_.relative_tolerance * x.cwiseAbs().array().max(1e-3);
-      const state weights = state((scale + options_.absolute_tolerance).inverse());
+      const state weights = state(tolerances_.at(x).cwiseInverse());
       if (!projection_(t, x, around_.p(), around_.r(), weights)) {
         around_.refuse("the constraints are dependent, or cannot be met, near this state");
         return false;
@@ -132,6 +135,7 @@ private:
   constraint_projection<System> projection_;
   std::optional<sample> last_;
   bool is_refused_ = false; ///< by the function that is given each sample
+  tolerances<System> tolerances_;
   std::vector<double> whole_;
 };
 

@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/trajectory.hpp>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace kanexpr {
@@ -16,7 +17,9 @@ struct simulation_options {
   input_source<System> inputs = {};
 
   double relative_tolerance = 1e-8; ///< of the error of each step, in each coordinate and speed
-  double absolute_tolerance = 1e-10;
+  /// Beside it, in the unit of each; unless given, a hundredth of the relative one times the size that the
+  /// state has as far as its first instant tells.
+  std::optional<double> absolute_tolerance = {};
   std::vector<named_value> absolute_tolerances = {}; ///< of coordinates and speeds that need their own
   /// How far Adams' method may drift from the constraints in a step before it begins anew, in tolerances.
   double most_drift = 10;
