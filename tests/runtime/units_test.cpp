@@ -1,0 +1,175 @@
+// The same mechanisms in metres, millimetres and micrometres, kilograms and nanograms: the same answers.
+#include "four_bars.hpp"
+#include "models/pendulum_nonminimal.hpp"
+
+#include <kanexpr/assemble.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/runtime/assemble.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/interpreted.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using Eigen::VectorXd;
+using kanexpr::mechanics::equations;
+using kanexpr::mechanics::quantity;
+using kanexpr::runtime::builder;
+using kanexpr::runtime::frame_id;
+using kanexpr::runtime::point_id;
+using kanexpr::symbolic::expression;
+
+// How many new units are in an old one.
+struct units {
+  double length, mass, time;
+};
+const std::vector<units> binary{
+    {0x1p-40, 1, 1}, {0x1p40, 1, 1}, {1, 0x1p-40, 1}, {1, 1, 0x1p20}, {0x1p-40, 0x1p40, 0x1p-20}};
+const std::vector<units> decimal{{1e-3, 1, 1},     {1e-6, 1e-9, 1}, {1e-9, 1, 1},      {1e-12, 1, 1},
+                                 {1e-12, 1e12, 1}, {1e12, 1, 1},    {1e6, 1e12, 1e-3}, {1, 1, 1e6}};
+
+// A crank of 0.3, a rod of 1.1 and a slider, whose lengths and masses are numbers.
+struct slider_crank : builder {
+  explicit slider_crank(const units& in) : builder("N") {
+    const expression turn = coordinate("turn"), swing = coordinate("swing"), way = coordinate("way");
+    const expression w1 = speed("w1"), w2 = speed("w2"), v = speed("v");
+    const expression zero = number(0), crank = number(0.3 * in.length), rod = number(1.1 * in.length);
+    const frame_id n = inertial_frame(), a = rotated("A", n, turn, along(n, 0, 0, 1)),
+                   b = rotated("B", n, swing, along(n, 0, 0, 1));
+    const point_id o = origin("O"), pin = offset("Pin", o, along(a, crank, zero, zero)),
+                   end = offset("End", pin, along(b, rod, zero, zero)),
+                   slider = offset("S", o, along(n, way, zero, zero));
+    particle("Pinned", pin, number(0.7 * in.mass));
+    particle("Ended", end, number(0.2 * in.mass));
+    particle("Slider", slider, number(1.3 * in.mass));
+    gravity(along(n, zero, number(-9.81 * in.length / (in.time * in.time)), zero));
+    kinematic_equation(dot(turn) - w1);
+    kinematic_equation(dot(swing) - w2);
+    kinematic_equation(dot(way) - v);
+    configuration_constraint(crank * cos(turn) + rod * cos(swing) - way);
+    configuration_constraint(crank * sin(turn) + rod * sin(swing));
+  }
+};
+
+struct motion {
+  std::vector<int> coordinates, speeds; // the dependent ones
+  VectorXd udot;                        // in old units
+};
+
+std::vector<int> list(const kanexpr::symbolic::sequence<int>& all) { return {all.begin(), all.end()}; }
+
+motion of_slider_crank(const units& in) {
+  slider_crank b(in);
+  EXPECT_EQ(b.check().view(), "");
+  equations derived(b.mechanism());
+  derived.constrain();
+  EXPECT_EQ(derived.mistake().view(), "");
+  const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
+  kanexpr::symbolic::sequence<int> outputs;
+  for (const expression& e : udot.entries) outputs.push(e.node());
+  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+  const double turn = 0.8, swing = -std::asin(0.3 * std::sin(turn) / 1.1), w1 = 1.7,
+               w2 = -0.3 * std::cos(turn) * w1 / (1.1 * std::cos(swing));
+  VectorXd x(6);
+  x << turn, swing, in.length * (0.3 * std::cos(turn) + 1.1 * std::cos(swing)), w1 / in.time, w2 / in.time,
+      in.length / in.time * (-0.3 * std::sin(turn) * w1 - 1.1 * std::sin(swing) * w2);
+  VectorXd found = f(x);
+  EXPECT_TRUE(f.status()) << f.status().cause();
+  found *= in.time * in.time;
+  found(2) /= in.length;
+  return {list(derived.coordinates().dependent), list(derived.speeds().dependent), found};
+}
+
+TEST(units, of_a_slider_crank_do_not_matter) {
+  const motion plain = of_slider_crank({1, 1, 1});
+  EXPECT_EQ(plain.speeds.size(), 2u);
+  for (const units& in : binary) {
+    const motion m = of_slider_crank(in);
+    EXPECT_EQ(m.coordinates, plain.coordinates);
+    EXPECT_EQ(m.speeds, plain.speeds);
+    EXPECT_EQ(m.udot, plain.udot) << in.length << ' ' << in.mass << ' ' << in.time; // to the last bit
+  }
+  for (const units& in : decimal) {
+    const motion m = of_slider_crank(in);
+    EXPECT_EQ(m.coordinates, plain.coordinates);
+    EXPECT_EQ(m.speeds, plain.speeds);
+    EXPECT_LE((m.udot - plain.udot).norm(), 1e-12 * plain.udot.norm())
+        << in.length << ' ' << in.mass << ' ' << in.time;
+  }
+}
+
+// Said twice, the second time as a number times the first.
+TEST(units, of_a_redundant_constraint_do_not_matter) {
+  for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+    slider_crank b({scale, 1, 1});
+    const expression turn = b.mechanism().coordinates[0], swing = b.mechanism().coordinates[1];
+    const expression rod = b.number(1.1 * scale), crank = b.number(0.3 * scale), zero = b.number(0);
+    b.velocity_constraint(b.number(7e-5) *
+                          (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
+    b.velocity_constraint(b.number(3e5) *
+                          (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
+    equations derived(b.mechanism());
+    derived.constrain();
+    EXPECT_EQ(derived.mistake().view(),
+              "velocity constraint 2 follows from those before it in every configuration");
+  }
+}
+
+TEST(units, of_a_four_bar_do_not_matter_to_assembly_and_checks) {
+  using namespace four_bar;
+  four_bars plain;
+  ASSERT_TRUE(kanexpr::assemble<System>(plain.x, plain.p, plain.r));
+  for (const double scale : {1e-12, 1e-9, 1e-3, 1e6, 1e12}) {
+    four_bars b;
+    b.p[l0] *= scale, b.p[l1] *= scale, b.p[l2] *= scale, b.p[l3] *= scale;
+    b.x[u1] = 1.4;
+    const auto guess = b.x;
+    EXPECT_FALSE(kanexpr::check_consistency<System>(guess, b.p, b.r)) << scale;
+    const kanexpr::assembly done = kanexpr::assemble<System>(b.x, b.p, b.r);
+    ASSERT_TRUE(done) << done.cause();
+    EXPECT_LE((b.x - plain.x).norm(), 1e-13) << scale;
+    EXPECT_TRUE(kanexpr::check_consistency<System>(b.x, b.p, b.r)) << scale;
+    auto off = b.x;
+    off[q2] += 1e-8;
+    EXPECT_FALSE(kanexpr::check_consistency<System>(off, b.p, b.r)) << scale;
+    off = b.x;
+    off[u3] += 1e-8;
+    EXPECT_FALSE(kanexpr::check_consistency<System>(off, b.p, b.r)) << scale;
+    b.p[l0] *= 2; // out of reach
+    const kanexpr::assembly none = kanexpr::assemble<System>(b.x, b.p, b.r);
+    EXPECT_FALSE(none) << scale;
+  }
+}
+
+TEST(units, of_lengths_do_not_matter_to_a_pendulum_in_two_coordinates) {
+  using namespace pendulum_nonminimal;
+  using eom = kanexpr::equations_of_motion<System>;
+  auto model = kanexpr::derive<System>();
+  for (const double scale : {1e-12, 1e-8, 1.0, 1e6, 1e12}) {
+    eom::parameters p;
+    p[m] = 1, p[L] = scale, p[g] = 9.81;
+    eom::state x = eom::state::Zero();
+    x[q1] = 0.5 * scale, x[q2] = 0.6 * scale, x[u2] = 0.3 * scale;
+    EXPECT_FALSE(kanexpr::check_consistency<System>(x, p)) << scale;
+    ASSERT_TRUE(kanexpr::assemble<System>(x, p)) << scale;
+    EXPECT_NEAR(x[q1] / scale, 0.8, 1e-15);
+    EXPECT_NEAR(x[u1] / scale, -0.225, 1e-15);
+    EXPECT_TRUE(kanexpr::check_consistency<System>(x, p)) << scale;
+    EXPECT_TRUE(kanexpr::check_consistency(model, VectorXd(x), p, p)) << scale;
+    x[q1] *= 1 + 1e-7;
+    EXPECT_FALSE(kanexpr::check_consistency<System>(x, p)) << scale;
+
+    auto hangs = model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, scale}, {q2, 0}, {u1, 0}, {u2, 0}});
+    EXPECT_THAT(hangs.problems(), testing::IsEmpty()) << scale;
+    auto close = model.linearize(
+        {{m, 1}, {L, scale}, {g, 9.81}, {q1, scale * (1 + 1e-12)}, {q2, 0}, {u1, 0}, {u2, 0}});
+    EXPECT_THAT(close.problems(), testing::IsEmpty()) << scale;
+    auto longer =
+        model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, 1.0001 * scale}, {q2, 0}, {u1, 0}, {u2, 0}});
+    EXPECT_EQ(longer.problems().size(), 1u) << scale;
+  }
+}
+
+} // namespace
