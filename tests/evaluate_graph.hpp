@@ -103,22 +103,23 @@ T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
     symbolic::sequence<T> f, scales;
     for (int id : symbolic::entries_of(g, n.a)) f.push(at(id));
     for (int id : symbolic::elements_of(g, n.b)) scales.push(at(id));
-    T determinant = 1, least = 0, largest = 0;
+    T determinant = 1, least = 0;
     for (int k = 0; k < order; ++k) {
       int pivot = k;
       for (int i = k + 1; i < order; ++i)
         if (std::abs(f[i * order + k]) > std::abs(f[pivot * order + k])) pivot = i;
       for (int j = 0; j < order; ++j) std::swap(f[k * order + j], f[pivot * order + j]);
+      std::swap(scales[k], scales[pivot]);
       const T size = std::abs(f[k * order + k]);
       if (size == 0) return 0;
-      least = k == 0 ? size : std::min(least, size);
-      largest = std::max(largest, scales[k]);
-      determinant *= size / scales[k];
+      const T beside = size / (scales[k] * scales[order + k]);
+      least = k == 0 ? beside : std::min(least, beside);
+      determinant *= beside;
       for (int i = k + 1; i < order; ++i)
         for (int j = order - 1; j >= k; --j)
           f[i * order + j] -= f[i * order + k] / f[k * order + k] * f[k * order + j];
     }
-    return order <= 3 ? determinant : least / largest;
+    return order <= 3 ? determinant : least;
   }
 }
 

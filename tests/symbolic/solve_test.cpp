@@ -222,6 +222,35 @@ solved_block only_block(graph& g, const expression& a, const expression& b) {
   return solved.blocks[0];
 }
 
+TEST(solve_linear, measures_alike_in_all_units) {
+  std::mt19937 engine(8);
+  std::uniform_int_distribution<int> decade(-12, 12);
+  int regular = 0;
+  for (int n = 1; n <= 7; ++n)
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      const Eigen::MatrixXd a = random_matrix(engine, n, 1);
+      Eigen::MatrixXd singular = a;
+      singular.row(n - 1) = singular.topRows(n - 1).colwise().sum();
+      const auto factor = [&](Eigen::Index) { return std::pow(10.0, decade(engine)); };
+      const Eigen::VectorXd rows = Eigen::VectorXd::NullaryExpr(n, factor);
+      const Eigen::VectorXd columns = Eigen::VectorXd::NullaryExpr(n, factor);
+      const auto beside_scale = [&](const Eigen::MatrixXd& m) {
+        linear_system s(rows.asDiagonal() * m * columns.asDiagonal(), Eigen::VectorXd::Ones(n), false);
+        const linear_solution solved = solve_linear(s.g, s.entries(), column(s.g, s.right()));
+        const solved_block& all = solved.blocks.back();
+        EXPECT_EQ(all.rows.size(), n);
+        return s.value_of({all.measure})(0) / s.value_of({all.scale})(0);
+      };
+      if (n > 1) {
+        EXPECT_LT(beside_scale(singular), 1e-13) << n;
+      }
+      if (a.fullPivLu().rcond() < 0.02) continue;
+      ++regular;
+      EXPECT_GT(beside_scale(a), 1e-5) << n;
+    }
+  EXPECT_GT(regular, 50);
+}
+
 TEST(solve_linear, measures_by_what_does_not_vanish_with_the_equation) {
   graph g;
   const expression angle = variable(g, {symbol_kind::coordinate, name("q"), 0});

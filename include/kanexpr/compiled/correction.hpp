@@ -81,10 +81,11 @@ private:
     constexpr symbolic::factors entry{unknowns};
     auto [residual, slope] = residual_and_slope()(t, x, p, r);
     if constexpr (quaternions::are_bound) quaternions::leave_norms_out(slope, x);
-    T f[entry.size()], scales[unknowns], change[unknowns];
+    T f[entry.size()], scales[2 * unknowns], change[unknowns];
     for (int i = 0; i < unknowns; ++i) {
       change[i] = residual(i);
       scales[i] = lower::scalar_math<T>::from(0);
+      scales[unknowns + i] = lower::scalar_math<T>::from(1);
       for (int j = 0; j < unknowns; ++j) {
         const T& by_dependent = slope(i, quaternions::are_bound ? place(j) : j);
         f[entry.at(i, j)] = by_dependent;

@@ -31,7 +31,8 @@ constexpr void constant_elimination(const elimination& e, const int* operands, c
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
   if (e.op == operation::regularity) {
-    *out = symbolic::regularity_of<math>(e.order, factors, inputs.begin());
+    const bool singular = factors[symbolic::factors{e.order}.least_pivot()] == 0;
+    *out = singular ? 0 : symbolic::regularity_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];

@@ -12,9 +12,6 @@ struct elimination_math {
     return scalar_math<T>::template by_name<symbolic::operation::abs>(x);
   }
   [[gnu::always_inline]] static T reciprocal(const T& x) { return T(scalar_math<T>::from(1) / x); }
-  [[gnu::always_inline]] static T positive_or_one(const T& x) {
-    return T(x + T(scalar_math<T>::from(1) - scalar_math<T>::template by_name<symbolic::operation::sign>(x)));
-  }
   [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
     scalar_math<T>::exchange_if_positive(d, a, b);
   }
@@ -35,7 +32,7 @@ public:
     solve_transposed(f, x, numbers<order>{});
   }
   [[gnu::always_inline]] static T regularity(const T* f, T* scales) noexcept {
-    return regularity(f, scales, numbers<order - 1>{});
+    return regularity(f, scales, numbers<order>{});
   }
 
 private:
@@ -82,13 +79,26 @@ private:
   /// a -= b c
   [[gnu::always_inline]] static void subtract(T& a, const T& b, const T& c) noexcept { a = T(a - T(b * c)); }
 
-  template <int... i>
+  template <int... k>
   [[gnu::always_inline]] static T regularity(const T* f, T* scales,
-                                             std::integer_sequence<int, i...>) noexcept {
-    const int largest[]{
-        0, (math::exchange_if_positive(T(scales[1 + i] - scales[0]), scales[0], scales[1 + i]), 0)...};
-    static_cast<void>(largest);
-    return T(f[place.least_pivot()] / math::positive_or_one(scales[0]));
+                                             std::integer_sequence<int, k...>) noexcept {
+    T largest = f[0]; // overwritten by the first
+    const int in_order[]{(inverse<k>(f, scales, largest, numbers<order - 1 - k>{}), 0)...};
+    static_cast<void>(in_order);
+    return math::reciprocal(largest);
+  }
+  template <int k, int... below>
+  [[gnu::always_inline]] static void inverse(const T* f, T* scales, T& largest,
+                                             std::integer_sequence<int, below...>) noexcept {
+    const int exchanged[]{
+        0, (math::exchange_if_positive(f[place.excess(k, k + 1 + below)], scales[k], scales[k + 1 + below]),
+            0)...};
+    static_cast<void>(exchanged);
+    T own = T(math::magnitude(f[place.at(k, k)]) * T(scales[k] * scales[order + k]));
+    if constexpr (k == 0)
+      largest = own;
+    else
+      math::exchange_if_positive(T(own - largest), largest, own);
   }
 
   template <int... k>

@@ -85,7 +85,7 @@ private:
     constexpr elimination e = tape.eliminations[i];
     T* const out = slot_ + first + e.step;
     if constexpr (e.op == operation::regularity) {
-      T scales[e.order];
+      T scales[e.inputs()];
       gather<e.operands>(scales, std::make_integer_sequence<int, e.inputs()>{});
       *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, scales);
     } else {

@@ -26,7 +26,10 @@ struct elimination {
   int factors = 0;  ///< first slot of the factorization that it uses
   int operands = 0; ///< where its operands begin among those of all eliminations
 
-  constexpr int inputs() const { return op == operation::factorization ? order * order : order; }
+  constexpr int inputs() const {
+    if (op == operation::factorization) return order * order;
+    return op == operation::regularity ? 2 * order : order;
+  }
   constexpr int outputs() const {
     if (op == operation::factorization) return symbolic::factors{order}.size();
     return op == operation::regularity ? 1 : order;

@@ -14,7 +14,7 @@ public:
   explicit interpreter(const lower::tape& code)
       : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
     for (const lower::elimination& e : code_.eliminations)
-      if (e.order > scales_.size()) scales_.resize(e.order, lower::scalar_math<T>::from(0));
+      if (e.inputs() > scales_.size()) scales_.resize(e.inputs(), lower::scalar_math<T>::from(0));
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 

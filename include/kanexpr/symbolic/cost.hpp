@@ -43,12 +43,7 @@ struct cost {
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
   }
   constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
-  /// The least pivot and the largest scale are found by comparisons, and divided.
-  constexpr void count_regularity(int order) {
-    count(0, 2 * (order - 1), 1);
-    count(operation::sign);
-    count(0, 2, 0);
-  }
+  constexpr void count_regularity(int order) { count(2 * order, order - 1, 1); }
 
 private:
   constexpr void count(int products, int sums, int quotients) {

@@ -19,7 +19,7 @@ struct factors {
   constexpr int size() const { return least_pivot() + 1; }
 };
 
-/// Factorizes the matrix with which `f` begins. `Math` has `magnitude`, `reciprocal`, `positive_or_one` and
+/// Factorizes the matrix with which `f` begins. `Math` has `magnitude`, `reciprocal` and
 /// `exchange_if_positive(d, a, b)`.
 template <class Math, class T>
 constexpr void factorize(int order, T* f) {
@@ -79,11 +79,22 @@ constexpr void solve_transposed_factorized(int order, const T* f, T* x) {
   }
 }
 
-/// The least pivot beside the largest of the scales, which are lost.
+/// The least pivot beside the scales of its row and its column. The scales are those of the rows, then those
+/// of the columns, all positive; they lose their order.
 template <class Math, class T>
 constexpr T regularity_of(int order, const T* f, T* scales) {
-  for (int i = 1; i < order; ++i) Math::exchange_if_positive(T(scales[i] - scales[0]), scales[0], scales[i]);
-  return T(f[factors{order}.least_pivot()] / Math::positive_or_one(scales[0]));
+  const factors place{order};
+  T largest = f[0]; // overwritten by the first
+  for (int k = 0; k < order; ++k) {
+    for (int i = k + 1; i < order; ++i)
+      Math::exchange_if_positive(f[place.excess(k, i)], scales[k], scales[i]);
+    T inverse = T(Math::magnitude(f[place.at(k, k)]) * T(scales[k] * scales[order + k]));
+    if (k == 0)
+      largest = inverse;
+    else
+      Math::exchange_if_positive(T(inverse - largest), largest, inverse);
+  }
+  return Math::reciprocal(largest);
 }
 
 } // namespace kanexpr::symbolic

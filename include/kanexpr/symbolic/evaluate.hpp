@@ -134,8 +134,8 @@ private:
     if (f[factors{order}.least_pivot()] == 0) return 0;
     if (order > 3) return regularity_of<constant_elimination>(order, f, &more_[scales]);
     double found = 1;
-    for (int i = 0; i < order; ++i)
-      found /= f[factors{order}.at(i, i)] * constant_elimination::positive_or_one(more_[scales + i]);
+    for (int i = 0; i < order; ++i) found /= f[factors{order}.at(i, i)];
+    for (int i = 0; i < 2 * order; ++i) found /= constant_elimination::positive_or_one(more_[scales + i]);
     return elementary::abs(found);
   }
 

@@ -12,9 +12,6 @@ constexpr sequence<int> nodes_of(const sequence<expression>& all) {
   return nodes;
 }
 
-/// Systems up to this order are written out with cofactors when they are lowered.
-inline constexpr int largest_written_out = 3;
-
 /// A square matrix made ready to solve with; no value, but what `solve` and `regularity` need.
 constexpr expression factorization(graph& g, const matrix& a) {
   return {g, factorization(g, nodes_of(a.entries), a.rows)};
@@ -37,12 +34,12 @@ constexpr sequence<expression> solve_transposed(expression factorization, const 
   return solve(operation::transposed_solve, factorization, b);
 }
 
-/// How far a matrix is from a singular one, beside the scales of its rows: of order 1 to 3 |det|/Π scale,
-/// beyond the least pivot of elimination over the largest scale. Zero, and a number, where it is singular.
-/// Derivatives take it as a constant.
-constexpr expression regularity(expression factorization, const sequence<expression>& row_scales) {
+/// How far a matrix is from a singular one, beside the scales of its rows, then of its columns: of order 1 to
+/// 3 |det|/Π scale, beyond the least |pivot|/(row·column) of elimination, for which scales must be positive.
+/// Zero, and a number, where it is singular. Derivatives take it as a constant.
+constexpr expression regularity(expression factorization, const sequence<expression>& scales) {
   graph& g = factorization.owner();
-  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(row_scales)))};
+  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(scales)))};
 }
 
 } // namespace kanexpr::symbolic

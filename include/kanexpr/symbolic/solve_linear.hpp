@@ -166,23 +166,32 @@ private:
     push_block(part, factors);
   }
 
-  /// The determinant of a small part has a mean square of its own; of a larger one rows are compared.
+  /// The determinant of a small part has a mean square of its own. Of a larger one each pivot is compared
+  /// with the scales of its row and its column, of which those of the columns come first: whatever their
+  /// units are, the products have those of the entries.
   constexpr void push_block(const coupled_part& part, expression factors) {
     const int order = part.rows.size();
     const sequence<int> squares = squares_of(part.rows, part.columns);
     const expression one{g_, graph::one};
     if (order <= largest_written_out) {
-      const expression determinant = regularity(factors, sequence<expression>(order, one));
+      const expression determinant = regularity(factors, sequence<expression>(2 * order, one));
       out_.blocks.push(
           {part.rows, part.columns, factors.node(), determinant, root(permanent(g_, squares, order))});
       return;
     }
-    sequence<expression> scales;
+    sequence<expression> scales, columns;
+    for (int j = 0; j < order; ++j) {
+      expression sum{g_, graph::zero};
+      for (int i = 0; i < order; ++i) sum += expression{g_, squares[i * order + j]};
+      columns.push(sum);
+    }
     for (int i = 0; i < order; ++i) {
       expression sum{g_, graph::zero};
-      for (int j = 0; j < order; ++j) sum += expression{g_, squares[i * order + j]};
-      scales.push(sqrt(sum));
+      for (int j = 0; j < order; ++j)
+        if (squares[i * order + j] != graph::zero) sum += expression{g_, squares[i * order + j]} / columns[j];
+      scales.push({g_, positive_or_one(g_, sqrt(sum).node())}); // a row may vanish
     }
+    for (const expression& c : columns) scales.push(sqrt(c));
     out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, scales), one});
   }
 

@@ -8,6 +8,9 @@
 /// number; everything else stays as it is until it is lowered, for only then is it known what is needed.
 namespace kanexpr::symbolic {
 
+/// Systems up to this order are written out with cofactors when they are lowered.
+inline constexpr int largest_written_out = 3;
+
 /// The entries come by rows.
 constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
   sequence<int> rows;
@@ -63,9 +66,11 @@ constexpr int positive_or_one(graph& g, int x) {
 }
 
 constexpr int regularity(graph& g, int factorization, int scales) {
-  if (order_of(g, factorization) == 1)
-    return divide(g, apply(g, operation::abs, entries_of(g, factorization)[0]),
-                  positive_or_one(g, g[scales].a));
+  if (order_of(g, factorization) == 1) {
+    int product = graph::one;
+    for (int scale : elements_of(g, scales)) product = multiply(g, product, scale);
+    return divide(g, apply(g, operation::abs, entries_of(g, factorization)[0]), positive_or_one(g, product));
+  }
   bool is_constant = true;
   for (int id : entries_of(g, factorization)) is_constant = is_constant && g.is_constant(id);
   if (is_constant && constant_inverse(g, factorization).empty()) return graph::zero;
