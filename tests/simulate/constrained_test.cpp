@@ -64,6 +64,8 @@ TEST(constrained, cannot_begin_where_no_state_is_near) {
       simulate<System>({{q1, 0.3}, {q2, 0.5}, {u1, 0.2}}, {}, {0, 1}, {.inputs = led_at(2.5, 0)});
   EXPECT_FALSE(run);
   EXPECT_TRUE(run.trajectory.empty());
+  EXPECT_EQ(run.time, 0);
+  EXPECT_EQ(run.state, state<System>(0.3, 0.5, 0.2, 0));
   EXPECT_THAT(run.cause(), testing::HasSubstr("the search for the dependent coordinates"));
 }
 
@@ -71,15 +73,19 @@ TEST(constrained, cannot_begin_where_no_state_is_near) {
 template <integrator by>
 void ends_where_the_bars_are_stretched() {
   using namespace led_bars;
-  const auto run =
-      simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 9}, {.inputs = led_at(1.8, 0.1)});
-  EXPECT_FALSE(run);
-  EXPECT_THAT(run.cause(), testing::StartsWith("the simulation ended at t = "));
-  EXPECT_THAT(run.cause(), testing::HasSubstr("q1 = "));
-  EXPECT_NEAR(run.time, 2, 1e-2);
-  ASSERT_GT(run.trajectory.size(), 5u);
-  EXPECT_TRUE(run.trajectory.back().x.allFinite());
-  EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-7);
+  for (const double every : {0.0, 0.1}) {
+    const auto run = simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 9},
+                                          {.inputs = led_at(1.8, 0.1), .output_every = every});
+    EXPECT_FALSE(run);
+    EXPECT_THAT(run.cause(), testing::StartsWith("the simulation ended at t = "));
+    EXPECT_THAT(run.cause(), testing::HasSubstr("q1 = "));
+    EXPECT_NEAR(run.time, 2, 1e-2);
+    ASSERT_GT(run.trajectory.size(), 5u);
+    EXPECT_TRUE(run.trajectory.back().x.allFinite());
+    EXPECT_EQ(run.trajectory.back().t, run.time);
+    EXPECT_EQ(run.trajectory.back().x, run.state);
+    EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-7);
+  }
 }
 
 TEST(constrained, ends_at_a_singular_configuration) {
@@ -87,6 +93,53 @@ TEST(constrained, ends_at_a_singular_configuration) {
   ends_where_the_bars_are_stretched<integrator::adams>();
   ends_where_the_bars_are_stretched<integrator::bdf>();
   ends_where_the_bars_are_stretched<integrator::differential_algebraic>();
+}
+
+template <integrator by>
+void ends_with_its_last_sample() {
+  using namespace led_bars;
+  for (const double every : {0.0, 0.3}) {
+    const auto run = simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 1},
+                                          {.inputs = led_at(1.8, 0.1), .output_every = every});
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_EQ(run.trajectory.back().t, run.time);
+    EXPECT_EQ(run.trajectory.back().x, run.state);
+  }
+}
+
+TEST(constrained, ends_with_its_last_sample) {
+  ends_with_its_last_sample<integrator::explicit_runge_kutta>();
+  ends_with_its_last_sample<integrator::adams>();
+  ends_with_its_last_sample<integrator::bdf>();
+  ends_with_its_last_sample<integrator::differential_algebraic>();
+}
+
+// After a handler the state is brought to the constraints again, by which a function may be before zero
+// again.
+template <integrator by>
+void passes_once_what_goes_on() {
+  using namespace led_bars;
+  const auto count = [](double height, event_handler<System> handler) {
+    const auto run = simulate<System, by>({{q1, -0.5}, {q2, 0.5}, {u1, 0}}, {}, {0, 4},
+                                          {.inputs = led_at(1.6, 0.02),
+                                           .events = {{"height",
+                                                       [=](double, const state<System>& x, auto&, auto&) {
+                                                         return std::sin(x[q1]) + std::sin(x[q2]) - height;
+                                                       },
+                                                       crossing::either, std::move(handler)}}});
+    EXPECT_TRUE(run) << run.cause();
+    return run.events.size();
+  };
+  for (const double height : {-0.3, -0.1, 0.05, 0.2, 0.3})
+    EXPECT_EQ(count(height, [](moment<System>&) {}), count(height, {})) << height;
+  EXPECT_GT(count(0.05, {}), 1u);
+}
+
+TEST(constrained, passes_once_what_goes_on_after_a_handler) {
+  passes_once_what_goes_on<integrator::explicit_runge_kutta>();
+  passes_once_what_goes_on<integrator::adams>();
+  passes_once_what_goes_on<integrator::bdf>();
+  passes_once_what_goes_on<integrator::differential_algebraic>();
 }
 
 } // namespace
