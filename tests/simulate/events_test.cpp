@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -261,6 +262,30 @@ TEST(events, may_be_many_at_one_time) {
     ASSERT_EQ(run.events.size(), 60u);
     for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(run.events[i].name, many[i].name);
   }
+}
+
+// Where it came to zero could not be found.
+TEST(events, that_stay_at_zero_end_a_simulation) {
+  const auto run = simulate<System>(
+      start, ball, {0, 1},
+      {.events = {{"height", [](double, const state<System>& x, auto&, auto&) { return std::max(x[h], 0.0); },
+                   crossing::falling, bounce}}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::EndsWith("the event height stays at zero; it must pass it"));
+  EXPECT_TRUE(run.events.empty());
+}
+
+TEST(events, without_a_value_at_the_start_end_a_simulation) {
+  int asked = 0;
+  const auto run =
+      simulate<System>(start, ball, {0, 1}, {.events = {{"odd", [&](double, auto&, auto&, auto&) -> double {
+                                                           if (asked++ == 0)
+                                                             throw std::runtime_error("not ready");
+                                                           return 1;
+                                                         }}}});
+  EXPECT_FALSE(run);
+  EXPECT_THAT(run.cause(), testing::EndsWith("the event odd threw: not ready"));
+  EXPECT_EQ(run.trajectory.size(), 1u);
 }
 
 } // namespace

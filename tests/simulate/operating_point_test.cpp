@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -113,6 +114,18 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
   EXPECT_EQ(operating_point({{q, 0.5}}).cause(), "parameter m has no value");
   EXPECT_EQ(operating_point({{q, 0.5}}, {{m, 0}, {l, 1}, {g, 1}, {c, 0}}).cause(),
             "the rate of speed u is not finite at the guess");
+}
+
+TEST(operating_point, refuses_options_that_make_no_sense) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto cause = [](const kanexpr::operating_point_options<System>& options) {
+    return operating_point({{q, 0.2}}, some_parameters(), options).cause();
+  };
+  for (const double tolerance : {0.0, -1.0, std::nan("")})
+    EXPECT_EQ(cause({.tolerance = tolerance}), "the tolerance must be positive");
+  EXPECT_EQ(cause({.tolerance = infinite}), "the tolerance is not finite");
+  EXPECT_EQ(cause({.most_iterations = 0}), "the most iterations that are allowed must be positive");
+  EXPECT_EQ(cause({.t = infinite}), "the time is not finite");
 }
 
 } // namespace

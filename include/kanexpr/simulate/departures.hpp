@@ -22,19 +22,21 @@ public:
 
   void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
 
-  /// The functions that pass zero at the start: those that are zero there, as far as the tolerances tell, and
-  /// leave it in the direction of their event. An event of either direction must be seen on both sides.
-  std::vector<int> at_start(double t, const state& x, double span) {
-    std::vector<int> passed(count());
-    waiting_.assign(count(), 0), returning_ = completing_ = waiting_;
-    if (count() == 0 || !evaluate(t, x, here_)) return passed; // the integrator will tell why
+  /// Finds the functions that pass zero at the start: those that are zero there, as far as the tolerances
+  /// tell, and leave it in the direction of their event. An event of either direction must be seen on both
+  /// sides. False where functions have no value.
+  bool begin(double t, const state& x, double span, std::vector<int>& passed) {
+    passed.assign(count(), 0);
+    waiting_ = returning_ = completing_ = passed;
+    if (count() == 0) return true;
+    if (!evaluate(t, x, here_)) return false;
     for (std::size_t i = 0; i < count(); ++i) waiting_[i] = direction(i) * here_[i] >= 0 ? direction(i) : 0;
     if (!none(waiting_)) find_margins(t, x);
     for (std::size_t i = 0; i < count(); ++i)
       if (waiting_[i] != 0 && std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
     if (!none(waiting_)) look_ahead(t, x, 1e-3 * span, passed);
     around_.forget();
-    return passed;
+    return true;
   }
 
   /// After a step: functions that were zero since the start and have left it meanwhile in the direction of
@@ -64,6 +66,14 @@ public:
     return false;
   }
 
+  /// Which function that was found to pass zero does not: it is zero and stays there. −1: none.
+  int resting(double t, const state& x, const std::vector<int>& passed) {
+    const std::vector<double> changes = changes_at(t, x);
+    for (std::size_t i = 0; i < passed.size(); ++i)
+      if (passed[i] != 0 && here_[i] == 0 && changes[i] == 0) return static_cast<int>(i);
+    return -1;
+  }
+
   /// Notes what is to come of functions that have just passed zero, after handlers that left the state `x`:
   /// one that they turned round, or brought to rest, is to return; one that goes on may still be before zero.
   void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
@@ -71,15 +81,14 @@ public:
     returning_.assign(count(), 0), completing_.assign(count(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
       if (passed[i] == 0) continue;
-      if (changes[i] * passed[i] > 1e-9 * std::abs(changes_before[i]))
-        completing_[i] = here_[i] * passed[i] <= 0 ? passed[i] : 0;
-      else if (around_.events()[i].handler)
-        returning_[i] = -passed[i];
+      const bool goes_back = changes[i] * passed[i] <= 1e-9 * std::abs(changes_before[i]);
+      if (goes_back && around_.events()[i].handler) returning_[i] = -passed[i];
+      if (!goes_back && here_[i] * passed[i] <= 0) completing_[i] = passed[i];
     }
     if (none(returning_) && none(completing_) && none(waiting_)) return;
     find_margins(t, x);
     for (std::size_t i = 0; i < count(); ++i)
-      if (std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
+      if (std::abs(here_[i]) > margins_[i]) waiting_[i] = returning_[i] = completing_[i] = 0;
   }
 
   /// After a step: takes from `passed` what was passed before; and tells whether a function that was to

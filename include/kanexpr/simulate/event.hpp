@@ -18,7 +18,7 @@ enum class after_event { go_on, stop };
 /// constraint follows after that.
 template <class System>
 struct moment {
-  double t;
+  const double t;
   state<System>& x;
   const parameter_values<System>& p;
   const input_values<System>& r;

@@ -115,8 +115,10 @@ private:
   }
 
   void go() {
-    const std::vector<int> passed = departures_.at_start(result_.time, result_.state, span_.to - span_.from);
-    bool goes_on = !is_any(passed) || pass_event(passed);
+    std::vector<int> passed;
+    bool goes_on = departures_.begin(result_.time, result_.state, span_.to - span_.from, passed) ||
+                   fail_here("an event could not be evaluated");
+    if (goes_on && is_any(passed)) goes_on = pass_event(passed);
     while (goes_on && result_.time < span_.to) goes_on = step();
   }
 
@@ -127,6 +129,7 @@ private:
     const solvers::arrival arrived = stepper().advance(span_.to, false);
     if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
     around_.forget();
+    departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
     const double t = stepper().time();
     state x;
     std::copy_n(stepper().state(), x.size(), x.begin());
@@ -138,12 +141,18 @@ private:
     result_.time = t, result_.state = x;
     if (options_.dense) sampling_.keep_polynomial(stepper(), t, begun_);
     if (!sampling_.go_on(stepper(), t, result_.state)) return fail_here("");
-    departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
-    if (is_any(passed) && !pass_event(passed)) return false;
+    if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
     return !options_.progress ||
            around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                answer::given ||
            fail_here("");
+  }
+
+  /// Of a function that stays at zero, integrators find any time at which it is there.
+  bool is_passing(const std::vector<int>& passed) {
+    const int resting = departures_.resting(result_.time, result_.state, passed);
+    return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +
+                                    " stays at zero; it must pass it");
   }
 
   static bool is_any(const std::vector<int>& passed) {

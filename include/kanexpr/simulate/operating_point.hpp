@@ -5,6 +5,9 @@
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim_search.hpp>
 
+#include <cmath>
+#include <string>
+
 namespace kanexpr {
 
 /// What is known of an operating point before it is found.
@@ -48,6 +51,7 @@ public:
       : x(guess.values), p(parameters.values), r(options.inputs.values) {
     for (const mechanics::problem* wrong : {&guess.problem, &parameters.problem, &options.inputs.problem})
       if (cause_.empty()) cause_ = wrong->view();
+    if (cause_.empty()) cause_ = mistake_in(options);
     if (cause_.empty()) find(options);
   }
 
@@ -73,6 +77,13 @@ private:
     Eigen::VectorXd values(known.symbols());
     values << x, p, r;
     return values;
+  }
+
+  static std::string mistake_in(const operating_point_options<System>& o) {
+    if (!(o.tolerance > 0)) return "the tolerance must be positive";
+    if (std::isinf(o.tolerance)) return "the tolerance is not finite";
+    if (o.most_iterations <= 0) return "the most iterations that are allowed must be positive";
+    return std::isfinite(o.t) ? "" : "the time is not finite";
   }
 
   void find(const operating_point_options<System>& o) {
