@@ -55,8 +55,10 @@ function listen(page) {
 }
 
 async function checkTitle(page) {
-  assert.equal(await page.title(), 'A disc <on a circle>');
-  assert.equal(await page.locator('h1').textContent(), 'A disc <on a circle>');
+  const title = 'A disc <on a circle> & @motion@</script>';
+  assert.equal(await page.title(), title);
+  assert.equal(await page.locator('h1').textContent(), title);
+  assert.equal(await page.locator('#values th').first().textContent(), 't');
   assert.equal(await page.locator('#text').textContent(), 'A shape of every kind.');
   assert.equal(await page.locator('#trouble').isVisible(), false);
 }

@@ -43,7 +43,8 @@ int main(int, char** arguments) {
   const tests::known_motion<System, tests::disc_on_a_circle> run(closed_form.parameters(), closed_form, 300,
                                                                  0.02);
   const auto report = kanexpr::write_page<shapes>(
-      directory + "/disc.html", run, {.title = "A disc <on a circle>", .text = "A shape of every kind."});
+      directory + "/disc.html", run,
+      {.title = "A disc <on a circle> & @motion@</script>", .text = "A shape of every kind."});
   if (!report) return std::fprintf(stderr, "%s\n", report.cause().c_str()), 1;
 
   const kanexpr::animation a = kanexpr::animated<shapes>(run);

@@ -122,6 +122,17 @@ TEST(page_text, holds_everything_to_seven_digits) {
   EXPECT_FALSE(axes.contains("colour"));
 }
 
+TEST(page_text, names_the_time_beside_what_the_model_names) {
+  const auto name_beside = [](std::initializer_list<const char*> names) {
+    kanexpr::animation a;
+    for (const char* name : names) a.columns.push_back({name, {}});
+    return nlohmann::json::parse(kanexpr::animate::page_text(a, "", ""))["nameOfTime"];
+  };
+  EXPECT_EQ(name_beside({"q"}), "t");
+  EXPECT_EQ(name_beside({"t", "q"}), "time");
+  EXPECT_EQ(name_beside({"time", "t"}), "time_");
+}
+
 TEST(page_text, cannot_end_the_element_it_stands_in) {
   const kanexpr::animation a = pendulum_along(swing({0.3}));
   const std::string text = kanexpr::animate::page_text(a, "</script><b>", "<!--");

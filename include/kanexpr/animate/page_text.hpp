@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/simulate/name_of_time.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,14 @@ inline nlohmann::json shape_text(const animation::shape& s) {
   return one;
 }
 
+inline auto has_column(const animation& a) {
+  return [&a](const std::string& name) {
+    for (const animation::column& c : a.columns)
+      if (c.name == name) return true;
+    return false;
+  };
+}
+
 inline std::string written(const nlohmann::json& all) {
   return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -78,6 +87,7 @@ inline std::string page_text(const animation& a, const std::string& title, const
   nlohmann::json all{{"title", title},
                      {"text", text},
                      {"times", list_of(a.times)},
+                     {"nameOfTime", simulated::name_of_time(has_column(a))},
                      {"up", list_of(a.up)},
                      {"carried", a.carried},
                      {"shapes", nlohmann::json::array()},

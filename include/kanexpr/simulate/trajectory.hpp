@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/assemble.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
+#include <kanexpr/simulate/name_of_time.hpp>
 #include <kanexpr/simulate/table.hpp>
 
 #include <algorithm>
@@ -115,8 +116,7 @@ public:
     return found;
   }
 
-  /// The time, the state and the inputs as named columns. The time's is "t"; where the model calls something
-  /// that, "time", and then "time_", as long as it takes.
+  /// The time, the state and the inputs as named columns: "t", or "time" where the model calls something t.
   kanexpr::table table() const {
     kanexpr::table all;
     const auto put = [&](std::string_view name, std::vector<double> values) {
@@ -127,10 +127,10 @@ public:
         put(known.names[known.first_of(kind) + i].view(),
             collect([&](const sample& s) -> double { return entry(s, i); }));
     };
-    std::string time = "t";
-    const auto is_taken = [&](const auto& name) { return name.view() == time; };
-    while (std::ranges::any_of(known.names, is_taken)) time = time == "t" ? "time" : time + '_';
-    put(time, times());
+    const auto is_taken = [](const std::string& name) {
+      return std::ranges::any_of(known.names, [&](const auto& other) { return other.view() == name; });
+    };
+    put(simulated::name_of_time(is_taken), times());
     add(symbolic::symbol_kind::coordinate, known.coordinates, [](const sample& s, int i) { return s.x(i); });
     add(symbolic::symbol_kind::speed, known.speeds,
         [](const sample& s, int i) { return s.x(known.coordinates + i); });

@@ -7,12 +7,9 @@ function written(value) {
   return (size >= 1e5 || size < 1e-4 ? value.toExponential(3) : value.toFixed(4)).replace('-', '−');
 }
 
-export function values(columns) {
+export function values(nameOfTime, columns) {
   const body = document.getElementById('values');
-  const names = columns.map((column) => column.name);
-  let ofTime = 't'; // unless the model calls something that
-  while (names.includes(ofTime)) ofTime = ofTime === 't' ? 'time' : `${ofTime}_`;
-  const cells = [ofTime, ...names].map((name) => {
+  const cells = [nameOfTime, ...columns.map((column) => column.name)].map((name) => {
     const row = body.insertRow();
     const head = document.createElement('th');
     head.scope = 'row';

@@ -44,7 +44,7 @@ function withPicture() {
 const player = new Player(motion.times[0], motion.times.at(-1), changed);
 const seen = withPicture();
 const showControls = controls(player, seen.camera);
-const showValues = values(motion.columns);
+const showValues = values(motion.nameOfTime, motion.columns);
 
 function show() {
   const now = moment(motion.times, player.time);
