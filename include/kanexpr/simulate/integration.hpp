@@ -95,7 +95,6 @@ private:
     o.least_step = std::max(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
     o.greatest_step = options_.greatest_step;
     o.most_drift = options_.most_drift;
-    o.most_steps = options_.most_steps;
     o.analytic_jacobian = options_.analytic_jacobian;
     return o;
   }
@@ -126,7 +125,7 @@ private:
   bool step() {
     if (stepper().steps() >= options_.most_steps)
       return fail_here("the most steps that are allowed were taken");
-    const solvers::arrival arrived = stepper().advance(span_.to, false);
+    const solvers::arrival arrived = stepper().advance(span_.to);
     if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());

@@ -32,8 +32,6 @@ public:
   void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
 
   bool takes_each_step() const { return schedule_.takes_each_step(); }
-  bool is_over() const { return schedule_.is_over(); }
-  double next() const { return schedule_.next(); }
 
   /// Before the first step.
   bool begin(double t, const state& x) {
@@ -52,7 +50,7 @@ public:
         state due = x;
         if (!interpolate(s, next(), due) || !bring_to_constraints(next(), due) || !record(next(), due))
           return false;
-      } else if ((!s.goes_by_steps() && !bring_to_constraints(t, x)) || !record(t, x)) {
+      } else if ((!s.shows_projected() && !bring_to_constraints(t, x)) || !record(t, x)) {
         return false;
       }
     }
@@ -98,6 +96,9 @@ public:
   }
 
 private:
+  bool is_over() const { return schedule_.is_over(); }
+  double next() const { return schedule_.next(); }
+
   bool interpolate(solvers::stepper& s, double t, state& x) {
     if (!s.derivative(t, 0, room_for(s))) {
       around_.refuse("the solution could not be interpolated");

@@ -22,18 +22,17 @@ public:
   adaptive& operator=(const adaptive&) = delete;
   ~adaptive() override { Calls::free(&memory_); }
 
-  arrival advance(double target, bool to_target) override {
+  arrival advance(double target) override {
     if (is_at(target)) { // as after an event, from where SUNDIALS would find it too close to begin
       t_ = target;
-      return arrival::target;
+      return arrival::step;
     }
-    const int flag = solve(target, to_target);
+    const int flag = solve(target);
     if (flag < 0) {
       failed_ = why(flag);
       return arrival::failed;
     }
-    if (flag == root_return) return arrival::event;
-    return to_target || t_ >= target ? arrival::target : arrival::step;
+    return flag == root_return ? arrival::event : arrival::step;
   }
 
   std::vector<int> events() const override {
@@ -94,7 +93,7 @@ protected:
   }
 
   /// One call of the integrator, which moves t and y.
-  virtual int solve(double target, bool to_target) = 0;
+  virtual int solve(double target) = 0;
 
   sunindextype size() const { return static_cast<sunindextype>(y_.size()); }
 
@@ -113,8 +112,7 @@ protected:
            done(Calls::set_first_step(memory_, options_.first_step), "the first step") &&
            done(Calls::set_least_step(memory_, options_.least_step), "the least step") &&
            done(Calls::set_greatest_step(memory_, options_.greatest_step), "the greatest step") &&
-           done(Calls::set_most_steps(memory_, options_.most_steps), "the most steps") && set_end() &&
-           set_watched();
+           set_end() && set_watched();
   }
   bool set_end() { return done(Calls::set_end(memory_, options_.end), "the end of the time span"); }
 
@@ -189,10 +187,9 @@ private:
     return watch(t, y, values, of);
   }
 
-  /// Codes up to −7 are those of all three.
+  /// Codes from −2 to −7 are those of all three.
   failure why(int flag) const {
     switch (flag) {
-    case -1: return {"the most steps that are allowed were taken"};
     case -2: return {"the tolerances ask for more digits than numbers have"};
     case -3:
       return {"the step size collapsed: no step was short enough to keep the error within the tolerances"};

@@ -14,7 +14,6 @@ struct arkode_calls {
   static constexpr auto set_first_step = ARKStepSetInitStep;
   static constexpr auto set_least_step = ARKStepSetMinStep;
   static constexpr auto set_greatest_step = ARKStepSetMaxStep;
-  static constexpr auto set_most_steps = ARKStepSetMaxNumSteps;
   static constexpr auto set_end = ARKStepSetStopTime;
   static constexpr auto watch = ARKStepRootInit;
   static constexpr auto set_directions = ARKStepSetRootDirection;
@@ -69,9 +68,7 @@ public:
   }
 
 private:
-  int solve(double target, bool to_target) override {
-    return ARKStepEvolve(memory_, target, at_.get(), &t_, to_target ? ARK_NORMAL : ARK_ONE_STEP);
-  }
+  int solve(double target) override { return ARKStepEvolve(memory_, target, at_.get(), &t_, ARK_ONE_STEP); }
 
   static arkode& self(void* of) { return static_cast<arkode&>(*static_cast<adaptive*>(of)); }
   static int rates(double t, N_Vector y, N_Vector ydot, void* of) {

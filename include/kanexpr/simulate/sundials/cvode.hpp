@@ -17,7 +17,6 @@ struct cvode_calls {
   static constexpr auto set_first_step = CVodeSetInitStep;
   static constexpr auto set_least_step = CVodeSetMinStep;
   static constexpr auto set_greatest_step = CVodeSetMaxStep;
-  static constexpr auto set_most_steps = CVodeSetMaxNumSteps;
   static constexpr auto set_end = CVodeSetStopTime;
   static constexpr auto watch = CVodeRootInit;
   static constexpr auto set_directions = CVodeSetRootDirection;
@@ -58,11 +57,11 @@ public:
       done(CVodeSetProjFn(memory_, project), "the projection onto the constraints");
   }
 
-  bool goes_by_steps() const override { return projects_itself(); }
+  bool shows_projected() const override { return projects_itself(); }
 
-  arrival advance(double target, bool to_target) override {
+  arrival advance(double target) override {
     if (has_drifted_ && !restart()) return arrival::failed;
-    const arrival at = adaptive::advance(target, to_target);
+    const arrival at = adaptive::advance(target);
     return at == arrival::failed || !projects_itself() || return_to_constraints() ? at : arrival::failed;
   }
 
@@ -79,9 +78,7 @@ public:
   }
 
 private:
-  int solve(double target, bool to_target) override {
-    return CVode(memory_, target, at_.get(), &t_, to_target ? CV_NORMAL : CV_ONE_STEP);
-  }
+  int solve(double target) override { return CVode(memory_, target, at_.get(), &t_, CV_ONE_STEP); }
 
   bool set_solver() {
     if (formulas_ == formulas::adams) {

@@ -18,7 +18,6 @@ struct ida_calls {
   static constexpr auto set_first_step = IDASetInitStep;
   static constexpr auto set_least_step = IDASetMinStep;
   static constexpr auto set_greatest_step = IDASetMaxStep;
-  static constexpr auto set_most_steps = IDASetMaxNumSteps;
   static constexpr auto set_end = IDASetStopTime;
   static constexpr auto watch = IDARootInit;
   static constexpr auto set_directions = IDASetRootDirection;
@@ -107,8 +106,8 @@ private:
     return std::isfinite(guess) && guess > 0 ? std::min(guess, 1e-3 * (options_.end - t_)) : 0;
   }
 
-  int solve(double target, bool to_target) override {
-    return IDASolve(memory_, target, &t_, at_.get(), rates_at_.get(), to_target ? IDA_NORMAL : IDA_ONE_STEP);
+  int solve(double target) override {
+    return IDASolve(memory_, target, &t_, at_.get(), rates_at_.get(), IDA_ONE_STEP);
   }
 
   static ida& self(void* of) { return static_cast<ida&>(*static_cast<adaptive*>(of)); }

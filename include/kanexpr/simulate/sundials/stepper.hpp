@@ -15,11 +15,10 @@ struct stepper_options {
   double least_step = 0;
   double greatest_step = 0; ///< 0: any
   double most_drift = 10;   ///< from the constraints, in tolerances, where no step is projected
-  long most_steps = -1;     ///< to one target; −1: any
   bool analytic_jacobian = true;
 };
 
-enum class arrival { step, target, event, failed };
+enum class arrival { step, event, failed };
 
 /// An integrator with adaptive steps, behind one face.
 class stepper {
@@ -29,10 +28,10 @@ public:
   /// What went wrong when it was made or in its last step.
   const failure& failed() const { return failed_; }
 
-  /// Goes one step, or with `to_target` on to the time of a target.
-  virtual arrival advance(double target, bool to_target) = 0;
-  /// Whether it must be taken step by step, so that the drift from the constraints is seen.
-  virtual bool goes_by_steps() const { return false; }
+  /// Goes one step, or less to an event or to a target.
+  virtual arrival advance(double target) = 0;
+  /// Whether the states that it shows are brought to the constraints beside its own.
+  virtual bool shows_projected() const { return false; }
 
   /// Where it stands: the end of its last step, the target or the event.
   double time() const { return t_; }
