@@ -38,6 +38,20 @@ TEST(closed_form, period_of_a_pendulum) {
   }
 }
 
+// The error of a run is that of its steps, which add up: the same number of tolerances, however small they
+// are.
+TEST(closed_form, errors_of_adams_are_in_proportion_to_the_tolerance) {
+  using namespace simple_pendulum;
+  const double amplitude = 2.5, ten_periods = 40 * boost::math::ellint_1(std::sin(amplitude / 2));
+  for (double tolerance = 1e-5; tolerance > 5e-14; tolerance /= 10) {
+    const auto run = simulate<System>(
+        {{q, amplitude}, {u, 0}}, {{m, 1.3}, {l, 1}, {g, 1}, {c, 0}}, {0, ten_periods},
+        {.inputs = {{T, 0}}, .relative_tolerance = tolerance, .absolute_tolerance = tolerance});
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_LT(std::hypot(run.state[q] - amplitude, run.state[u]), 10000 * tolerance) << tolerance;
+  }
+}
+
 // Steady precession: A ψ̇² cos θ − C ω₃ ψ̇ + m g l = 0 (Goldstein, Classical Mechanics, 5.7).
 TEST(closed_form, precession_of_a_spinning_top) {
   using namespace spinning_top;

@@ -72,7 +72,6 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = infinite}), "a tolerance is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 1}),
             "the relative tolerance is 1; it must be below 1");
-  EXPECT_EQ(cause_with({.inputs = idle, .most_drift = nan}), "the drift that is allowed must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = nan}),
             "the time between two samples must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = infinite}),

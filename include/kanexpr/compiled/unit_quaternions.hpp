@@ -99,7 +99,10 @@ private:
   static constexpr mechanics::problem far_from_one = [] {
     mechanics::problem p = mechanics::sentence({"the norm of the quaternion "});
     for (std::size_t i = 0; i < size<k>; ++i)
-      p = mechanics::sentence({p.view(), i == 0 ? "" : i + 1 < size<k> ? ", " : " and ",
+      p = mechanics::sentence({p.view(),
+                               i == 0            ? ""
+                               : i + 1 < size<k> ? ", "
+                                                 : " and ",
                                known.names[places<k>[i]].view()});
     return mechanics::sentence({p.view(), " is far from 1"});
   }();

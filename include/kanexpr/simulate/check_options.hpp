@@ -80,7 +80,6 @@ std::string check_options(const simulation_options<System>& o, const time_span& 
     if (std::string wrong = check_tolerance(tolerance); !wrong.empty()) return wrong;
   if (o.relative_tolerance >= 1)
     return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
-  if (!(o.most_drift > 0)) return "the drift that is allowed must be positive";
   if (std::string wrong = check_output_every(o.output_every, span, o.keep ? sizeof(sample<System>) : 0);
       !wrong.empty())
     return wrong;

@@ -31,8 +31,7 @@ struct configuration_manifold {
     }
     if constexpr (quaternions != 0) {
       all.residual.template tail<quaternions>() = compiled::unit_quaternions<System>::residual(x);
-      all.by_coordinates.template bottomRows<quaternions>() =
-          compiled::unit_quaternions<System>::jacobian(x);
+      all.by_coordinates.template bottomRows<quaternions>() = compiled::unit_quaternions<System>::jacobian(x);
     }
     static_cast<void>(t), static_cast<void>(p), static_cast<void>(r);
     return all;

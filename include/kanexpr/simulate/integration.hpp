@@ -94,7 +94,6 @@ private:
     o.first_step = options_.first_step;
     o.least_step = std::max(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
     o.greatest_step = options_.greatest_step;
-    o.most_drift = options_.most_drift;
     o.analytic_jacobian = options_.analytic_jacobian;
     return o;
   }

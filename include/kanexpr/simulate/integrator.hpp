@@ -5,8 +5,7 @@ namespace kanexpr {
 /// The method that a simulation takes its steps by.
 enum class integrator {
   /// Adams' multistep formulas of order 1 to 12 (CVODE): the fewest evaluations for smooth motions.
-  /// Constraints
-  /// are met at the end of each step, and the formulas begin anew where they drift from them.
+  /// Constraints are met at the end of each step, and the formulas are led back where they drift from them.
   adams,
   /// Backward differentiation of order 1 to 5 with exact derivatives (CVODE): stiff systems.
   bdf,

@@ -52,11 +52,6 @@ public:
                                                    : around_.refuse("the rates at this state are not finite");
   }
 
-  answer begin(double t, double* y, double* ydot) override {
-    const kanexpr::state<System> x = Eigen::Map<const vector>(y).template head<n + o>();
-    return start(t, x, y, ydot);
-  }
-
   bool has_invariants() const override { return known.quaternions != 0; }
   answer project(double t, const double* y, const double* weights, double* out) override {
     if constexpr (known.quaternions != 0) {

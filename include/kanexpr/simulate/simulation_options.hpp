@@ -21,8 +21,6 @@ struct simulation_options {
   /// state has as far as its first instant tells.
   std::optional<double> absolute_tolerance = {};
   std::vector<named_value> absolute_tolerances = {}; ///< of coordinates and speeds that need their own
-  /// How far Adams' method may drift from the constraints in a step before it begins anew, in tolerances.
-  double most_drift = 10;
 
   double output_every = 0;               ///< seconds between samples; 0: each step of the integrator is one
   std::vector<double> output_times = {}; ///< samples at these times alone, in their order

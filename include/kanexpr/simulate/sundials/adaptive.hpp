@@ -76,7 +76,8 @@ public:
   }
 
 protected:
-  static constexpr int root_return = 2; // of all three
+  static constexpr int root_return = 2;         // of all three
+  static constexpr double steps_of_return = 10; // fewer would be felt by the error test
 
   adaptive(watched_problem& problem, double from, std::vector<double> start, stepper_options options)
       : watched_(problem), options_(std::move(options)) {
@@ -140,18 +141,23 @@ protected:
   }
 
   /// Brings the state that is shown to a manifold that the formulas leave, by a function (t, y, weights,
-  /// correction); and notes whether they have left it too far to go on without beginning anew.
+  /// correction). The formulas are led back in some steps to come, by a part of their rates: they would have
+  /// to begin anew from a state that is moved, with low orders, which leave it fastest.
   template <class Project>
   bool correct(const Project& project) {
     correction_.assign(y_.size(), 0);
-    const double* weight = weights();
-    if (project(t_, y_.data(), weight, correction_.data()) != answer::given) {
+    if (project(t_, y_.data(), weights(), correction_.data()) != answer::given) {
       failed_ = {"the state could not be brought back to the constraints"};
       return false;
     }
+    double last = 0, next = 0;
+    Calls::last_step(memory_, &last);
+    Calls::next_step(memory_, &next);
+    const double way = steps_of_return * std::max(last, next);
+    way_back_.assign(y_.size(), 0);
     for (std::size_t i = 0; i < y_.size(); ++i) {
       y_[i] += correction_[i];
-      if (std::abs(correction_[i]) * weight[i] > options_.most_drift) has_drifted_ = true;
+      if (way > 0) way_back_[i] = correction_[i] / way;
     }
     return true;
   }
@@ -167,7 +173,7 @@ protected:
   linear_solver_handle solver_;
   void* memory_ = nullptr;
   std::vector<double> correction_;
-  bool has_drifted_ = false;
+  std::vector<double> way_back_; ///< to the manifold, a part of the rates
 
 private:
   bool set_watched() {

@@ -21,6 +21,7 @@ struct arkode_calls {
   static constexpr auto root_info = ARKStepGetRootInfo;
   static constexpr auto derivative = ARKStepGetDky;
   static constexpr auto last_step = ARKStepGetLastStep;
+  static constexpr auto next_step = ARKStepGetCurrentStep;
   static constexpr auto current_time = ARKStepGetCurrentTime;
   static constexpr auto steps = ARKStepGetNumSteps;
   static constexpr auto error_test_failures = ARKStepGetNumErrTestFails;

@@ -24,6 +24,7 @@ struct cvode_calls {
   static constexpr auto root_info = CVodeGetRootInfo;
   static constexpr auto derivative = CVodeGetDky;
   static constexpr auto last_step = CVodeGetLastStep;
+  static constexpr auto next_step = CVodeGetCurrentStep;
   static constexpr auto current_time = CVodeGetCurrentTime;
   static constexpr auto steps = CVodeGetNumSteps;
   static constexpr auto error_test_failures = CVodeGetNumErrTestFails;
@@ -60,7 +61,6 @@ public:
   bool shows_projected() const override { return projects_itself(); }
 
   arrival advance(double target) override {
-    if (has_drifted_ && !restart()) return arrival::failed;
     const arrival at = adaptive::advance(target);
     return at == arrival::failed || !projects_itself() || return_to_constraints() ? at : arrival::failed;
   }
@@ -72,7 +72,7 @@ public:
   }
 
   bool restart() override {
-    has_drifted_ = false;
+    way_back_.clear();
     keep_counts();
     return done(CVodeReInit(memory_, t_, at_.get()), "a new state") && set_end();
   }
@@ -88,8 +88,8 @@ private:
     return set_newton(problem_, jacobian);
   }
 
-  /// Adams' formulas cannot be projected from within. The state that is shown is on the constraints, and the
-  /// formulas begin anew from there where they have drifted too far.
+  /// Adams' formulas cannot be projected from within. The state that is shown is on the constraints, and what
+  /// the formulas have drifted is led back.
   bool projects_itself() const { return formulas_ == formulas::adams && problem_.has_constraints(); }
 
   bool return_to_constraints() {
@@ -100,7 +100,10 @@ private:
 
   static cvode& self(void* of) { return static_cast<cvode&>(*static_cast<adaptive*>(of)); }
   static int rates(double t, N_Vector y, N_Vector ydot, void* of) {
-    return static_cast<int>(self(of).problem_.rates(t, numbers_of(y), numbers_of(ydot)));
+    cvode& c = self(of);
+    const answer found = c.problem_.rates(t, numbers_of(y), numbers_of(ydot));
+    for (std::size_t i = 0; i < c.way_back_.size(); ++i) numbers_of(ydot)[i] += c.way_back_[i];
+    return static_cast<int>(found);
   }
   static int jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, N_Vector, N_Vector) {
     return static_cast<int>(self(of).problem_.jacobian(t, numbers_of(y), SUNDenseMatrix_Data(j)));

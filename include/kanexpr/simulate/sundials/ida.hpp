@@ -25,6 +25,7 @@ struct ida_calls {
   static constexpr auto root_info = IDAGetRootInfo;
   static constexpr auto derivative = IDAGetDky;
   static constexpr auto last_step = IDAGetLastStep;
+  static constexpr auto next_step = IDAGetCurrentStep;
   static constexpr auto current_time = IDAGetCurrentTime;
   static constexpr auto steps = IDAGetNumSteps;
   static constexpr auto error_test_failures = IDAGetNumErrTestFails;
@@ -61,12 +62,12 @@ public:
       set_newton(problem_, jacobian);
   }
 
-  /// The state that is shown keeps to what is not among the equations. Where the formulas have left that too far
-  /// they begin anew.
-  arrival advance(double target, bool to_target) override {
-    if (has_drifted_ && !(problem_.begin(t_, y_.data(), ydot_.data()) == answer::given && restart()))
-      return arrival::failed;
-    const arrival at = adaptive::advance(target, to_target);
+  bool shows_projected() const override { return problem_.has_invariants(); }
+
+  /// The state that is shown keeps to what is not among the equations, and what the formulas have drifted
+  /// from it is led back.
+  arrival advance(double target) override {
+    const arrival at = adaptive::advance(target);
     return at == arrival::failed || !problem_.has_invariants() || keep_invariants() ? at : arrival::failed;
   }
 
@@ -79,7 +80,7 @@ public:
   double* rates() override { return ydot_.data(); }
 
   bool restart() override {
-    has_drifted_ = false;
+    way_back_.clear();
     keep_counts();
     return done(IDAReInit(memory_, t_, at_.get(), rates_at_.get()), "a new state") && set_end();
   }
@@ -89,6 +90,14 @@ private:
     return correct([&](double t, const double* y, const double* weights, double* correction) {
       return problem_.project(t, y, weights, correction);
     });
+  }
+
+  /// The rates as the equations give them.
+  const double* without_way_back(const double* ydot) {
+    if (way_back_.empty()) return ydot;
+    plain_rates_.assign(ydot, ydot + y_.size());
+    for (std::size_t i = 0; i < y_.size(); ++i) plain_rates_[i] -= way_back_[i];
+    return plain_rates_.data();
   }
 
   /// A hundredth of the time in which the state would change by its own size, in tolerances (Hairer, Nørsett
@@ -112,16 +121,19 @@ private:
 
   static ida& self(void* of) { return static_cast<ida&>(*static_cast<adaptive*>(of)); }
   static int residual(double t, N_Vector y, N_Vector ydot, N_Vector left, void* of) {
-    return static_cast<int>(self(of).problem_.residual(t, numbers_of(y), numbers_of(ydot), numbers_of(left)));
+    ida& i = self(of);
+    return static_cast<int>(
+        i.problem_.residual(t, numbers_of(y), i.without_way_back(numbers_of(ydot)), numbers_of(left)));
   }
   static int jacobian(double t, double c, N_Vector y, N_Vector ydot, N_Vector, SUNMatrix j, void* of,
                       N_Vector, N_Vector, N_Vector) {
-    return static_cast<int>(
-        self(of).problem_.jacobian(t, c, numbers_of(y), numbers_of(ydot), SUNDenseMatrix_Data(j)));
+    ida& i = self(of);
+    return static_cast<int>(i.problem_.jacobian(t, c, numbers_of(y), i.without_way_back(numbers_of(ydot)),
+                                                SUNDenseMatrix_Data(j)));
   }
 
   implicit_problem& problem_;
-  std::vector<double> ydot_;
+  std::vector<double> ydot_, plain_rates_;
   vector_handle rates_at_, kinds_;
 };
 

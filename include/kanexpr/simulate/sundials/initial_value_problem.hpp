@@ -51,8 +51,6 @@ public:
   virtual bool has_invariants() const = 0;
   /// What leads from `y` to the nearest point that keeps to it, with 1/`weights` as the unit of each entry.
   virtual answer project(double t, const double* y, const double* weights, double* correction) = 0;
-  /// Gives the algebraic entries and the rates the values that belong to the others.
-  virtual answer begin(double t, double* y, double* ydot) = 0;
 };
 
 } // namespace kanexpr::solvers

@@ -14,7 +14,6 @@ struct stepper_options {
   double first_step = 0;                   ///< 0: the integrator chooses
   double least_step = 0;
   double greatest_step = 0; ///< 0: any
-  double most_drift = 10;   ///< from the constraints, in tolerances, where no step is projected
   bool analytic_jacobian = true;
 };
 
