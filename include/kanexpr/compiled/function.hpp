@@ -30,6 +30,7 @@ public:
   static constexpr auto tape = lower::trimmed<outcome.tape.sizes>(outcome.tape);
   static constexpr auto causes = derivation::trimmed<outcome.causes.sizes>(outcome.causes);
   static constexpr mechanics::problem mistake = outcome.mistake;
+  static constexpr bool follows_from_unparsed = outcome.follows_from_unparsed;
   static_assert(derivation::tell<code>());
 };
 
@@ -133,7 +134,8 @@ private:
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
     if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
-      compiled::check_derived<System>();
+      derivation::tell_in_code<compiled::surveyed<System>>();
+      derivation::tell_in_code<code>();
       return no_results<T>();
     } else {
       T t = lower::scalar_math<T>::from(0);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/compiled/unparsed.hpp>
 #include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -16,7 +15,8 @@ template <class System>
 struct surveyed {
   using system = System;
   static constexpr derivation::survey survey = derivation::survey_of<System>();
-  static constexpr mechanics::problem mistake = is_unparsed<System> ? mechanics::problem{} : survey.mistake;
+  static constexpr mechanics::problem mistake = survey.mistake;
+  static constexpr bool follows_from_unparsed = survey.follows_from_unparsed;
   static_assert(derivation::tell<surveyed>());
 };
 
@@ -72,7 +72,7 @@ public:
   using base::operator[];
 
   state() {
-    compiled::check_derived<System>();
+    derivation::tell_in_code<compiled::surveyed<System>>();
     this->setConstant(lower::scalar_math<Scalar>::from(0));
   }
 

@@ -20,7 +20,9 @@ struct extent {
 template <auto wanted>
 struct request {
   static constexpr extent of(const survey&) { return {1, 1, true}; }
-  static constexpr void visit(reader& r) { r.refuse("what a function is asked for is no expression of a model"); }
+  static constexpr void visit(reader& r) {
+    r.refuse("what a function is asked for is no expression of a model");
+  }
   static constexpr symbolic::matrix form(reader&, mechanics::equations&) { return {}; }
   static constexpr symbolic::matrix with_rates(reader&, mechanics::equations&) { return {}; }
 };
@@ -126,7 +128,10 @@ struct outcome {
   problem mistake;
   roomy_causes causes;
   lower::roomy_tape tape;
+  bool follows_from_unparsed = false; ///< the mistake, from something that did not parse
 };
+
+constexpr outcome none_for(const problem& mistake) { return {mistake, {}, lower::roomy_tape{}}; }
 
 /// What no room is left for.
 constexpr problem check_room(std::string_view system, const lower::tape_sizes& sizes) {
@@ -143,7 +148,8 @@ constexpr outcome derived() {
   derived_system system(System::record);
   (request<wanted>::visit(system.reader()), ...);
   system.derive();
-  if (system.mistake()) return {system.mistake(), {}, lower::roomy_tape{}};
+  if (system.mistake())
+    return {system.mistake(), {}, lower::roomy_tape{}, system.reader().follows_from_unparsed()};
   sequence<int> outputs;
   (
       [&] {
@@ -151,21 +157,20 @@ constexpr outcome derived() {
         for (const expression& entry : result.entries) outputs.push(entry.node());
       }(),
       ...);
-  if (system.mistake()) return {system.mistake(), {}, lower::roomy_tape{}};
+  if (system.mistake()) return none_for(system.mistake());
   roomy_causes causes;
   for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
     if (!causes.has_room_for(g.cause))
-      return {sentence({"what is asked of ", type_name<System>(),
-                        " at once may be singular in more ways than there is room for; ask for it in parts"}),
-              {},
-              lower::roomy_tape{}};
+      return none_for(
+          sentence({"what is asked of ", type_name<System>(),
+                    " at once may be singular in more ways than there is room for; ask for it in parts"}));
     causes.push(g.cause);
     outputs.push(g.measure.node());
     outputs.push(g.scale.node());
   }
   const lower::tape tape = lower::tape_of(system.graph(), outputs);
   if (const problem lacking = check_room(type_name<System>(), lower::sizes_of(tape)))
-    return {lacking, {}, lower::roomy_tape{}};
+    return none_for(lacking);
   return {{}, causes, lower::fixed(tape)};
 }
 

@@ -99,6 +99,7 @@ protected:
 
 private:
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
+    if (r.unparsed) return fail_by_unparsed(r.called, whom);
     if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail(
@@ -119,6 +120,7 @@ private:
   }
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
+    if (r.unparsed) return fail_by_unparsed(r.called, whom);
     if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail(

@@ -86,6 +86,7 @@ private:
       break;
     }
     case load_word::none:
+      if (r.unparsed) return fail_by_unparsed(r.called, "loads<...>");
       return fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
                    r.instead.empty() ? "not a load" : r.instead});
     }

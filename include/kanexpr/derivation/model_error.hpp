@@ -10,6 +10,15 @@ namespace kanexpr {
 
 namespace derivation {
 
+/// Whether there is a sentence to be told, `Told::mistake`, and not left to `tell_in_code`.
+template <class Told>
+constexpr bool is_told() {
+  if constexpr (requires { Told::follows_from_unparsed; })
+    return static_cast<bool>(Told::mistake) && !Told::follows_from_unparsed;
+  else
+    return static_cast<bool>(Told::mistake);
+}
+
 /// Letters `begin` to `end` of a sentence as a template argument.
 template <class Told, int begin, int end>
 constexpr auto text_of() {
@@ -34,7 +43,7 @@ namespace derivation {
 /// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is told again.
 template <class Told>
 constexpr bool tell() {
-  if constexpr (static_cast<bool>(Told::mistake))
+  if constexpr (is_told<Told>())
     return sizeof(model_error<text_of<Told, 0, Told::mistake.length>()>) != 0;
   else
     return true;
@@ -111,7 +120,7 @@ struct told_of {
 /// there is that.
 template <class Told>
 constexpr bool tell() {
-  if constexpr (static_cast<bool>(Told::mistake))
+  if constexpr (is_told<Told>())
     return []<int... i>(std::integer_sequence<int, i...>) {
       if constexpr (requires { typename Told::system; })
         return shown(static_cast<told_of<typename Told::system, piece_of<Told, i>()...>*>(nullptr));
@@ -125,5 +134,26 @@ constexpr bool tell() {
 } // namespace derivation
 
 #endif
+
+namespace derivation {
+
+/// Compilers look at this attribute when they make code, which they do where there was no error before.
+template <class System>
+[[gnu::error("this system, or an entity in it, is derived from nothing")]] void
+derived_from_nothing() noexcept;
+
+// One call, so that there is one error.
+template <class System>
+[[gnu::noinline]] void refuse_code() noexcept {
+  derived_from_nothing<System>();
+}
+
+/// Tells of a system that rests on what did not parse, unless the compiler has told its error.
+template <class Told>
+inline void tell_in_code() noexcept {
+  if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();
+}
+
+} // namespace derivation
 
 } // namespace kanexpr

@@ -98,6 +98,7 @@ private:
   }
 
   constexpr void read_body(const body_record& r) {
+    if (r.unparsed) return fail_by_unparsed(r.called, "bodies<...>");
     if (!words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty())
       return fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",

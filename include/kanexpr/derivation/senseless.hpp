@@ -37,8 +37,8 @@ constexpr mechanics::problem senseless(const describe::token& t, shape a, std::s
                                        std::string_view whom) {
   using describe::word;
   if (t.what == word::magnitude)
-    return mechanics::sentence({part, whom, " takes the magnitude of ", a_kind(a),
-                                a == shape::scalar ? "; write abs" : ""});
+    return mechanics::sentence(
+        {part, whom, " takes the magnitude of ", a_kind(a), a == shape::scalar ? "; write abs" : ""});
   if (t.what == word::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
   return mechanics::sentence(
       {part, whom, " takes ", symbolic::function_name(t.operation), " of ", a_kind(a)});

@@ -10,6 +10,7 @@ struct survey {
   static constexpr int room = 512;
 
   problem mistake;
+  bool follows_from_unparsed = false; ///< the compiler has told an error about it already
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -154,7 +155,10 @@ constexpr problem check_method(std::string_view called) {
 template <class System>
 constexpr problem check_words() {
   constexpr std::string_view called = type_name<System>();
-  if constexpr (!requires { System::record; }) {
+  if constexpr (describe::is_unparsed<System>()) {
+    return sentence(
+        {called, " is derived from nothing; derive it from kane_system<...> or lagrange_system<...>"});
+  } else if constexpr (!requires { System::record; }) {
     return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
   } else {
     const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
@@ -184,6 +188,7 @@ template <class System>
 constexpr survey survey_of() {
   survey s;
   s.mistake = check_words<System>();
+  s.follows_from_unparsed = describe::is_unparsed<System>();
   if constexpr (requires { System::record; }) {
     if (s.mistake) return s;
     derived_system system(System::record);
@@ -194,6 +199,7 @@ constexpr survey survey_of() {
         0)
       system.derive();
     s.mistake = system.mistake();
+    s.follows_from_unparsed = system.reader().follows_from_unparsed();
     s.take(system);
     if (s.symbols() > survey::room && !s.mistake)
       s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});

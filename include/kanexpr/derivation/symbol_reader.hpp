@@ -23,6 +23,8 @@ public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
   constexpr const problem& mistake() const { return mistake_; }
+  /// Whether the mistake is that of a type of which the compiler has told one already.
+  constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { fail({because}); }
 
@@ -73,6 +75,11 @@ protected:
 
   constexpr void fail(words pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
+  }
+
+  constexpr void fail_by_unparsed(std::string_view called, std::string_view whom) {
+    if (!mistake_) follows_from_unparsed_ = true;
+    fail({called, ", which ", whom, " uses, is derived from nothing"});
   }
 
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
@@ -238,6 +245,7 @@ private:
     is_time_claimed_ = true;
   }
 
+  bool follows_from_unparsed_ = false;
   sequence<symbolic::name> bound_;
   sequence<expression> bound_values_;
   sequence<claimed> claimed_;

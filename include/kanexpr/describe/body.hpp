@@ -98,10 +98,12 @@ namespace describe {
 template <class Body>
 inline constexpr body_record body_of = [] {
   body_record r;
-  if constexpr (requires { Body::content(); })
+  if constexpr (requires { Body::content(); }) {
     r = Body::content();
-  else
-    r.instead = what_it_is<Body>(); // and it has no name for itself
+  } else { // it has no name for itself
+    r.instead = what_it_is<Body>();
+    r.unparsed = is_unparsed<Body>();
+  }
   r.called = type_name<Body>();
   if constexpr (requires { sizeof(Body); }) r.beside = find_misfit<Body>(); // else it is described only later
   return r;

@@ -23,8 +23,7 @@ struct foreign {};
 
 template <auto... expressions>
 constexpr auto one_after_another() {
-  if constexpr (sizeof...(expressions) == 0 ||
-                ((stored<expressions>::words.kind == shape::foreign) || ...)) {
+  if constexpr (sizeof...(expressions) == 0 || ((stored<expressions>::words.kind == shape::foreign) || ...)) {
     return foreign{};
   } else {
     vanishing<(stored<expressions>::words.size + ...)> all{};

@@ -11,6 +11,8 @@ constexpr frame_record record_frame() {
   frame_record r;
   if constexpr (requires { Frame::orientation(); })
     r = Frame::orientation(); // else no frame: it has no name for itself
+  else
+    r.unparsed = is_unparsed<Frame>();
   r.called = type_name<Frame>();
   if constexpr (requires { sizeof(Frame); })
     r.beside = find_misfit<Frame>(); // else it is described only later
@@ -69,8 +71,7 @@ struct rotated : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
     describe::frame_record r;
     r.calls_itself = type_name<Self>();
-    r.fits =
-        describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2);
+    r.fits = describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2);
     r.orientation = describe::orientation_word::rotated;
     r.parent = &describe::frame_of<Parent>;
     r.given[0] = describe::given_phrases<angle_and_axis...>[0];
@@ -91,9 +92,9 @@ struct sequence_of_turns : axes<Self> {
     for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
     if (sequence.view().size() != 3) r.sequence[0] = '?';
     r.fits = arguments_of(kind == orientation_word::body_fixed
-                             ? "body_fixed<Self, Parent, sequence, angle, angle, angle>"
-                             : "space_fixed<Self, Parent, sequence, angle, angle, angle>",
-                         sizeof...(angles), 3);
+                              ? "body_fixed<Self, Parent, sequence, angle, angle, angle>"
+                              : "space_fixed<Self, Parent, sequence, angle, angle, angle>",
+                          sizeof...(angles), 3);
     for (int i = 0; i < 3; ++i) r.given[i] = given_phrases<angles...>[i];
     return r;
   }
@@ -104,8 +105,9 @@ struct sequence_of_turns : axes<Self> {
 /// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2,
 /// q3>`. All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
 template <class Self, class Parent, text sequence, auto... angles>
-struct body_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed,
-                                                sequence, angles...> {};
+struct body_fixed
+    : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed, sequence, angles...> {
+};
 
 /// Three turns about the parent's axes, one after the other.
 template <class Self, class Parent, text sequence, auto... angles>
@@ -121,8 +123,7 @@ struct quaternion : describe::axes<Self> {
     r.orientation = describe::orientation_word::quaternion;
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
-    for (int i = 0; i < 4; ++i)
-      r.given[i] = describe::given_phrases<parameters...>[i];
+    for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
     return r;
   }
 };
@@ -137,9 +138,8 @@ struct direction_cosines : describe::axes<Self> {
     r.orientation = describe::orientation_word::direction_cosines;
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines by rows>",
-                                   sizeof...(cosines), 9);
-    for (int i = 0; i < 9; ++i)
-      r.given[i] = describe::given_phrases<cosines...>[i];
+                                    sizeof...(cosines), 9);
+    for (int i = 0; i < 9; ++i) r.given[i] = describe::given_phrases<cosines...>[i];
     return r;
   }
 };

@@ -128,6 +128,7 @@ constexpr load_record record_load() {
     r.what = load_word::none;
     r.called = type_name<Load>();
     r.instead = what_it_is<Load>();
+    r.unparsed = is_unparsed<Load>();
   }
   return r;
 }

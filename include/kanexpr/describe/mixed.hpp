@@ -16,8 +16,7 @@ template <class X, class Y>
 inline constexpr bool strange = equates<X, Y> || std::same_as<X, bool> || std::same_as<Y, bool>;
 
 template <class X, class Y>
-concept no_sum =
-    written<X> && written<Y> && (strange<X, Y> || shape_of_operand<X> != shape_of_operand<Y>);
+concept no_sum = written<X> && written<Y> && (strange<X, Y> || shape_of_operand<X> != shape_of_operand<Y>);
 template <class X, class Y>
 concept no_product = written<X> && written<Y> && (strange<X, Y> || (no_scalar<X> && no_scalar<Y>));
 template <class X, class Y>
@@ -26,8 +25,9 @@ concept no_quotient = written<X> && written<Y> && (strange<X, Y> || no_scalar<Y>
 template <class X, class Y>
 concept no_function = written<X> && written<Y> && (strange<X, Y> || no_scalar<X> || no_scalar<Y>);
 template <class X, class Y>
-concept no_dot_product = written<X> && written<Y> &&
-                         (no_vector<Y> || (shape_of_operand<X> != shape::vector && shape_of_operand<X> != shape::dyadic));
+concept no_dot_product =
+    written<X> && written<Y> &&
+    (no_vector<Y> || (shape_of_operand<X> != shape::vector && shape_of_operand<X> != shape::dyadic));
 /// Of two vectors.
 template <class X, class Y>
 concept no_vectors = written<X> && written<Y> && (no_vector<X> || no_vector<Y>);

@@ -42,9 +42,8 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
 
 /// The position of `Point` from `From`; both must hang on one origin.
 template <class Point, class... From>
-inline constexpr auto position_of =
-    describe::misused<vector>(describe::motion_of(describe::word::position, &describe::point_of<Point>),
-                              describe::misuse::points);
+inline constexpr auto position_of = describe::misused<vector>(
+    describe::motion_of(describe::word::position, &describe::point_of<Point>), describe::misuse::points);
 
 template <class Point, class From>
 inline constexpr auto position_of<Point, From> =

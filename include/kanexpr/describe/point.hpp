@@ -9,7 +9,10 @@ namespace describe {
 template <class Point>
 constexpr point_record record_point() {
   point_record r;
-  if constexpr (requires { Point::place(); }) r = Point::place(); // else no point: it has no name for itself
+  if constexpr (requires { Point::place(); })
+    r = Point::place(); // else no point: it has no name for itself
+  else
+    r.unparsed = is_unparsed<Point>();
   r.called = type_name<Point>();
   if constexpr (requires { sizeof(Point); })
     r.beside = find_misfit<Point>(); // else it is described only later

@@ -6,6 +6,7 @@
 #include <kanexpr/describe/mixed.hpp>
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/text.hpp>
+#include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>
 
 /// What a model's entities are read from: plain constants that point at each other and at their expressions.
@@ -78,6 +79,7 @@ struct frame_record {
   std::string_view called;
   std::string_view calls_itself; ///< the first template argument of its orientation
   arguments fits{};
+  bool unparsed = false;
   orientation_word orientation = orientation_word::inertial;
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
@@ -93,6 +95,7 @@ struct point_record {
   std::string_view called;
   std::string_view calls_itself;
   arguments fits{};
+  bool unparsed = false;
   const point_record* parent = nullptr; ///< none: an origin
   const frame_record* origin_of = nullptr;
   phrase offset{};
@@ -118,6 +121,7 @@ struct body_record {
   std::string_view instead;            ///< what it is, if it is no body
   bool inertia_changes = false;
   misfit beside = misfit::none;
+  bool unparsed = false;
 };
 
 enum class load_word : unsigned char {
@@ -144,6 +148,7 @@ struct load_record {
   phrase rest{};                             ///< the length or angle of a spring at rest
   std::string_view called{};
   std::string_view instead{}; ///< what it is, if it is no load
+  bool unparsed = false;
 };
 
 } // namespace kanexpr::describe
