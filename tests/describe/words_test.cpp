@@ -73,7 +73,7 @@ using chain = hanging<A3, G<A3>, usual<A3>>::System;
 struct body_sequence : body_fixed<body_sequence, N, "zyx", q1, q2, q3> {};
 struct body_digits : body_fixed<body_digits, N, "321", q1, q2, q3> {};
 struct space_sequence : space_fixed<space_sequence, N, "xyz", q3, q2, q1> {};
-struct any_axis : rotated<any_axis, A2, q3, 2 * A2::x> {};
+struct any_axis : rotated<any_axis, A2, q3, +(2 * A2::x)> {};
 struct against : rotated<against, A2, -q3, -A2::x> {};
 struct cosines : direction_cosines<cosines, A2, 1, 0, 0, 0, cos(q3), -sin(q3), 0, sin(q3), cos(q3)> {};
 struct halves : quaternion<halves, A2, cos(q3 / 2), sin(q3 / 2), 0, 0> {};
@@ -124,6 +124,11 @@ using two_frames =
                    0.1 * (outer(A2::x, A3::y) + outer(A3::y, A3::x)) +
                    0.2 * (outer(A3::y, A3::z) + outer(A3::z, A3::y)) +
                    0.3 * (outer(A3::z, A2::x) + outer(A3::x, A3::z))>;
+using other_signs =
+    inertia_dyadic<outer(A3::x, A3::x) * 2 * I / 2 - (-2 * I * outer(A3::y, A3::y)) -
+                   (-outer(A3::z, A3::z)) * (3 * I) + (outer(A3::x, A3::y) + outer(A3::y, A3::x)) / 10 +
+                   0.4 * I*(outer(A3::y, A3::z) + outer(A3::z, A3::y)) / (2 * I) +
+                   0.3 * (outer(A3::z, A3::x) + outer(A3::x, A3::z))>;
 
 } // namespace
 
@@ -131,6 +136,7 @@ TEST(words, inertias) {
   expect_same_motion<chain, hanging<A3, G<A3>, dyads>::System>();
   expect_same_motion<chain, hanging<A3, G<A3>, about_pivot>::System>();
   expect_same_motion<chain, hanging<A3, G<A3>, two_frames>::System>();
+  expect_same_motion<chain, hanging<A3, G<A3>, other_signs>::System>();
 }
 
 namespace {
@@ -145,28 +151,35 @@ struct coupled : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2
                              kinematics<u1 + 2 * u2 == dot(q1) + 2 * dot(q2), u2 - u1 == dot(q2) - dot(q1),
                                         3 * u3 == 3 * dot(q3)>,
                              bodies<Body>, own_loads> {};
+struct numbers_first
+    : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>, parameters<m, l, I>,
+                  kinematics<0 == dot(q1) - u1, 2 == 2 + u2 - dot(q2), 0.0 == u3 - dot(q3)>, bodies<Body>,
+                  own_loads> {};
 
 } // namespace
 
 TEST(words, systems) {
   expect_same_motion<chain, bound>(); // in another order, with numbers in the type
   expect_same_motion<chain, coupled>();
+  expect_same_motion<chain, numbers_first>();
 }
 
 TEST(words, scalar_functions) {
-  auto derived =
-      derive<chain, sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) + log(l) +
-                        abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + rational<1, 3> * tan(q1)>();
+  auto derived = derive<chain, sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) +
+                                   log(l) + abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + pow(2, q1) +
+                                   atan2(q1, 3) + atan2(2, q2) + rational<1, 3> * tan(q1)>();
   auto f = derived.function(
       derived.get<sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) + log(l) +
-                  abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + rational<1, 3> * tan(q1)>());
+                  abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + pow(2, q1) + atan2(q1, 3) + atan2(2, q2) +
+                  rational<1, 3> * tan(q1)>());
   const double a = 0.3, b = -0.8, c = -1.1, length = 0.7;
   Eigen::VectorXd x(6);
   x << a, b, c, 0, 0, 0;
   EXPECT_NEAR(f(x, Eigen::Vector3d(1, length, 1))(0),
               std::sqrt(length) + std::asin(a / 4) * std::acos(b / 4) - std::atan(c) +
                   std::atan2(a, b) * std::exp(-a) + std::log(length) - std::abs(b) + std::pow(length, 3) +
-                  std::pow(length, a) + std::tan(a) / 3,
+                  std::pow(length, a) + std::pow(2, a) + std::atan2(a, 3) + std::atan2(2, b) +
+                  std::tan(a) / 3,
               1e-14);
 }
 

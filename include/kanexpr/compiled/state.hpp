@@ -106,11 +106,11 @@ public:
                    compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place);
   }
 
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   Scalar& operator[](const Symbol&) {
     return (*this)(compiled::misplaced<System, Symbol, "state vector">::place);
   }
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   const Scalar& operator[](const Symbol&) const {
     return (*this)(compiled::misplaced<System, Symbol, "state vector">::place);
   }
@@ -140,11 +140,11 @@ public:
   const Scalar& operator[](const parameter<called, index>&) const {
     return (*this)(compiled::placed<System, symbolic::symbol_kind::parameter, called, index>::place);
   }
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   Scalar& operator[](const Symbol&) {
     return (*this)(compiled::misplaced<System, Symbol, "parameter vector">::place);
   }
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   const Scalar& operator[](const Symbol&) const {
     return (*this)(compiled::misplaced<System, Symbol, "parameter vector">::place);
   }
@@ -178,11 +178,11 @@ public:
   const Scalar& operator[](const prescribed<called, index, order>&) const {
     return (*this)(compiled::placed<System, symbolic::symbol_kind::input, called, index, order>::place);
   }
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   Scalar& operator[](const Symbol&) {
     return (*this)(compiled::misplaced<System, Symbol, "input vector">::place);
   }
-  template <std::derived_from<scalar<1>> Symbol>
+  template <describe::expression_of_a_model Symbol>
   const Scalar& operator[](const Symbol&) const {
     return (*this)(compiled::misplaced<System, Symbol, "input vector">::place);
   }

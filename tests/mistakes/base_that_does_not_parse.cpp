@@ -1,0 +1,8 @@
+// The compiler's own error, about a value where a template takes a type; no sentence follows from what it left.
+// expect: template
+#include "pendulum.hpp"
+
+struct Rod : rigid_body<Rod, P, A, m, m> {};
+struct System : pendulum_with<Rod> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,8 @@
+// expect: this system, or an entity in it, is derived from nothing
+#include "pendulum.hpp"
+
+struct B {};
+struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
+struct System : pendulum_with<Rod> {};
+
+int main() { use<System>(); }

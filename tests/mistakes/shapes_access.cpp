@@ -1,0 +1,13 @@
+// Expressions where a vector of values is asked for the value of a symbol.
+#include "shapes.hpp"
+
+struct System : loaded<weight, torque<A, T * N::z>> {};
+
+// expect: the expression has no place in the state vector of System
+auto product(state<System>& x) { return x[q * q]; }
+
+// expect: the expression has no place in the parameter vector of System
+auto axis(const parameter_values<System>& p) { return p[N::x]; }
+
+// expect: the expression has no place in the input vector of System
+auto negative(input_values<System>& r) { return r[-T]; }
