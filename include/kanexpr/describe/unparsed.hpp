@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/describe/what_it_is.hpp>
+
 #include <type_traits>
 
 namespace kanexpr::describe {
@@ -9,13 +11,14 @@ struct anything {
   operator T() const;
 };
 
-/// Whether a class has neither bases nor members. Nobody writes such an entity or system, but it is what a
-/// compiler leaves of one with an error in its base clause. That error is the one to read: a sentence about
-/// what follows from it would be false.
+/// Whether a class has neither bases nor members, and is no word of the library. Nobody writes such an entity
+/// or system, but it is what a compiler leaves of one with an error in its base clause. That error is the one
+/// to read: a sentence about what follows from it would be false.
 template <class T>
 constexpr bool is_unparsed() {
   if constexpr (requires { sizeof(T); })
-    return std::is_empty_v<T> && std::is_aggregate_v<T> && !requires { T{anything{}}; };
+    return what_it_is<T>().empty() && std::is_empty_v<T> && std::is_aggregate_v<T> &&
+           !requires { T{anything{}}; };
   else
     return false;
 }
