@@ -8,10 +8,11 @@ install(DIRECTORY include/kanexpr DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_
 install(TARGETS kanexpr EXPORT kanexpr-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT kanexpr-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+set(kanexpr_page ${CMAKE_INSTALL_DATADIR}/kanexpr/kanexpr.html)
 configure_package_config_file(cmake/kanexpr-config.cmake.in ${PROJECT_BINARY_DIR}/kanexpr-config.cmake
-  INSTALL_DESTINATION ${kanexpr_package_dir})
+  INSTALL_DESTINATION ${kanexpr_package_dir} PATH_VARS kanexpr_page)
 # Headers only: one package serves 32 and 64 bits.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/kanexpr-config.cmake ${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
-  DESTINATION ${kanexpr_package_dir})
+  cmake/parts.cmake DESTINATION ${kanexpr_package_dir})

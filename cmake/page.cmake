@@ -1,5 +1,4 @@
 # kanexpr::animate: moving systems as pages for a browser. Needs nlohmann-json, and npm for the page itself.
-find_package(nlohmann_json 3.2 QUIET)
 find_program(KANEXPR_NPM npm DOC "npm, which builds the page on which systems move")
 
 # kanexpr_npm_install(<variable> <source directory> <directory> <file>...): copies the files and installs what
@@ -37,8 +36,8 @@ else()
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 endif()
 
-if(NOT nlohmann_json_FOUND)
-  message(STATUS "nlohmann-json is not installed: there is no kanexpr::animate")
+if(kanexpr_animate_lacks)
+  message(STATUS "kanexpr::animate is left out: ${kanexpr_animate_lacks}")
   return()
 endif()
 add_library(kanexpr_animate INTERFACE)
@@ -47,10 +46,26 @@ set_target_properties(kanexpr_animate PROPERTIES EXPORT_NAME animate)
 target_link_libraries(kanexpr_animate INTERFACE kanexpr nlohmann_json::nlohmann_json)
 target_compile_definitions(kanexpr_animate INTERFACE
   $<BUILD_INTERFACE:KANEXPR_PAGE="${KANEXPR_PAGE}">
-  $<INSTALL_INTERFACE:KANEXPR_PAGE="$<INSTALL_PREFIX>/${CMAKE_INSTALL_DATADIR}/kanexpr/kanexpr.html">)
+  $<INSTALL_INTERFACE:KANEXPR_PAGE="$<INSTALL_PREFIX>/${kanexpr_page}">)
 if(KANEXPR_NPM)
   add_dependencies(kanexpr_animate kanexpr_page)
 endif()
 install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
-install(FILES ${KANEXPR_PAGE} DESTINATION ${CMAKE_INSTALL_DATADIR}/kanexpr OPTIONAL)
+
+# The package leaves the target out where the page is not there.
+cmake_path(GET kanexpr_page PARENT_PATH kanexpr_page_dir)
+install(FILES ${KANEXPR_PAGE} DESTINATION ${kanexpr_page_dir} OPTIONAL)
+set(reason "its page was not built; the target kanexpr_page, or KANEXPR_BUILD_PAGE, builds it, with npm")
+install(CODE "
+  if(NOT EXISTS \"${KANEXPR_PAGE}\")
+    message(STATUS \"kanexpr::animate is left out: ${reason}\")
+  endif()")
+if(PROJECT_IS_TOP_LEVEL)
+  option(KANEXPR_BUILD_PAGE "Build the page on which systems move (npm, and a network)" OFF)
+  if(KANEXPR_BUILD_PAGE)
+    set_target_properties(kanexpr_page PROPERTIES EXCLUDE_FROM_ALL OFF)
+  else()
+    message(STATUS "kanexpr::animate is installed where its page was built: by KANEXPR_BUILD_PAGE or the target kanexpr_page")
+  endif()
+endif()

@@ -1,9 +1,6 @@
-# kanexpr::simulate: the part that needs SUNDIALS. Where that is not there the target is not either.
-find_package(SUNDIALS 6.4 QUIET COMPONENTS cvode arkode ida kinsol nvecserial sunmatrixdense sunlinsoldense
-  sunnonlinsolfixedpoint)
-# Whether all was found does not matter: a compiler without OpenMP is enough, which only parts need that are not used.
-if(NOT TARGET SUNDIALS::cvode)
-  message(STATUS "SUNDIALS is not installed: there is no kanexpr::simulate")
+# kanexpr::simulate: the part that needs SUNDIALS.
+if(kanexpr_simulate_lacks)
+  message(STATUS "kanexpr::simulate is left out: ${kanexpr_simulate_lacks}")
   return()
 endif()
 

@@ -4,4 +4,7 @@
 /// without a network. Needs nlohmann-json; the page itself is built by the CMake target kanexpr::animate,
 /// with npm.
 
+#include <kanexpr/compiler.hpp>
+
 #include <kanexpr/animate/write_page.hpp>
+#include <kanexpr/version.hpp>

@@ -2,4 +2,7 @@
 
 /// Find states that satisfy the constraints of a system, and say which do not.
 
+#include <kanexpr/compiler.hpp>
+
 #include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/version.hpp>

@@ -2,4 +2,7 @@
 
 /// Integrate the equations of motion with steps of a length that is given, for use in real time.
 
+#include <kanexpr/compiler.hpp>
+
 #include <kanexpr/compiled/fixed_step.hpp>
+#include <kanexpr/version.hpp>

@@ -3,6 +3,8 @@
 /// Describe a mechanical system as types and get its equations of motion as compiled functions.
 /// Needs Eigen and Boost.Hana only.
 
+#include <kanexpr/compiler.hpp>
+
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/describe/constraint.hpp>
@@ -11,3 +13,4 @@
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/version.hpp>

@@ -13,3 +13,9 @@ foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate)
       --test-command consumer)
 endforeach()
 set_tests_properties(consumer_find_package consumer_simulate PROPERTIES FIXTURES_REQUIRED installed)
+
+# What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_test(NAME consumer_packages COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR}
+    -DBINARY=${CMAKE_CURRENT_BINARY_DIR}/packages -DGENERATOR=${CMAKE_GENERATOR} -P ${CMAKE_CURRENT_SOURCE_DIR}/packages.cmake)
+endif()

@@ -30,7 +30,7 @@ constexpr auto text_of() {
 
 } // namespace derivation
 
-#if __cpp_static_assert >= 202306L // C++26: the message may be computed
+#if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
 /// The sentence is the message.
 template <text sentence>

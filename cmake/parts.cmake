@@ -1,0 +1,20 @@
+# What the compiler and the parts of kanexpr lack, for its own build and for its package:
+# kanexpr_<part>_lacks is empty where nothing is lacking, else a sentence.
+set(kanexpr_compiler_lacks "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
+  set(kanexpr_compiler_lacks "kanexpr needs g++ 12 or later, or clang; this is g++ ${CMAKE_CXX_COMPILER_VERSION}")
+endif()
+
+find_package(SUNDIALS 6.4 QUIET COMPONENTS cvode arkode ida kinsol nvecserial sunmatrixdense sunlinsoldense
+  sunnonlinsolfixedpoint)
+# Whether all was found does not matter: a compiler without OpenMP is enough, which only parts need that are not used.
+set(kanexpr_simulate_lacks "")
+if(NOT TARGET SUNDIALS::cvode)
+  set(kanexpr_simulate_lacks "SUNDIALS 6.4 was not found")
+endif()
+
+find_package(nlohmann_json 3.2 QUIET)
+set(kanexpr_animate_lacks "")
+if(NOT nlohmann_json_FOUND)
+  set(kanexpr_animate_lacks "nlohmann-json 3.2 was not found")
+endif()

@@ -1,0 +1,6 @@
+# kanexpr_version, from the header in which it stands.
+set(version_header ${CMAKE_CURRENT_LIST_DIR}/../include/kanexpr/version.hpp)
+file(STRINGS ${version_header} version_lines REGEX "^#define KANEXPR_VERSION_(MAJOR|MINOR|PATCH) [0-9]+$")
+list(TRANSFORM version_lines REPLACE "^.* " "")
+list(JOIN version_lines . kanexpr_version)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${version_header})

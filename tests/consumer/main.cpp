@@ -1,3 +1,0 @@
-#include <kanexpr/kanexpr.hpp>
-
-int main() {}

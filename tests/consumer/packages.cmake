@@ -1,0 +1,65 @@
+# Configures the library as a packager would, with nothing that it needs only for more, and as a consumer of what
+# that leaves; and looks at what they are told.
+file(REMOVE_RECURSE ${BINARY})
+
+function(run expected pattern)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if((expected STREQUAL "passes") EQUAL (NOT result EQUAL 0))
+    message(SEND_ERROR "${ARGN} ends with ${result}:\n${out}")
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " said "${out}")
+  string(FIND "${said}" "${pattern}" found)
+  if(found EQUAL -1)
+    message(SEND_ERROR "${ARGN} does not say \"${pattern}\":\n${out}")
+  endif()
+endfunction()
+
+# build(<name> <what it says> <option>...): configures, builds and installs, and no option builds anything.
+function(build name pattern)
+  run(passes "${pattern}" ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY}/${name} -G ${GENERATOR} ${ARGN})
+  run(passes "" ${CMAKE_COMMAND} --build ${BINARY}/${name})
+  file(GLOB_RECURSE built ${BINARY}/${name}/*.o ${BINARY}/${name}/*.obj)
+  list(FILTER built EXCLUDE REGEX "/CMakeFiles/[0-9.]+/")
+  if(built)
+    message(SEND_ERROR "a plain configure builds ${built}")
+  endif()
+endfunction()
+
+# find(<how it ends> <what it says> <prefix> <argument of find_package>...)
+function(find expected pattern prefix)
+  list(JOIN ARGN " " arguments)
+  file(WRITE ${BINARY}/consumer/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(consumer LANGUAGES CXX)
+find_package(kanexpr ${arguments})
+foreach(part simulate animate)
+  if(kanexpr_FOUND AND TARGET kanexpr::\${part})
+    message(STATUS \"there is \${part}\")
+  endif()
+endforeach()
+")
+  run(${expected} "${pattern}" ${CMAKE_COMMAND} -S ${BINARY}/consumer -B ${BINARY}/consumer/build -G ${GENERATOR} -U kanexpr_DIR
+    -DCMAKE_PREFIX_PATH=${BINARY}/${prefix})
+endfunction()
+
+set(without_sundials -DCMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
+set(without_json -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
+build(poor "kanexpr::simulate is left out: SUNDIALS 6.4 was not found" -DKANEXPR_NPM=KANEXPR_NPM-NOTFOUND
+  -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON ${without_sundials} ${without_json})
+run(passes "kanexpr::animate is left out: nlohmann-json 3.2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
+run(passes "" ${CMAKE_COMMAND} --install ${BINARY}/poor --prefix ${BINARY}/little)
+find(fails "kanexpr::simulate is left out: kanexpr was installed without it" little REQUIRED COMPONENTS simulate)
+
+# All that can be, but for the page, and then with it
+build(rich "where its page was built")
+run(passes "kanexpr::animate is left out: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
+  --prefix ${BINARY}/most)
+find(passes "there is simulate" most REQUIRED COMPONENTS simulate)
+find(passes "kanexpr::animate is left out: the page on which systems move was not installed" most REQUIRED)
+find(fails "kanexpr::animate is left out: the page on which systems move was not installed" most REQUIRED
+  COMPONENTS animate)
+find(fails "kanexpr has no component simulation" most REQUIRED COMPONENTS simulation)
+find(passes "there is simulate" most 0.1...<0.2 REQUIRED OPTIONAL_COMPONENTS simulate animate)
+find(fails "compatible with requested version range" most 0.2...<1 REQUIRED)
+file(WRITE ${BINARY}/rich/page/kanexpr.html "a page")
+run(passes "share/kanexpr/kanexpr.html" ${CMAKE_COMMAND} --install ${BINARY}/rich --prefix ${BINARY}/all)
+find(passes "there is animate" all REQUIRED COMPONENTS simulate animate)

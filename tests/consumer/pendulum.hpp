@@ -1,0 +1,21 @@
+#pragma once
+
+#include <kanexpr/kanexpr.hpp>
+
+namespace pendulum {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"l"> l;
+
+struct N : inertial_frame<N> {}; // x points down
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, l * A::x> {};
+struct Bob : particle<Bob, P, 1> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<l>,
+                            bodies<Bob>, loads<gravity<9.81 * N::x>>> {};
+
+} // namespace pendulum
