@@ -112,7 +112,7 @@ private:
                                                          std::integer_sequence<int, k...>) {
     kanexpr::status s;
     static_cast<void>((... && (numeric::normalize(x, places<k>, from) ||
-                               (s = kanexpr::status(&far_from_one<k>, 1u), false))));
+                               (s = kanexpr::status(far_from_one<k>.letters), false))));
     return s;
   }
 
