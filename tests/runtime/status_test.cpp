@@ -190,17 +190,16 @@ TEST(status, names_the_speed_at_which_the_mass_matrix_fails) {
   x[gimbal::q2] = 1e-4; // nearly
   expect_status<System>(x, eom::parameters(), eom::inputs(), "");
   x[gimbal::q2] = 0; // the first and the last axis are one
-  expect_status<System>(
-      x, eom::parameters(), eom::inputs(),
-      "the mass matrix is not positive definite at this state: its elimination fails at the speed u1");
+  expect_status<System>(x, eom::parameters(), eom::inputs(),
+                        "the mass matrix is singular at this state: its elimination fails at the speed u1");
 }
 
 TEST(status, names_the_speed_that_a_mass_of_zero_leaves_alone) {
   four_bars b;
   using namespace four_bar;
   const std::string cause =
-      "the mass matrix is not positive definite at this state: its elimination fails at the speed u1";
-  for (const double mass : {0.0, 1e-200, -1.0}) {
+      "the mass matrix is singular at this state: its elimination fails at the speed u1";
+  for (const double mass : {0.0, 1e-200}) {
     for (double* m : {&b.p[m1], &b.p[m2], &b.p[m3], &b.p[I1], &b.p[I2], &b.p[I3]}) *m = mass;
     expect_status<System>(b.x, b.p, b.r, mass > 0 ? "" : cause);
   }

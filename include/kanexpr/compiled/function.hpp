@@ -6,6 +6,7 @@
 #include <kanexpr/derivation/derivation.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
+#include <kanexpr/lower/regular.hpp>
 
 #include <tuple>
 
@@ -188,10 +189,9 @@ private:
 
   template <class T, int i>
   [[gnu::always_inline]] static bool is_regular(const lower::evaluation<code, T>& done) noexcept {
-    using math = lower::scalar_math<T>;
-    return math::exceeds(
-        done.template result<first_guard + 2 * i>(),
-        T(math::from(mechanics::least_regularity<T>()) * done.template result<first_guard + 2 * i + 1>()));
+    return lower::is_regular<T>(done.template result<first_guard + 2 * i>(),
+                                done.template result<first_guard + 2 * i + 1>(),
+                                mechanics::least_regularity<T>());
   }
 
   template <class T, int first, auto one>

@@ -54,7 +54,7 @@ constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& 
                                [&](const sequence<int>& places) { return speeds_called(m, places); });
 }
 
-/// Of the pivots of a mass matrix, each once. Those of bodies are positive; a Lagrangian may have others.
+/// Of the pivots of a mass matrix, each once.
 constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& speeds,
                                          const sequence<symbolic::pivot>& pivots) {
   sequence<guard> guards;
@@ -63,9 +63,9 @@ constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& sp
     for (const guard& g : guards) is_new = is_new && g.key != p.key;
     if (!is_new) continue;
     const problem which = speeds_called(m, {speeds.independent[p.place]});
-    guards.push({p.key, m.has_lagrangian ? abs(p.value) : p.value, m.has_lagrangian ? abs(p.entry) : p.entry,
-                 sentence({"the mass matrix is ", m.has_lagrangian ? "singular" : "not positive definite",
-                           " at this state: its elimination fails at the ", which.view()})});
+    guards.push({p.key, p.value, p.entry,
+                 sentence({"the mass matrix is singular at this state: its elimination fails at the ",
+                           which.view()})});
   }
   return guards;
 }

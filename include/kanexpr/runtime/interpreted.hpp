@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/lower/regular.hpp>
 #include <kanexpr/mechanics/singular.hpp>
 #include <kanexpr/mechanics/status.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
@@ -31,11 +32,10 @@ public:
 
   /// Whether all that the last call had to solve could be solved at its state.
   kanexpr::status status() const {
-    using math = lower::scalar_math<Scalar>;
     for (int i = 0; i < causes_.size(); ++i) {
       const Eigen::Index measure = result_.size() + 2 * i;
-      if (!math::exceeds(found_[measure],
-                         Scalar(math::from(mechanics::least_regularity<Scalar>()) * found_[measure + 1])))
+      if (!lower::is_regular<Scalar>(found_[measure], found_[measure + 1],
+                                     mechanics::least_regularity<Scalar>()))
         return kanexpr::status(causes_[i].letters);
     }
     return {};

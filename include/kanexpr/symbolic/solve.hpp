@@ -31,7 +31,7 @@ constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, 
   if (divided.b == unsigned_node(value.node()))
     all.push({place, divided.b, value, entry});
   else
-    all.push({place, divided.b, abs(expression{g, divided.b}), abs(expression{g, divided.b})});
+    all.push({place, divided.b, {g, divided.b}, {g, divided.b}});
 }
 
 } // namespace detail

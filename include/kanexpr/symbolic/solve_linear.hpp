@@ -10,7 +10,7 @@ namespace kanexpr::symbolic {
 struct solved_block {
   sequence<int> rows, columns; ///< equations and unknowns
   int key = 0;                 ///< the divisor where there is one unknown, else the factorization
-  expression measure;          ///< far from singular as large as `scale`, singular 0
+  expression measure;          ///< far from singular as large as `scale`, up to signs; singular 0
   expression scale;
 };
 
@@ -140,7 +140,7 @@ private:
       if (g_[quotient].op != operation::divide) return; // the divisor is one part of something
       key = g_[quotient].b;
     }
-    out_.blocks.push({{i}, {j}, key, abs(divisor), root(squares_of({i}, {j})[0])});
+    out_.blocks.push({{i}, {j}, key, divisor, root(squares_of({i}, {j})[0])});
   }
 
   constexpr int without_sign(int id) const { return g_[id].op == operation::negate ? g_[id].a : id; }
