@@ -128,6 +128,15 @@ constexpr problem check_each_word(std::string_view system, const describe::syste
   return found;
 }
 
+/// `struct System : kane_system<…>, loads<…>`.
+template <class System>
+constexpr problem word_beside(std::string_view called) {
+  std::string_view word = "a word";
+  if constexpr (requires { System::word; }) word = System::word;
+  return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", called,
+                   "; write it among them, between the < > of its system"});
+}
+
 /// Words of one method that are told to the other, or that do not go together.
 template <class System>
 constexpr problem check_method(std::string_view called) {
@@ -161,6 +170,7 @@ constexpr problem check_words() {
   } else if constexpr (!requires { System::record; }) {
     return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
   } else {
+    if constexpr (describe::has_word_beside<System>()) return word_beside<System>(called);
     const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
     problem found = check_method<System>(called);

@@ -45,7 +45,7 @@ inline constexpr auto zero_along = describe::one_after_another<vector_and_direct
 /// What the coordinates satisfy at all times, such as closed loops: equations of scalars, and vectors that
 /// are zero along directions: `configuration_constraints<zero_along<position_of<P, Q>, N::x, N::y>>`.
 template <auto... constraints>
-struct configuration_constraints {
+struct configuration_constraints : describe::system_words {
   static constexpr std::string_view word = "configuration_constraints";
   static constexpr void tell(describe::system_record& r) {
     r.configuration_constraints =
@@ -56,7 +56,7 @@ struct configuration_constraints {
 /// What the speeds satisfy at all times, such as rolling; linear in speeds or coordinate rates. The rates of
 /// the configuration constraints need not be repeated.
 template <auto... constraints>
-struct velocity_constraints {
+struct velocity_constraints : describe::system_words {
   static constexpr std::string_view word = "velocity_constraints";
   static constexpr void tell(describe::system_record& r) {
     r.velocity_constraints = describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
@@ -66,7 +66,7 @@ struct velocity_constraints {
 /// What the rates of the speeds satisfy, in place of the derivatives of the velocity constraints; linear in
 /// them.
 template <auto... constraints>
-struct acceleration_constraints {
+struct acceleration_constraints : describe::system_words {
   static constexpr std::string_view word = "acceleration_constraints";
   static constexpr void tell(describe::system_record& r) {
     r.acceleration_constraints =
@@ -76,7 +76,7 @@ struct acceleration_constraints {
 
 /// The coordinates and speeds that the constraints are to be solved for: `dependent<q3, u2, u3>`.
 template <auto... symbols>
-struct dependent {
+struct dependent : describe::system_words {
   static constexpr std::string_view word = "dependent";
   static constexpr void tell(describe::system_record& r) {
     r.dependent = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
@@ -86,7 +86,7 @@ struct dependent {
 /// Speeds that are zero at all times and stand in no list of speeds. Where they enter the velocity of a point
 /// or the angular velocity of a frame they bring out forces that do no work.
 template <auto... symbols>
-struct auxiliary {
+struct auxiliary : describe::system_words {
   static constexpr std::string_view word = "auxiliary";
   static constexpr void tell(describe::system_record& r) {
     r.auxiliary = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;

@@ -7,7 +7,7 @@ namespace kanexpr {
 /// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, in place of
 /// bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
 template <auto... expression>
-struct lagrangian {
+struct lagrangian : describe::system_words {
   static constexpr std::string_view word = "lagrangian";
   static constexpr void tell(describe::system_record& r) {
     if constexpr (sizeof...(expression) == 0)

@@ -12,6 +12,7 @@ struct turning_words {};
 struct velocity_words {};
 struct fixing_words {};
 struct inertia_words {};
+struct system_words {};
 
 enum class misfit : unsigned char {
   none,
@@ -49,6 +50,15 @@ constexpr misfit find_misfit() {
   if (is_fixed && !is_point) return misfit::fixing_of_no_point;
   if (__is_base_of(inertia_words, Entity)) return misfit::inertia_beside;
   return misfit::none;
+}
+
+/// Whether a word stands beside a system that should stand among those it is told.
+template <class System>
+constexpr bool has_word_beside() {
+  return __is_base_of(system_words, System) || __is_base_of(orientation_words, System) ||
+         __is_base_of(place_words, System) || __is_base_of(body_words, System) ||
+         __is_base_of(turning_words, System) || __is_base_of(velocity_words, System) ||
+         __is_base_of(fixing_words, System) || __is_base_of(inertia_words, System);
 }
 
 } // namespace kanexpr::describe

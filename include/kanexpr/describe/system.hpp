@@ -63,7 +63,7 @@ constexpr void tell(system_record& r) {
 
 /// The inertial frame.
 template <class... Frame>
-struct inertial {
+struct inertial : describe::system_words {
   static constexpr std::string_view word = "inertial";
   static constexpr void tell(describe::system_record& r) {
     const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
@@ -73,7 +73,7 @@ struct inertial {
 
 /// The generalized coordinates, in the order of the state.
 template <auto... symbols>
-struct coordinates {
+struct coordinates : describe::system_words {
   static constexpr std::string_view word = "coordinates";
   static constexpr void tell(describe::system_record& r) {
     r.coordinates = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
@@ -82,7 +82,7 @@ struct coordinates {
 
 /// The generalized speeds, in the order of the state, where they follow the coordinates.
 template <auto... symbols>
-struct speeds {
+struct speeds : describe::system_words {
   static constexpr std::string_view word = "speeds";
   static constexpr void tell(describe::system_record& r) {
     r.speeds = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
@@ -91,7 +91,7 @@ struct speeds {
 
 /// The order of the parameter vector; without it, the order in which the model mentions them.
 template <auto... symbols>
-struct parameters {
+struct parameters : describe::system_words {
   static constexpr std::string_view word = "parameters";
   static constexpr void tell(describe::system_record& r) {
     r.parameters = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
@@ -100,7 +100,7 @@ struct parameters {
 
 /// The order of the input vector; without it, the order in which the model mentions them.
 template <auto... symbols>
-struct inputs {
+struct inputs : describe::system_words {
   static constexpr std::string_view word = "inputs";
   static constexpr void tell(describe::system_record& r) {
     r.inputs = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
@@ -109,7 +109,7 @@ struct inputs {
 
 /// The kinematic differential equations, in any form that is linear in the rates: `dot(q1) == u1`.
 template <auto... equations>
-struct kinematics {
+struct kinematics : describe::system_words {
   static constexpr std::string_view word = "kinematics";
   static constexpr void tell(describe::system_record& r) {
     r.kinematics = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
@@ -118,7 +118,7 @@ struct kinematics {
 
 /// Parameters bound to numbers, which fold into the derivation: `values<m == 2.2, r == 0.45>`.
 template <auto... equations>
-struct values {
+struct values : describe::system_words {
   static constexpr std::string_view word = "values";
   static constexpr void tell(describe::system_record& r) {
     r.values = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
@@ -127,7 +127,7 @@ struct values {
 
 /// Every particle and rigid body of the system.
 template <class... Bodies>
-struct bodies {
+struct bodies : describe::system_words {
   static constexpr std::string_view word = "bodies";
   static constexpr void tell(describe::system_record& r) {
     r.bodies = describe::list_of<describe::body_record, &describe::body_of<Bodies>...>::all;
@@ -136,7 +136,7 @@ struct bodies {
 
 /// Every force, torque and field that does work.
 template <class... Loads>
-struct loads {
+struct loads : describe::system_words {
   static constexpr std::string_view word = "loads";
   static constexpr void tell(describe::system_record& r) {
     r.loads = describe::list_of<describe::load_record, &describe::load_of<Loads>...>::all;
