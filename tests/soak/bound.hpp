@@ -15,13 +15,13 @@ public:
 
   bool is_regular() const { return expected_.regular; }
 
-  void run(errors& found) {
-    const recipe::units in = any_units(d_);
+  void run(errors& found, const wanted& w) {
+    const recipe::units in = any_units(d_, w);
     recipe::in_units changed(expected_.m, in, any_constants(d_));
     std::vector<recipe::constraint> bounds;
     std::vector<double> rows;
     for (const recipe::constraint& c : expected_.bounds) {
-      const double row = any_power(d_);
+      const double row = any_power(d_, w);
       bounds.push_back(changed.converted(c, row));
       rows.push_back(changed.of_row(c, row));
     }
@@ -37,6 +37,7 @@ public:
     rates.at(m);
     found.expect(static_cast<bool>(rates.status()) || !is_compared_,
                  "refused a regular state: " + std::string(rates.status().cause()));
+    if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
     hostile.visit(rates, found);
     hostile_visited = hostile.visited, hostile_refused = hostile.refused;

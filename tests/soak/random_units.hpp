@@ -6,9 +6,15 @@
 
 namespace soak {
 
-inline double any_power(dice& d) { return std::pow(10.0, d.between(-9, 9)); }
-inline recipe::units any_units(dice& d) {
-  const double length = any_power(d), mass = any_power(d), time = any_power(d);
+// What a mechanism is put through.
+struct wanted {
+  double decades = 9; // of units, to either side
+  bool hostile_states = true;
+};
+
+inline double any_power(dice& d, const wanted& w) { return std::pow(10.0, d.between(-w.decades, w.decades)); }
+inline recipe::units any_units(dice& d, const wanted& w) {
+  const double length = any_power(d, w), mass = any_power(d, w), time = any_power(d, w);
   return {length, mass, time};
 }
 

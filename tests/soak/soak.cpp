@@ -14,6 +14,7 @@ namespace {
 struct asked {
   unsigned first = 0;
   long trees = 80'000, bound = 20'000;
+  soak::wanted wanted;
   std::string folder = "build/soak";
 };
 
@@ -34,7 +35,7 @@ tally go_through(const asked& a, long wanted, const char* kind) {
     }
     ++t.compared;
     t.errors.begin(seed);
-    one.run(t.errors);
+    one.run(t.errors, a.wanted);
     t.hostile += one.hostile_visited, t.refused += one.hostile_refused;
     if (!t.errors.reason().empty()) {
       ++t.failed;
@@ -52,7 +53,7 @@ tally go_through(const asked& a, long wanted, const char* kind) {
   return t;
 }
 
-void print(const tally& t, const char* what) {
+void print(const tally& t, const char* what, double decades) {
   std::printf("\n%ld %s in units over 1e-9 to 1e9 each of length, mass and time: %ld failed\n", t.compared,
               what, t.failed);
   std::printf("%ld were singular at their state, and left out\n", t.left_out);
@@ -70,14 +71,16 @@ int main(int count, char** words) {
   line.add_option("--first", a.first, "The first seed");
   line.add_option("--trees", a.trees, "How many without constraints");
   line.add_option("--bound", a.bound, "How many with constraints");
+  line.add_option("--decades", a.wanted.decades, "Over how many decades units are scaled, to either side");
+  line.add_flag("--hostile,!--no-hostile", a.wanted.hostile_states, "Visit hostile states");
   line.add_option("--folder", a.folder, "Where seeds of failures are written");
   CLI11_PARSE(line, count, words);
   const auto begin = std::chrono::steady_clock::now();
   const tally trees = go_through<soak::tree>(a, a.trees, "trees"),
               bound = go_through<soak::bound>(a, a.bound, "bound");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  print(trees, "mechanisms without constraints");
-  print(bound, "mechanisms with constraints");
+  print(trees, "mechanisms without constraints", a.wanted.decades);
+  print(bound, "mechanisms with constraints", a.wanted.decades);
   std::printf("\n%.0f s\n", took.count());
   return trees.failed + bound.failed == 0 ? 0 : 1;
 }

@@ -31,8 +31,8 @@ public:
 
   bool is_regular() const { return is_solvable(expected_.mass_matrix); }
 
-  void run(errors& found) {
-    const recipe::units in = any_units(d_);
+  void run(errors& found, const wanted& w) {
+    const recipe::units in = any_units(d_, w);
     const recipe::in_units changed(base_, in, any_constants(d_));
     const recipe::mechanism& m = changed.result();
     recipe::builder b("N");
@@ -42,6 +42,7 @@ public:
     kanexpr::mechanics::equations derived(b.mechanism());
     compare(m, b, derived, changed, in, found);
     rates_of rates(b, derived);
+    if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
     hostile.visit(rates, found);
     hostile_visited = hostile.visited, hostile_refused = hostile.refused;
