@@ -118,10 +118,18 @@ public:
     for (int i = 0; i < largest_.rows; ++i)
       if (rows_[i] == 0) rows_[i] = 1, hand_on(i);
     for (int sweeps = 0; sweeps < 2; ++sweeps) {
-      for (int j = 0; j < largest_.columns; ++j)
-        rescale(columns_[j], [&](int i) { return scaled(i, j); }, largest_.rows);
-      for (int i = 0; i < largest_.rows; ++i)
-        rescale(rows_[i], [&](int j) { return scaled(i, j); }, largest_.columns);
+      for (int j = 0; j < largest_.columns; ++j) {
+        double most = 0;
+        for (int i = 0; i < largest_.rows; ++i)
+          if (scaled(i, j) > most) most = scaled(i, j);
+        if (most > 0) columns_[j] /= most;
+      }
+      for (int i = 0; i < largest_.rows; ++i) {
+        double most = 0;
+        for (int j = 0; j < largest_.columns; ++j)
+          if (scaled(i, j) > most) most = scaled(i, j);
+        if (most > 0) rows_[i] /= most;
+      }
     }
   }
 

@@ -29,9 +29,9 @@ public:
 
   constexpr partition run() {
     for (int step = 0; step < jacobian_.rows; ++step) {
-      place pivot = best([&](int i, int j) { return !jacobian_(i, j).is_zero(); });
-      if (pivot.row == none) pivot = best([](int, int) { return true; }); // what elimination has filled in
-      if (pivot.row == none) break; // a singular constraint, which a check has named
+      place pivot = best(false);
+      if (pivot.row == none) pivot = best(true); // what elimination has filled in
+      if (pivot.row == none) break;              // a singular constraint, which a check has named
       row_done_[pivot.row] = 1;
       is_dependent_[pivot.column] = 1;
       for (numbers& a : states_) eliminate(a, pivot);
@@ -48,14 +48,14 @@ private:
   static constexpr double rounding = 1e-13; ///< beside 1
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  template <class Takes>
-  constexpr place best(Takes takes) const {
+  /// Among the entries of the Jacobian, or those too that elimination has filled in.
+  constexpr place best(bool takes_all) const {
     sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // entries that are left
     sequence<double> largest(states_.size() * jacobian_.rows, 0.0);
     for (int i = 0; i < jacobian_.rows; ++i)
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
-        if (takes(i, j)) ++in_row[i], ++in_column[j];
+        if (takes_all || !jacobian_(i, j).is_zero()) ++in_row[i], ++in_column[j];
         for (int s = 0; s < states_.size(); ++s) {
           double& l = largest[s * jacobian_.rows + i];
           if (magnitude(states_[s](i, j)) > l) l = magnitude(states_[s](i, j));
@@ -66,7 +66,7 @@ private:
     for (int i = 0; i < jacobian_.rows; ++i)
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
-        if (!takes(i, j)) continue;
+        if (!takes_all && jacobian_(i, j).is_zero()) continue;
         double least = 1; // of the entry beside the largest of its row, over the states
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
