@@ -288,4 +288,18 @@ TEST(events, without_a_value_at_the_start_end_a_simulation) {
   EXPECT_EQ(run.trajectory.size(), 1u);
 }
 
+// However short the steps between them are, and however slowly they pass beside the other entries of the
+// state.
+TEST(events, may_follow_one_another_closely) {
+  std::vector<event<System>> close;
+  for (int i = 0; i < 40; ++i)
+    close.push_back({"event " + std::to_string(i),
+                     [=](double, const state<System>& x, auto&, auto&) { return x[h] - (1 - 1e-12 * i); },
+                     crossing::falling, [](moment<System>&) {}});
+  const auto run =
+      simulate<System>({{h, 1 + 1e-6}, {v, -1e-3}}, {{m, 0.3}, {g, 0}}, {0, 1}, {.events = close});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_EQ(run.events.size(), 40u);
+}
+
 } // namespace

@@ -54,34 +54,35 @@ public:
   }
 
   /// How far ahead the rates of functions are looked at: a small part of a step.
-  void look_ahead_by(double step) {
-    if (step > 0) ahead_ = 1e-3 * step;
-  }
+  void look_ahead_by(double step) { least_ahead_ = 1e-3 * step; }
 
   /// Whether functions pass zero against their rates.
   bool contradict(double t, const state& x, const std::vector<int>& passed) {
-    const std::vector<double> changes = changes_at(t, x);
+    const std::vector<double> slopes = slopes_at(t, x);
     for (std::size_t i = 0; i < passed.size(); ++i)
-      if (changes[i] * passed[i] < 0) return true;
+      if (slopes[i] * passed[i] < 0) return true;
     return false;
   }
 
-  /// Which function that was found to pass zero does not: it is zero and stays there. −1: none.
+  /// Which function that was found to pass zero does not: it is zero, whatever changes a little. −1: none.
   int resting(double t, const state& x, const std::vector<int>& passed) {
-    const std::vector<double> changes = changes_at(t, x);
-    for (std::size_t i = 0; i < passed.size(); ++i)
-      if (passed[i] != 0 && here_[i] == 0 && changes[i] == 0) return static_cast<int>(i);
+    if (!evaluate(t, x, here_)) return -1;
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+      if (passed[i] == 0 || here_[i] != 0) continue;
+      find_margins(t, x);
+      if (margins_[i] == 0) return static_cast<int>(i);
+    }
     return -1;
   }
 
   /// Notes what is to come of functions that have just passed zero, after handlers that left the state `x`:
   /// one that they turned round, or brought to rest, is to return; one that goes on may still be before zero.
   void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
-    const std::vector<double> changes_before = changes_at(t, before), changes = changes_at(t, x);
+    const std::vector<double> slopes_before = slopes_at(t, before), slopes = slopes_at(t, x);
     returning_.assign(count(), 0), completing_.assign(count(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
       if (passed[i] == 0) continue;
-      const bool goes_back = changes[i] * passed[i] <= 1e-9 * std::abs(changes_before[i]);
+      const bool goes_back = slopes[i] * passed[i] <= 1e-6 * std::abs(slopes_before[i]);
       if (goes_back && around_.events()[i].handler) returning_[i] = -passed[i];
       if (!goes_back && here_[i] * passed[i] <= 0) completing_[i] = passed[i];
     }
@@ -152,13 +153,12 @@ private:
     const state units = tolerances_.at(x);
     state slope, rough, fine;
     if (!rates(t, x, slope)) return;
-    const double fastest = slope.cwiseQuotient(units).cwiseAbs().maxCoeff();
-    for (ahead_ = 1e-3 / fastest; ahead_ <= farthest && !none(waiting_); ahead_ *= 2) {
-      if (!advance(t, x, rough, fine)) return;
+    for (double ahead = 1e-3 / fastest(x, slope); ahead <= farthest && !none(waiting_); ahead *= 2) {
+      if (!advance(t, x, ahead, rough, fine)) return;
       if (state(fine - x).cwiseQuotient(units).cwiseAbs().maxCoeff() > 1e6) return;
-      if (!evaluate(t + ahead_, rough, later_)) return;
+      if (!evaluate(t + ahead, rough, later_)) return;
       const std::vector<double> roughly = later_;
-      if (!evaluate(t + ahead_, fine, later_)) return;
+      if (!evaluate(t + ahead, fine, later_)) return;
       for (std::size_t i = 0; i < count(); ++i) {
         const double moved = later_[i] - here_[i], error = roughly[i] - later_[i];
         if (waiting_[i] == 0 || !is_clear(i, moved) || std::abs(error) > std::abs(moved) / 2) continue;
@@ -168,10 +168,9 @@ private:
     }
   }
 
-  /// To the state after `ahead_` by the midpoint rule and by the classic Runge-Kutta method.
-  bool advance(double t, const state& x, state& rough, state& fine) {
+  /// Goes a step by the midpoint rule and by the classic Runge-Kutta method.
+  bool advance(double t, const state& x, double h, state& rough, state& fine) {
     state k1, k2, k3, k4;
-    const double h = ahead_;
     if (!rates(t, x, k1) || !rates(t + h / 2, state(x + h / 2 * k1), k2) ||
         !rates(t + h / 2, state(x + h / 2 * k2), k3) || !rates(t + h, state(x + h * k3), k4))
       return false;
@@ -180,20 +179,27 @@ private:
     return true;
   }
 
-  /// By how much each function changes in `ahead_`, with the rates of this state; 0 where that cannot be
-  /// told.
-  std::vector<double> changes_at(double t, const state& x) {
-    std::vector<double> changes(count());
+  /// The rate of each function; no number where it cannot be told.
+  std::vector<double> slopes_at(double t, const state& x) {
+    std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;
-    if (evaluate(t, x, here_) && rates(t, x, now) && evaluate(t + ahead_, state(x + ahead_ * now), later_))
-      std::ranges::transform(later_, here_, changes.begin(), std::minus<>());
+    if (evaluate(t, x, here_) && rates(t, x, now)) {
+      const double ahead = std::max(least_ahead_, 1 / fastest(x, now));
+      if (std::isfinite(ahead) && evaluate(t + ahead, state(x + ahead * now), later_))
+        for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
+    }
     around_.forget();
-    return changes;
+    return slopes;
+  }
+
+  /// Of rates, beside the tolerances.
+  double fastest(const state& x, const state& rates) const {
+    return rates.cwiseQuotient(tolerances_.at(x)).cwiseAbs().maxCoeff();
   }
 
   surroundings<System>& around_;
   tolerances<System> tolerances_;
-  double ahead_ = 0;
+  double least_ahead_ = 0;
   std::vector<int> waiting_;                ///< to leave zero in a direction
   std::vector<int> returning_, completing_; ///< to a side, in a direction
   std::vector<double> here_, later_, margins_;
