@@ -13,8 +13,9 @@
 /// The inputs r are a vector, which holds during the step, or a function (t, x) that gives them, asked
 /// wherever the equations are evaluated; quantities that are prescribed need the function. `corrections` is
 /// how many steps of Newton's method bring the dependent coordinates back to the constraints, with the
-/// dependent speeds after them; 0 leaves both as they were integrated. Where something cannot be solved, or
-/// the state would not be finite, the status says so, and t and x stay as they were.
+/// dependent speeds after them; quaternions get norm 1 before them. 0 leaves all as it was integrated. Where
+/// something cannot be solved, or the state would not be finite, the status says so, and t and x stay as they
+/// were.
 namespace kanexpr {
 
 namespace compiled {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim_search.hpp>
@@ -23,9 +24,9 @@ struct operating_point_options {
   int most_iterations = 200;
 };
 
-/// A state and inputs at which a system is in equilibrium or in steady motion: the constraints hold, and all
-/// rates of coordinates and speeds are zero but those that are told otherwise.
-/// `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
+/// A state and inputs at which a system is in equilibrium or in steady motion: the constraints hold,
+/// quaternions have norm 1, and all rates of coordinates and speeds are zero but those that are told
+/// otherwise. `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
 ///
 /// Found are all coordinates, speeds and inputs that are not held, and what is freed. Prescribed quantities
 /// and their derivatives are known, so they stay unless they are freed. There may be more equations than
@@ -112,14 +113,15 @@ private:
     const kanexpr::state<System, number> x_at = at.template head<states>();
     const parameter_values<System, number> p_at = at.template segment<known.parameters>(states);
     const input_values<System, number> r_at = at.template tail<known.inputs>();
+    const auto norms = compiled::unit_quaternions<System>::residual(x_at);
     if constexpr (known.constraints + known.configuration_constraints == 0) {
       const auto rates = function<System, quantity::rhs>{}(t, x_at, p_at, r_at);
-      result = rates;
+      result << norms, rates;
       return compiled::status_of(rates).cause();
     } else {
       const auto [left, rates] =
           function<System, quantity::constraint_residual, quantity::rhs>{}(t, x_at, p_at, r_at);
-      result << left, rates;
+      result << norms, left, rates;
       return compiled::status_of(rates).cause();
     }
   }

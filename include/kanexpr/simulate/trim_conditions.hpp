@@ -14,9 +14,9 @@ struct wishes {
   const std::vector<named_value>& rates;
 };
 
-/// One of the equations that hold at an operating point: what a constraint leaves, or a rate.
+/// One of the equations that hold at an operating point: what a norm or a constraint leaves, or a rate.
 struct condition {
-  int place = 0; ///< in [constraints; ẋ]
+  int place = 0; ///< in [norms of quaternions; constraints; ẋ]
   double wanted = 0;
 };
 
@@ -27,7 +27,7 @@ public:
   conditions(const derivation::survey& known, const describe::system_record& told, std::string_view system,
              const wishes& asked)
       : known_(known), told_(told), system_(system), states_(known.coordinates + known.speeds),
-        residuals_(known.configuration_constraints + known.constraints) {
+        residuals_(known.quaternions + known.configuration_constraints + known.constraints) {
     const std::vector<bool> held = read(asked.held, "held"), freed = read(asked.freed, "freed"),
                             changing = read(asked.changing, "changing");
     for (int place = 0; place < known_.symbols(); ++place) {
@@ -51,8 +51,9 @@ public:
 
   /// "configuration constraint 1", "the rate of speed u1".
   std::string name_of(const condition& c) const {
-    const int configuration = known_.configuration_constraints;
-    if (c.place < configuration) return "configuration constraint " + std::to_string(c.place + 1);
+    const int norms = known_.quaternions, configuration = norms + known_.configuration_constraints;
+    if (c.place < norms) return "the norm of quaternion " + std::to_string(c.place + 1);
+    if (c.place < configuration) return "configuration constraint " + std::to_string(c.place - norms + 1);
     if (c.place < residuals_) return "velocity constraint " + std::to_string(c.place - configuration + 1);
     return rate_of(c.place - residuals_);
   }

@@ -12,8 +12,8 @@ namespace kanexpr::trim {
 
 using complex_vector = Eigen::VectorXcd;
 
-/// [constraints; ẋ] of a system at the time t and [x; p; r], and what could not be solved there, as a
-/// sentence.
+/// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r], and what could not be
+/// solved there, as a sentence.
 using evaluation = std::string_view (*)(double t, const complex_vector& at, complex_vector& all);
 
 /// The equations of an operating point as functions of its unknowns. Their derivatives are exact: by complex

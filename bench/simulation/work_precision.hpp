@@ -1,34 +1,22 @@
-// What each method takes for the accuracy that it reaches: for each motion and method a block of lines with
-// the relative tolerance, evaluations, and the error of the coordinates at the end, geometric means over some
-// starts. work_precision.gp draws them.
+#pragma once
+
 #include "motions.hpp"
 #include "reference.hpp"
 
 #include <kanexpr/assemble.hpp>
-#include <models/andrews.hpp>
-#include <systems/andrews_reference.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
-namespace {
+/// What each method takes for the accuracy that it reaches: for each method a block of lines with the
+/// relative tolerance, evaluations, and the error of the coordinates at the end, geometric means over some
+/// starts. work_precision.gp draws them.
+namespace work_precision {
 
 using namespace kanexpr;
-
-/// Andrews' squeezing mechanism: closed loops, and fast.
-struct squeezer {
-  using System = andrews::System;
-  static constexpr time_span span{0, 0.03};
-
-  static state<System> start(double) {
-    state<System> x;
-    x.q() = andrews_reference::start;
-    return x;
-  }
-  static parameter_values<System> parameters() { return {}; }
-  static void give_inputs(double, const state<System>&, input_values<System>&) {}
-};
 
 /// One start, and where it leads.
 template <class Motion>
@@ -88,11 +76,4 @@ void measure_all(const char* motion, int starts, int reference_steps) {
   measure<Motion, integrator::differential_algebraic>(motion, "differential_algebraic", all);
 }
 
-} // namespace
-
-int main() {
-  measure_all<motions::double_pendulum>("a chaotic double pendulum, 10 s", 10, 2000);
-  measure_all<motions::led_pendulum>("a pendulum that a stiff controller leads, 10 s", 3, 10000);
-  measure_all<motions::bicycle>("the bicycle after a push, 10 s", 5, 2000);
-  measure_all<squeezer>("Andrews' squeezing mechanism, 30 ms", 1, 1000);
-}
+} // namespace work_precision
