@@ -44,7 +44,7 @@ std::vector<way<Motion>> ways(int starts, int reference_steps) {
 template <class Motion, integrator by>
 void measure(const char* motion, const char* method, const std::vector<way<Motion>>& ways) {
   using System = typename Motion::System;
-  std::printf("\"%s, %s\"\n", motion, method);
+  std::printf("# %s, %s\n", motion, method);
   for (double tolerance = 1e-4; tolerance > 5e-14; tolerance /= std::sqrt(10.0)) {
     double error = 0, evaluations = 0;
     bool all = true;
