@@ -31,11 +31,15 @@ template <int a>
 constexpr const equation<a>& operand(const equation<a>& x) {
   return x;
 }
-template <plain_number T>
+template <class T>
+  requires(!std::is_class_v<T> &&
+           std::is_arithmetic_v<T>) // in this order: few types of a program come to the second
 constexpr scalar<1> operand(T x) {
-  return constant(x);
+  if constexpr (std::is_same_v<T, bool>)
+    return {{misused(misuse::truth)}};
+  else
+    return constant(x);
 }
-constexpr scalar<1> operand(std::same_as<bool> auto) { return {{misused(misuse::truth)}}; }
 
 template <class T>
 concept written = requires(const T& x) { operand(x); };
