@@ -36,7 +36,7 @@ eom::inputs torques(double t, const eom::state& x, const eom::parameters& p) {
   const wanted w = wanted_at(t);
   const Eigen::Vector2d rates(x[u1], x[u2] - x[u1]);
   const Eigen::Vector2d a = w.accelerations + damping * (w.rates - rates) + stiffness * (w.angles - x.q());
-  const auto [M, f] = eom::together(eom::mass_matrix, eom::forcing)(x, p, eom::inputs());
+  const auto [M, f] = eom::together(eom::mass_matrix, eom::forcing)(x, p, eom::inputs::Zero());
   const Eigen::Vector2d missing = M * Eigen::Vector2d(a(0), a(0) + a(1)) - f;
   eom::inputs r;
   r[T1] = missing(0) + missing(1);

@@ -86,6 +86,20 @@ TEST(named_values, are_missing) {
   EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {"q1'", 2}}).problem.view(), "");
 }
 
+TEST(named_values, were_never_set) {
+  using namespace four_bar;
+  kanexpr::parameter_values<System> p;
+  EXPECT_EQ(problem_of_parameters(p), "parameter m1 has no value");
+  p.setOnes();
+  EXPECT_EQ(problem_of_parameters(p), "");
+  EXPECT_EQ(given_inputs(kanexpr::input_values<System>()).problem.view(), "input T has no value");
+  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}}), "speed u1 has no value");
+  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}}), ""); // the others depend
+  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}, {q1, 0.1}}),
+            "coordinate q1 has two values");
+  EXPECT_EQ(kanexpr::guessed_inputs<System>().values[T], 0);
+}
+
 TEST(named_values, are_doubled) {
   using namespace four_bar;
   EXPECT_EQ(problem_of({{q1, 0.1}, {u1, 1}, {"q1", 0.1}}), "coordinate q1 has two values");

@@ -24,7 +24,7 @@ struct point {
   double t = 0;
   kanexpr::state<System> x;
   kanexpr::parameter_values<System> p;
-  kanexpr::input_values<System> r;
+  kanexpr::input_values<System> r = kanexpr::input_values<System>::Zero();
 };
 
 // Numbers up to `reach` from 0.

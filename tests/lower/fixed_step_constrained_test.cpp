@@ -131,8 +131,16 @@ TEST(correction, says_what_cannot_be_solved_for) {
   circle::state x;
   x[pendulum_nonminimal::q2] = 0.7; // beside its pivot
   const status one = kanexpr::compiled::correction<pendulum_nonminimal::System, 1>::apply(
-      0.0, x, circle::parameters(1.3, 0.7, 9.81), circle::inputs());
+      0.0, x, circle::parameters(1.3, 0.7, 9.81), circle::inputs::Zero());
   EXPECT_EQ(one.cause(), "the constraints cannot be solved for the dependent coordinate q1 at this state");
+}
+
+TEST(assemble, names_what_was_never_set) {
+  four_bars b;
+  const kanexpr::assembly none = kanexpr::assemble<four_bars::System>(b.x, {}, b.r);
+  EXPECT_FALSE(none);
+  EXPECT_EQ(none.cause(), "parameter m1 has no value");
+  EXPECT_EQ(kanexpr::check_consistency<four_bars::System>(b.x, {}, b.r).cause(), "parameter m1 has no value");
 }
 
 TEST(fixed_step, takes_no_memory_with_constraints) {

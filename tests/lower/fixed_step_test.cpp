@@ -109,13 +109,10 @@ double error_of_tube(Step step, int steps) {
   using namespace rotating_tube;
   using eom = kanexpr::equations_of_motion<System>;
   const double rate = 1.7, end = 1.2, start = 0.4;
-  eom::parameters p;
-  p[m] = 0.9, p[g] = 9.81;
+  const eom::parameters p{{m, 0.9}, {g, 9.81}, {k, 0}, {q0, 0}, {c, 0}};
   const double part = p[g] / (2 * rate * rate);
   const auto turning = [&](double t, const eom::state&) {
-    eom::inputs r;
-    r[theta] = rate * t, r[dot(theta)] = rate;
-    return r;
+    return eom::inputs{{theta, rate * t}, {dot(theta), rate}, {dot(dot(theta)), 0}};
   };
   double now = 0;
   eom::state x(start, part * rate);
@@ -245,6 +242,19 @@ TEST(fixed_step, takes_no_memory) {
     good = good && semi_implicit_euler<simple_pendulum::System>{}(now, x, 0.01, p, pendulum::inputs(0.1));
   }
   EXPECT_TRUE(good);
+}
+
+TEST(fixed_step, names_what_was_never_set) {
+  using namespace simple_pendulum;
+  pendulum::state x{{q, 0.1}, {u, 0}};
+  double now = 0;
+  pendulum::parameters p = conservative();
+  const status no_torque = runge_kutta_4<System>{}(now, x, 0.01, p, pendulum::inputs());
+  EXPECT_EQ(no_torque.cause(), "input T has no value");
+  p = {{m, 1}, {l, 2}, {c, 0}};
+  const status no_gravity = semi_implicit_euler<System>{}(now, x, 0.01, p, pendulum::inputs(0.0));
+  EXPECT_EQ(no_gravity.cause(), "parameter g has no value");
+  EXPECT_EQ(now, 0);
 }
 
 // A state, parameters and inputs of any scalar type.

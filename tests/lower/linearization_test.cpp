@@ -72,7 +72,7 @@ TEST(linearization, tells_where_there_is_none) {
   lin::parameters p;
   p.setOnes();
   x[q1] = 0.3;
-  const auto [A, B] = without_heap(lin::explicit_form, x, p, lin::inputs());
+  const auto [A, B] = without_heap(lin::explicit_form, x, p, lin::inputs::Zero());
   EXPECT_FALSE(A.status);
   EXPECT_EQ(A.status.cause(),
             "the constraints cannot be solved for the dependent speeds u2 and u3 at this state");

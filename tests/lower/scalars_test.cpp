@@ -94,6 +94,7 @@ TEST(scalars, each_lane_of_a_pack_has_the_bits_of_its_own_evaluation) {
     side_by_side[u1][lane] = 2.0 - lane;
     side_by_side[u2][lane] = 0.7;
     torques[T1][lane] = 0.1 * lane;
+    torques[T2][lane] = 0;
   }
   constexpr auto all = bars::together(bars::mass_matrix, bars::rhs, bars::kinetic_energy);
   const auto [mass_matrix, rates, energy] = [&] {

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+#include <string_view>
+
 namespace {
 
 using namespace double_pendulum;
@@ -36,8 +40,59 @@ eom::parameters some_parameters() {
 
 TEST(state, starts_as_zero) {
   EXPECT_EQ(eom::state(), Eigen::Vector4d::Zero());
-  EXPECT_EQ(eom::parameters(), eom::parameters::Zero());
-  EXPECT_EQ(eom::inputs(), Eigen::Vector2d::Zero());
+  EXPECT_EQ(eom::state().problem().view(), "");
+}
+
+TEST(parameters_and_inputs, are_no_numbers_until_they_are_set) {
+  EXPECT_TRUE(eom::parameters().array().isNaN().all());
+  EXPECT_TRUE(eom::inputs().array().isNaN().all());
+  EXPECT_EQ(eom::parameters().problem().view(), "parameter m1 has no value");
+  eom::inputs r;
+  r[T1] = 1;
+  EXPECT_EQ(r.problem().view(), "input T2 has no value");
+  EXPECT_FALSE(eom::udot(some_state(), some_parameters(), r).allFinite());
+  r[T2] = 0;
+  EXPECT_EQ(r.problem().view(), "");
+  EXPECT_TRUE(eom::udot(some_state(), some_parameters(), r).allFinite());
+  EXPECT_EQ((kanexpr::input_values<System, float>().problem().view()), "input T1 has no value");
+  EXPECT_EQ((kanexpr::input_values<System, std::complex<double>>().problem().view()),
+            "input T1 has no value");
+}
+
+TEST(vectors_by_name, take_every_symbol_once) {
+  no_heap::guard guard;
+  eom::state x{{u1, 0.3}, {q2, 0.2}, {q1, 0.1}, {u2, 0.4}};
+  EXPECT_EQ(x, some_state());
+  x = {{q1, 1}, {q2, 2}, {u1, 3}, {u2, 4}};
+  EXPECT_EQ(x, Eigen::Vector4d(1, 2, 3, 4));
+  eom::inputs r = {{T2, 2}, {"T1", 1.5f}};
+  EXPECT_EQ(r, Eigen::Vector2d(1.5, 2));
+  EXPECT_EQ(r.problem().view(), "");
+  const kanexpr::input_values<System, std::complex<double>> turned{{T1, 1}, {T2, std::complex<double>(0, 2)}};
+  EXPECT_EQ(turned[T2], std::complex<double>(0, 2));
+}
+
+TEST(vectors_by_name, tell_what_is_missing_or_wrong) {
+  const std::string_view unknown = "T3";
+  eom::inputs r{{T1, 1}};
+  EXPECT_EQ(r.problem().view(), "input T2 has no value");
+  r = {{T1, 1}, {T2, 2}, {T1, 1}};
+  EXPECT_EQ(r.problem().view(), "input T1 has two values");
+  r = {{T1, 1}, {T2, 2}, {unknown, 3}};
+  EXPECT_EQ(r.problem().view(),
+            "input T1 stands in a list of values with a name that System does not have there");
+  r = {{T1, 1}, {T2, std::nan("")}};
+  EXPECT_EQ(r.problem().view(), "the value of input T2 is not a number");
+  EXPECT_EQ(eom::state({{q1, 0.1}, {q2, 0.2}, {u1, 1}}).problem().view(), "speed u2 has no value");
+}
+
+TEST(vectors, are_made_of_all_their_numbers) {
+  const eom::state x{0.1, 0.2, 0.3, 0.4};
+  EXPECT_EQ(x, some_state());
+  const kanexpr::state<System, float> single{1, 2, 3, 4};
+  EXPECT_EQ(single, Eigen::Vector4f(1, 2, 3, 4));
+  const double numbers[]{1, 2};
+  EXPECT_EQ(eom::inputs(numbers), Eigen::Vector2d(1, 2));
 }
 
 TEST(state, holds_coordinates_and_then_speeds_by_name) {
@@ -62,7 +117,7 @@ TEST(parameters_and_inputs, are_reached_by_name) {
   const eom::parameters p = some_parameters();
   EXPECT_EQ(p[m1], 1.1);
   EXPECT_EQ(p[c2], 0.02);
-  eom::inputs r;
+  eom::inputs r = eom::inputs::Zero();
   r[T2] = 3;
   EXPECT_EQ(r, Eigen::Vector2d(0, 3));
 }

@@ -61,7 +61,7 @@ TEST(unreduced_forces, without_constraints) {
 TEST(unreduced_forces, have_no_auxiliary_speeds) {
   using eom = equations_of_motion<bearing::System>;
   const double q = 0.3, u = -2, m = 2, l = 0.5, g = 9.81, a = 1.7;
-  const auto force = eom::unreduced_forces(eom::state(q, u), eom::parameters(m, l, g), eom::inputs(),
+  const auto force = eom::unreduced_forces(eom::state(q, u), eom::parameters(m, l, g), eom::inputs::Zero(),
                                            Eigen::Matrix<double, 1, 1>(a));
   static_assert(force.RowsAtCompileTime == 1);
   EXPECT_NEAR(force(0), -m * g * l * std::sin(q) - m * l * l * a, 1e-14);

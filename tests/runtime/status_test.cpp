@@ -162,10 +162,10 @@ TEST(status, names_rates_that_cannot_be_solved_for) {
   using eom = kanexpr::equations_of_motion<System>;
   eom::state x = eom::state::Constant(0.4);
   const eom::parameters p = eom::parameters::Constant(1.1);
-  expect_status<System>(x, p, eom::inputs(), "");
+  expect_status<System>(x, p, eom::inputs::Zero(), "");
   x[rolling_disc_constrained::q2] = std::numbers::pi / 2; // the disc lies flat
   expect_status<System>(
-      x, p, eom::inputs(),
+      x, p, eom::inputs::Zero(),
       "the kinematic differential equations cannot be solved for the rate of coordinate q1 at this state");
 }
 

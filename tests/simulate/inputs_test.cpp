@@ -134,7 +134,7 @@ TEST(inputs, whose_function_throws_end_a_simulation) {
   using namespace simple_pendulum;
   const auto run = simulate<System>({{q, 0.3}, {u, 0}}, controlled::numbers, {0, 9}, {.inputs = [](double t) {
                                       if (t > 1) throw std::runtime_error("no more torque");
-                                      return input_values<System>();
+                                      return input_values<System>(0.0);
                                     }});
   EXPECT_FALSE(run);
   EXPECT_THAT(run.cause(), testing::EndsWith("the function of the inputs threw: no more torque"));

@@ -150,8 +150,8 @@ void keeps_its_energy(const numbers& values, double reach) {
   const auto p = parameters_by_name<Lagrange>(values);
   std::mt19937 random(11);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    const auto x = any_state<Lagrange>(p, {}, reach, random);
-    const energy_rates power = energy_rates_at<Lagrange>(x, p, eom::rhs(x, p, typename eom::inputs()));
+    const auto x = any_state<Lagrange>(p, eom::inputs::Zero(), reach, random);
+    const energy_rates power = energy_rates_at<Lagrange>(x, p, eom::rhs(x, p, eom::inputs::Zero()));
     EXPECT_NEAR(power.kinetic, -power.potential, 1e-11 * (1 + std::abs(power.kinetic)));
   }
 }

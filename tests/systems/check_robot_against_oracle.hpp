@@ -33,7 +33,7 @@ void robot_against_oracle(const std::string& name, seen_by_reference seen_by = o
     const convention seen = seen_by(s.q, s.u);
     const auto x = stacked<System>(s.q, seen.turn.transpose() * s.u);
     const inputs motors(s.torque.tail(inputs::RowsAtCompileTime));
-    const auto at_rest = robot_equations<System>(x, inputs());
+    const auto at_rest = robot_equations<System>(x, inputs::Zero());
     const auto [mass_matrix, forcing, rhs] = robot_equations<System>(x, motors);
     const robot_results model{mass_matrix, std::get<1>(at_rest), forcing, rhs.tail(s.u.size())};
     expect_reference(model, s, seen, motors.size());

@@ -38,7 +38,7 @@ TEST(four_bar, tells_where_it_cannot_be_solved) {
   x[q1] = 0.3;
   x[q3] = 0;
   x[u1] = 1;
-  const auto udot = check::without_heap(eom::udot, x, p, eom::inputs());
+  const auto udot = check::without_heap(eom::udot, x, p, eom::inputs::Zero());
   EXPECT_FALSE(udot.status);
   EXPECT_FALSE(udot.status.cause().empty());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/never_set.hpp>
 #include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 
@@ -126,7 +127,10 @@ template <class System, class P = parameter_values<System>, class R = input_valu
 assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
                   const assembly_options& options = {}) {
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
-  return numeric::assemble(constraints, x, options);
+  assembly report = numeric::assemble(constraints, x, options);
+  if (report) return report;
+  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  return report;
 }
 
 /// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
@@ -135,7 +139,10 @@ template <class System, class P = parameter_values<System>, class R = input_valu
 consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
                               double tolerance = 1e-9) {
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
-  return numeric::check_consistency(constraints, x, tolerance);
+  consistency report = numeric::check_consistency(constraints, x, tolerance);
+  if (report) return report;
+  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  return report;
 }
 
 } // namespace kanexpr

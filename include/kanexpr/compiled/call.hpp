@@ -66,15 +66,6 @@ constexpr int entries_of() {
     return Argument::SizeAtCompileTime;
 }
 
-constexpr mechanics::problem check_size(std::string_view what, std::string_view system, int given,
-                                        int wanted) {
-  if (given == Eigen::Dynamic || given == wanted) return {};
-  symbolic::name w, g;
-  w.append(wanted), g.append(given);
-  return mechanics::sentence({"the ", what, " vector of ", system, " has ", w.view(),
-                              wanted == 1 ? " entry, not " : " entries, not ", g.view()});
-}
-
 /// What the code loads from an argument that is not given.
 template <class System, class Code>
 constexpr mechanics::problem lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
@@ -99,6 +90,14 @@ constexpr bool loads_time() {
   return false;
 }
 
+/// One vector of a system in the place of another.
+template <class System, symbols_of wanted, class Argument, class Keep>
+constexpr void check_belonging(std::string_view result, const Keep& keep) {
+  using given = decltype(belonging_of(static_cast<const Argument*>(nullptr)));
+  if constexpr (!given::template fits<System, wanted>)
+    keep(given::template mistake<System, wanted>(mechanics::sentence({result, " of "}).view()));
+}
+
 /// One way of calling a function, by the types of its arguments.
 template <class System, class Code, class Time, class X, class P, class R, class A, auto first, auto... more>
 struct call {
@@ -115,6 +114,10 @@ struct call {
     const auto keep = [&](const mechanics::problem& p) {
       if (!found) found = p;
     };
+    check_belonging<System, symbols_of::state, X>(result, keep);
+    check_belonging<System, symbols_of::parameters, P>(result, keep);
+    check_belonging<System, symbols_of::inputs, R>(result, keep);
+    if (std::is_integral_v<typename X::Scalar>) keep(check_scalar<System, typename X::Scalar>());
     keep(check_size("state", system, entries_of<X>(), known.coordinates + known.speeds));
     keep(check_size("parameter", system, entries_of<P>(), known.parameters));
     keep(check_size("input", system, entries_of<R>(), known.inputs));

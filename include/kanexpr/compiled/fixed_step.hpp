@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/correction.hpp>
+#include <kanexpr/compiled/never_set.hpp>
 
 #include <type_traits>
 
@@ -45,10 +46,11 @@ status conclude(Time& t, state<System, T>& x, const Time& after, state<System, T
                 const R& r) {
   using correct = correction<System, corrections>;
   if constexpr (correct::is_needed)
-    if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s) return s;
+    if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s)
+      return never_set<System>::blamed_for(s, p, r);
   for (int i = 0; i < static_cast<int>(next.size()); ++i) // of what is not finite the difference is no number
     if (!lower::scalar_math<T>::exceeds(T(next(i) - next(i)), lower::scalar_math<T>::from(-1)))
-      return status(not_finite.letters);
+      return never_set<System>::blamed_for(status(not_finite.letters), p, r);
   t = after;
   x = next;
   return {};
@@ -70,10 +72,12 @@ struct semi_implicit_euler {
     const auto& given = compiled::inputs_at(r, t, x);
     state<System, T> next = x;
     const auto udot = eom::udot(t, x, p, given);
-    if (const status s = compiled::status_of(udot); !s) return s;
+    if (const status s = compiled::status_of(udot); !s)
+      return compiled::never_set<System>::blamed_for(s, p, r);
     compiled::advance<eom::coordinates, eom::speeds>(next, x, length, udot);
     const auto qdot = eom::qdot(t, next, p, given); // at the coordinates before
-    if (const status s = compiled::status_of(qdot); !s) return s;
+    if (const status s = compiled::status_of(qdot); !s)
+      return compiled::never_set<System>::blamed_for(s, p, r);
     compiled::advance<0, eom::coordinates>(next, x, length, qdot);
     return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
   }
@@ -102,7 +106,8 @@ struct runge_kutta_4 {
     for (int stage = 0; stage < stages; ++stage) {
       const Time when = static_cast<Time>(t + reach[stage] * h);
       const auto rate = eom::rhs(when, at, p, compiled::inputs_at(r, when, at));
-      if (const status s = compiled::status_of(rate); !s) return s;
+      if (const status s = compiled::status_of(rate); !s)
+        return compiled::never_set<System>::blamed_for(s, p, r);
       compiled::advance<0, size>(at, x, lower::scalar_math<T>::from(reach[stage + 1] * h), rate);
       compiled::advance<0, size>(next, next, lower::scalar_math<T>::from(weight[stage] * h), rate);
     }

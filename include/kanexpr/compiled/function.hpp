@@ -106,8 +106,8 @@ struct function {
   /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
   /// {2.0})(0, 0) == 2)`.
   static constexpr auto constant(const std::array<double, state_size>& x,
-                                 const std::array<double, parameter_count>& p = {},
-                                 const std::array<double, input_count>& r = {}, double t = 0) {
+                                 const std::array<double, parameter_count>& p,
+                                 const std::array<double, input_count>& r, double t = 0) {
     using symbolic::symbol_kind;
     const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
       const auto i = static_cast<std::size_t>(l.position);
@@ -126,9 +126,21 @@ struct function {
       result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
     return result;
   }
+  static constexpr auto constant(const std::array<double, state_size>& x,
+                                 const std::array<double, parameter_count>& p) {
+    static_assert(sizeof(constant_call<parameter_values<System>>) != 0);
+    return constant(x, p, {});
+  }
+  static constexpr auto constant(const std::array<double, state_size>& x) {
+    static_assert(sizeof(constant_call<none>) != 0);
+    return constant(x, {}, {});
+  }
 
 private:
   using none = compiled::not_given;
+  /// Tells what is needed and left out.
+  template <class P>
+  using constant_call = compiled::call<System, code, double, state<System>, P, none, none, wanted...>;
 
   template <class Time, class X, class P = none, class R = none, class A = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},

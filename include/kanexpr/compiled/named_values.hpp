@@ -29,19 +29,6 @@ concept list_of_named_values = requires(const List& list) {
   { *std::begin(list) } -> names_a_number;
 };
 
-/// A vector of numbers that does not fit.
-template <class System, symbols_of which, int given>
-struct fitting {
-  static constexpr symbol_range wanted = range_of(which, survey_of<System>);
-  static constexpr mechanics::problem mistake = [] {
-    if (survey_of<System>.mistake) return mechanics::problem{};
-    return check_size(wanted.vector, type_name<System>(), given, wanted.size);
-  }();
-  static_assert(derivation::tell<fitting>());
-  static constexpr bool possible =
-      !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
-};
-
 /// Values for a vector of a system as they are given: by name, or as a vector of numbers.
 template <class System, symbols_of which, class Vector, bool may_be_incomplete>
 struct given_values {
@@ -65,6 +52,11 @@ struct given_values {
       problem = reader.problem();
     }
   }
+  template <class Other, symbols_of given, class Scalar>
+    requires(given != which || !std::same_as<Other, System>)
+  given_values(const value_vector<Other, given, Scalar>&) {
+    static_cast<void>(exchanged<System, which, Other, given>::possible);
+  }
 
 private:
   static constexpr symbol_range range = range_of(which, survey_of<System>);
@@ -80,6 +72,7 @@ private:
 
   template <class List>
   void read(const List& list) {
+    values.setZero(); // what may be left out
     values_reader reader = reads();
     for (const auto& entry : list)
       if constexpr (requires { entry.first; })

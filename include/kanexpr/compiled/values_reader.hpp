@@ -1,47 +1,12 @@
 #pragma once
 
+#include <kanexpr/compiled/gap.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace kanexpr::compiled {
-
-/// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",
-/// by the place in a survey.
-inline mechanics::problem symbol_called(const derivation::survey& known, int place) {
-  using symbolic::symbol_kind;
-  const std::string_view name = known.names[place].view();
-  if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});
-  if (place >= known.first_of(symbol_kind::parameter)) return mechanics::sentence({"parameter ", name});
-  if (place < known.coordinates) return mechanics::sentence({"coordinate ", name});
-  if (!known.takes_rates_as_speeds) return mechanics::sentence({"speed ", name});
-  return mechanics::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
-}
-
-/// The symbols that a vector of values holds, which stand in a row in a survey.
-struct symbol_range {
-  int first = 0, size = 0;
-  std::string_view vector; ///< "state"
-  std::string_view symbol; ///< "coordinate or speed"
-
-  constexpr bool holds(int place) const { return place >= first && place < first + size; }
-};
-
-enum class symbols_of : unsigned char { state, parameters, inputs };
-
-constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
-  using symbolic::symbol_kind;
-  switch (which) {
-  case symbols_of::parameters:
-    return {s.first_of(symbol_kind::parameter), s.parameters, "parameter", "parameter"};
-  case symbols_of::inputs: return {s.first_of(symbol_kind::input), s.inputs, "input", "input"};
-  default:
-    return {0, s.coordinates + s.speeds, "state",
-            s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
-  }
-}
 
 /// Puts values that are given by name into their places, and keeps the first mistake.
 class values_reader {
@@ -77,10 +42,8 @@ public:
   }
 
   void look_for_infinite() {
-    for (int i = 0; i < range_.size; ++i)
-      if (!std::isfinite(values_[i]))
-        fail({"the value of ", symbol_called(known_, range_.first + i).view(),
-              std::isnan(values_[i]) ? " is not a number" : " is infinite"});
+    for (int i = 0; i < range_.size && !problem_; ++i)
+      problem_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
   }
 
   const mechanics::problem& problem() const { return problem_; }

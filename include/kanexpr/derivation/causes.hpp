@@ -33,8 +33,8 @@ inline constexpr cause_sizes room_of_causes{1 << 12, 1 << 18};
 using roomy_causes = cause_list<room_of_causes>;
 
 /// The same in arrays of its own sizes, `trimmed<roomy.sizes>(roomy)`.
-template <cause_sizes sizes>
-constexpr cause_list<sizes> trimmed(const roomy_causes& from) {
+template <cause_sizes sizes, cause_sizes room>
+constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};
   out.sizes = sizes;
   for (int i = 0; i < sizes.count; ++i) out.begin[i] = from.begin[i];

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/wording.hpp>
 #include <kanexpr/numeric/newton.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -95,6 +96,10 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     return report;
   }
   report.velocity_residual = largest(c.velocity_residual(placed));
+  if (!std::isfinite(report.velocity_residual)) {
+    report.reason = mechanics::sentence({"the velocity constraints are not finite at this state"});
+    return report;
+  }
   report.assembled = true;
   x = placed;
   return report;

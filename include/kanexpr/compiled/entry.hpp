@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kanexpr/compiled/place.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+
+#include <concepts>
+#include <string_view>
+
+namespace kanexpr::compiled {
+
+/// A symbol, or its name, and a number, for one vector of a system: `{q1, 0.1}`, `{"m", 2.5}`. A symbol is
+/// looked for in the compiler, a name while the program runs.
+template <class System, symbols_of which, class Scalar>
+struct entry {
+  int place; ///< in the vector; negative: no symbol there has the name
+  Scalar value;
+
+  template <class Symbol, class Value>
+    requires requires(const Symbol& symbol) { describe::shape_of(symbol); }
+  entry(const Symbol&, const Value& number)
+      : place(place_in<System, which, Symbol>::place), value(taken(number)) {}
+
+  template <std::convertible_to<std::string_view> Name, class Value>
+  entry(const Name& name, const Value& number) : place(place_called(name)), value(taken(number)) {}
+
+private:
+  template <class Value>
+  static Scalar taken(const Value& number) {
+    if constexpr (std::convertible_to<Value, Scalar>)
+      return static_cast<Scalar>(number);
+    else
+      return lower::scalar_math<Scalar>::from(static_cast<double>(number));
+  }
+  static int place_called(std::string_view name) {
+    constexpr symbol_range range = range_of(which, survey_of<System>);
+    for (int i = 0; i < range.size; ++i)
+      if (survey_of<System>.names[range.first + i].view() == name) return i;
+    return -1;
+  }
+};
+
+} // namespace kanexpr::compiled

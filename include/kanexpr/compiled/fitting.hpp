@@ -1,0 +1,74 @@
+#pragma once
+
+#include <kanexpr/compiled/surveyed.hpp>
+#include <kanexpr/compiled/symbol_range.hpp>
+
+#include <Eigen/Core>
+
+#include <type_traits>
+
+/// Vectors of numbers beside what a system takes.
+namespace kanexpr::compiled {
+
+constexpr mechanics::problem check_size(std::string_view what, std::string_view system, int given,
+                                        int wanted) {
+  if (given == Eigen::Dynamic || given == wanted) return {};
+  symbolic::name w, g;
+  w.append(wanted), g.append(given);
+  return mechanics::sentence({"the ", what, " vector of ", system, " has ", w.view(),
+                              wanted == 1 ? " entry, not " : " entries, not ", g.view()});
+}
+
+/// A vector of numbers that does not fit.
+template <class System, symbols_of which, int given>
+struct fitting {
+  static constexpr symbol_range wanted = range_of(which, survey_of<System>);
+  static constexpr mechanics::problem mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::problem{};
+    return check_size(wanted.vector, type_name<System>(), given, wanted.size);
+  }();
+  static_assert(derivation::tell<fitting>());
+  static constexpr bool possible =
+      !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
+};
+
+/// A scalar type that cannot hold the values of a system.
+template <class System, class Scalar>
+constexpr mechanics::problem check_scalar() {
+  if (!std::is_integral_v<Scalar> || survey_of<System>.mistake) return {};
+  return mechanics::sentence({"the values of ", type_name<System>(), " are real numbers, and ",
+                              type_name<Scalar>(), " holds whole numbers only; take double"});
+}
+
+template <class System, class Scalar>
+struct holding {
+  static constexpr mechanics::problem mistake = check_scalar<System, Scalar>();
+  static_assert(derivation::tell<holding>());
+};
+
+constexpr std::string_view plural_of(symbols_of which) {
+  switch (which) {
+  case symbols_of::parameters: return "parameters";
+  case symbols_of::inputs: return "inputs";
+  default: return "state";
+  }
+}
+
+/// One vector of a system in the place of another, or another system's, even where the sizes agree.
+template <class System, symbols_of wanted, class Other, symbols_of given>
+constexpr mechanics::problem check_exchanged(std::string_view caller) {
+  if (given == wanted && std::is_same_v<Other, System>) return {};
+  if (survey_of<System>.mistake || survey_of<Other>.mistake) return {};
+  return mechanics::sentence({caller, type_name<System>(), " is given the ", plural_of(given), " of ",
+                              type_name<Other>(), " in place of its ", plural_of(wanted)});
+}
+
+template <class System, symbols_of wanted, class Other, symbols_of given>
+struct exchanged {
+  static constexpr mechanics::problem mistake = check_exchanged<System, wanted, Other, given>({});
+  static_assert(derivation::tell<exchanged>());
+  static constexpr bool possible =
+      !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
+};
+
+} // namespace kanexpr::compiled

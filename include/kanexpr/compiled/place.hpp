@@ -1,0 +1,83 @@
+#pragma once
+
+#include <kanexpr/compiled/surveyed.hpp>
+#include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/describe/symbol.hpp>
+
+/// Where a symbol of a model stands in a vector of values.
+namespace kanexpr::compiled {
+
+template <class System, symbolic::symbol_kind kind, text called, int index,
+          int order = describe::unprescribed>
+struct placed {
+  static constexpr const describe::symbol_record& symbol =
+      describe::symbol_storage<kind, called, index, order>::record;
+  static constexpr int found = survey_of<System>.place(kind, symbol.called);
+  static constexpr int place = found >= 0 ? found : 0;
+  static constexpr mechanics::problem mistake = [] {
+    if (found >= 0 || survey_of<System>.mistake) return mechanics::problem{};
+    if (kind == symbolic::symbol_kind::coordinate_rate)
+      return mechanics::sentence(
+          {"the state of ", type_name<System>(), " holds no rate of coordinate ", symbol.called.view()});
+    const std::string_view what = derivation::kind_of(symbol);
+    return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
+  }();
+  static_assert(derivation::tell<placed>());
+};
+
+/// A symbol of a kind that a vector does not hold, such as a parameter asked of the state.
+template <class System, class Symbol, text vector>
+struct misplaced {
+  static constexpr Symbol asked{};
+  static constexpr mechanics::problem mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::problem{};
+    const describe::symbol_record* s = asked.tokens[0].symbol;
+    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ",
+                                vector.view(), " of ", type_name<System>()});
+  }();
+  static_assert(derivation::tell<misplaced>());
+  static constexpr int place = 0;
+};
+
+template <symbols_of which>
+inline constexpr text vector_name = "state vector";
+template <>
+inline constexpr text vector_name<symbols_of::parameters> = "parameter vector";
+template <>
+inline constexpr text vector_name<symbols_of::inputs> = "input vector";
+
+/// The place of a symbol in a vector of a system; where it has none, the end of the compilation.
+template <class System, symbols_of which, class Symbol>
+struct place_in : misplaced<System, Symbol, vector_name<which>> {};
+
+template <class System, text called, int index>
+struct place_in<System, symbols_of::state, coordinate<called, index>>
+    : placed<System, symbolic::symbol_kind::coordinate, called, index> {};
+
+template <class System, text called, int index>
+struct place_in<System, symbols_of::state, speed<called, index>> {
+  static constexpr int place =
+      survey_of<System>.coordinates + placed<System, symbolic::symbol_kind::speed, called, index>::place;
+};
+
+/// By Lagrange's method the rates of the coordinates are in the state: `x[dot(q1)]`.
+template <class System, text called, int index>
+struct place_in<System, symbols_of::state, coordinate_rate<called, index>> {
+  static constexpr int place = survey_of<System>.coordinates +
+                               placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place;
+};
+
+template <class System, text called, int index>
+struct place_in<System, symbols_of::parameters, parameter<called, index>>
+    : placed<System, symbolic::symbol_kind::parameter, called, index> {};
+
+template <class System, text called, int index>
+struct place_in<System, symbols_of::inputs, input<called, index>>
+    : placed<System, symbolic::symbol_kind::input, called, index> {};
+
+/// Of a prescribed quantity or its derivatives: `r[theta]`, `r[dot(theta)]`.
+template <class System, text called, int index, int order>
+struct place_in<System, symbols_of::inputs, prescribed<called, index, order>>
+    : placed<System, symbolic::symbol_kind::input, called, index, order> {};
+
+} // namespace kanexpr::compiled

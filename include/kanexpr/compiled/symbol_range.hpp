@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kanexpr/derivation/survey.hpp>
+
+namespace kanexpr::compiled {
+
+enum class symbols_of : unsigned char { state, parameters, inputs };
+
+/// The symbols that a vector of values holds, which stand in a row in a survey.
+struct symbol_range {
+  int first = 0, size = 0;
+  std::string_view vector; ///< "state"
+  std::string_view symbol; ///< "coordinate or speed"
+
+  constexpr bool holds(int place) const { return place >= first && place < first + size; }
+};
+
+constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
+  using symbolic::symbol_kind;
+  switch (which) {
+  case symbols_of::parameters:
+    return {s.first_of(symbol_kind::parameter), s.parameters, "parameter", "parameter"};
+  case symbols_of::inputs: return {s.first_of(symbol_kind::input), s.inputs, "input", "input"};
+  default:
+    return {0, s.coordinates + s.speeds, "state",
+            s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
+  }
+}
+
+/// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",
+/// by the place in a survey.
+constexpr mechanics::problem symbol_called(const derivation::survey& known, int place) {
+  using symbolic::symbol_kind;
+  const std::string_view name = known.names[place].view();
+  if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});
+  if (place >= known.first_of(symbol_kind::parameter)) return mechanics::sentence({"parameter ", name});
+  if (place < known.coordinates) return mechanics::sentence({"coordinate ", name});
+  if (!known.takes_rates_as_speeds) return mechanics::sentence({"speed ", name});
+  return mechanics::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
+}
+
+} // namespace kanexpr::compiled

@@ -1,0 +1,10 @@
+// expect: the values of System are real numbers, and int holds whole numbers only; take double
+#include "pendulum.hpp"
+
+struct System : pendulum_with<Bob> {};
+
+int main() {
+  state<System, int> x;
+  x[q] = 1;
+  return equations_of_motion<System>::mass_matrix(x, parameter_values<System>(1, 2)) > 0;
+}
