@@ -2,7 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The KUKA LBR iiwa 14: seven revolute joints, numbers bound in the type.
+/// The KUKA LBR iiwa 14: seven revolute joints, numbers bound in the type. The published inertia of its sixth
+/// link is that of no rigid body.
 namespace iiwa {
 
 using namespace kanexpr;
@@ -62,9 +63,10 @@ struct Link6_home : direction_cosines<Link6_home, Link5, 1, 0, 0, 0, 0, -1, 0, 1
 struct Link6 : rotated<Link6, Link6_home, q<6>, Link6_home::z> {};
 struct Link6_joint : offset<Link6_joint, Link5_joint, 0.2155 * Link5::z> {};
 struct Link6_center : offset<Link6_center, Link6_joint, 0.0006 * Link6::y + 0.0004 * Link6::z> {};
-struct Link6_body : rigid_body<Link6_body, Link6_center, Link6, 1.8,
-                               inertia<Link6, 0.000499064, 0.0035997119999999997, 0.004699352, 0, 4.32e-07>> {
-};
+struct Link6_body
+    : rigid_body<
+          Link6_body, Link6_center, Link6, 1.8,
+          effective_inertia<inertia<Link6, 0.000499064, 0.0035997119999999997, 0.004699352, 0, 4.32e-07>>> {};
 
 struct Link7_home : direction_cosines<Link7_home, Link6, -1, 0, 0, 0, 0, 1, 0, 1, 0> {};
 struct Link7 : rotated<Link7, Link7_home, q<7>, Link7_home::z> {};

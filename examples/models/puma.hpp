@@ -2,7 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The Puma 560 with all ten inertial parameters of each link, numbers bound in the type.
+/// The Puma 560 with all ten inertial parameters of each link, numbers bound in the type. The inertias of two
+/// links are effective ones: with what motors and gears add, they are those of no rigid body.
 namespace puma {
 
 using namespace kanexpr;
@@ -19,11 +20,9 @@ struct O : origin<O, N> {};
 
 struct Link1 : rotated<Link1, N, q<1>, N::z> {};
 struct Link1_center : offset<Link1_center, O, 0.011 * Link1::x - 0.013 * Link1::y + 0.017 * Link1::z> {};
-struct Link1_body
-    : rigid_body<
-          Link1_body, Link1_center, Link1, 13,
-          inertia<Link1, 0.1, 0.1, 0.35, 0.011000000000000001, 0.005000000000000001, -0.007000000000000002>> {
-};
+struct Link1_body : rigid_body<Link1_body, Link1_center, Link1, 13,
+                               effective_inertia<inertia<Link1, 0.1, 0.1, 0.35, 0.011000000000000001,
+                                                         0.005000000000000001, -0.007000000000000002>>> {};
 
 struct Link2_home : direction_cosines<Link2_home, Link1, 1, 0, 0, 0, 0, 1, 0, -1, 0> {};
 struct Link2 : rotated<Link2, Link2_home, q<2>, Link2_home::z> {};
@@ -38,9 +37,10 @@ struct Link3_joint : offset<Link3_joint, O, 0.4318 * Link2::x + 0.15005 * Link2:
 struct Link3_center
     : offset<Link3_center, Link3_joint,
              0.013199999999999998 * Link3::x - 0.08560000000000001 * Link3::y + 0.0344 * Link3::z> {};
-struct Link3_body : rigid_body<Link3_body, Link3_center, Link3, 4.8,
-                               inertia<Link3, 0.066, 0.012500000000000004, 0.086, 0.0016500000000000004,
-                                       0.0007500000000000024, -0.0010500000000000002>> {};
+struct Link3_body
+    : rigid_body<Link3_body, Link3_center, Link3, 4.8,
+                 effective_inertia<inertia<Link3, 0.066, 0.012500000000000004, 0.086, 0.0016500000000000004,
+                                           0.0007500000000000024, -0.0010500000000000002>>> {};
 
 struct Link4_home : direction_cosines<Link4_home, Link3, 1, 0, 0, 0, 0, 1, 0, -1, 0> {};
 struct Link4 : rotated<Link4, Link4_home, q<4>, Link4_home::z> {};

@@ -79,6 +79,32 @@ TEST(builder, gives_the_equations_of_what_was_built) {
   EXPECT_DOUBLE_EQ(force[1], -ml * 9.81 * s);
 }
 
+// A wheel without mass on the rod, beside one that has an inertia of 0.07 about its axis.
+TEST(builder, takes_a_body_without_mass) {
+  for (const bool by_parameter : {false, true}) {
+    pendulum_on_cart b;
+    const expression none = by_parameter ? b.parameter("none") : b.number(0), zero = b.number(0);
+    b.rigid_body("Wheel", b.bob, b.rod, none, b.inertia(b.rod, zero, zero, b.number(0.07)));
+    ASSERT_EQ(b.check().view(), "");
+    equations derived(b.mechanism());
+    derived.constrain();
+    double mass[4], force[2], energy[1];
+    const auto value = [](const kanexpr::lower::load& l) {
+      return l.from == kanexpr::symbolic::symbol_kind::parameter && l.position == 2 ? 0 : cart_value(l);
+    };
+    code_for(b, derived.get(quantity::mass_matrix)).evaluate(value, mass);
+    code_for(b, derived.get(quantity::forcing)).evaluate(value, force);
+    code_for(b, derived.get(quantity::kinetic_energy)).evaluate(value, energy);
+    const double s = std::sin(0.3), c = std::cos(0.3), ml = 0.5 * 0.8;
+    EXPECT_NEAR(mass[0], 1.5, 1e-15);
+    EXPECT_NEAR(mass[1], ml * c, 1e-15);
+    EXPECT_NEAR(mass[3], ml * 0.8 + 0.07, 1e-15);
+    EXPECT_NEAR(force[0], 2 + ml * s * 1.5 * 1.5, 1e-15);
+    EXPECT_NEAR(force[1], -ml * 9.81 * s, 1e-15);
+    EXPECT_NEAR(energy[0], (1.5 * 0.04 + 2 * ml * c * -0.2 * 1.5 + (ml * 0.8 + 0.07) * 1.5 * 1.5) / 2, 1e-15);
+  }
+}
+
 using kanexpr::symbolic::print;
 
 TEST(builder, keeps_constraints_and_what_depends_on_them) {
@@ -357,6 +383,122 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
             "coordinate y has its rate in no kinematic differential equation");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.omega); }),
             "the mass of A changes with speed omega");
+}
+
+TEST(builder_mistakes, takes_no_number_that_is_none) {
+  EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, std::nan(""), 0, 1)); }),
+            "a number is given that is not finite");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (0 / (b.m - b.m))); }),
+            "a potential energy holds a number that is not finite");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + acos(b.number(2)) * b.x); }),
+            "A holds a number that is not finite");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m / (b.m - b.m)); }),
+            "A holds a number that is not finite");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * power(b.number(0), b.number(-1))); }),
+            "a potential energy holds a number that is not finite");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (b.number(1e200) * b.number(1e200))); }),
+            "a potential energy holds a number that is not finite");
+}
+
+kanexpr::mechanics::matrix3 rows(pendulum_on_cart& b, std::initializer_list<double> numbers) {
+  kanexpr::mechanics::matrix3 m;
+  const double* next = numbers.begin();
+  for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = b.number(*next++);
+  return m;
+}
+
+TEST(builder_mistakes, looks_at_numbers_of_orientations) {
+  const auto turned = [](std::initializer_list<double> numbers) {
+    return told([&](auto& b) { b.direction_cosines("A", b.n, rows(b, numbers)); });
+  };
+  EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), "");
+  EXPECT_EQ(turned({0.8660254, -0.5, 0, 0.5, 0.8660254, 0, 0, 0, 1}), ""); // as it is written down
+  const std::string skew = "the direction cosines of frame A are not orthonormal; write what is not rational "
+                           "as sqrt or cos of numbers";
+  EXPECT_EQ(turned({0.6, 0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), skew);
+  EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 2}), skew);
+  EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1e200}), skew);
+  EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.n, 1e200, 1, 0)); }),
+            "the axis of frame A has a length that is too large or too small");
+  EXPECT_EQ(turned({0.6, 0.8, 0, 0.8, -0.6, 0, 0, 0, 1}),
+            "the direction cosines of frame A are not right-handed: they mirror");
+  EXPECT_EQ(told([](auto& b) {
+              kanexpr::mechanics::matrix3 m = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 2});
+              m(0, 0) = m(1, 1) = cos(b.theta), m(1, 0) = sin(b.theta), m(0, 1) = -sin(b.theta);
+              b.direction_cosines("A", b.n, m);
+            }),
+            skew);
+  const auto quaternion = [](double e0, double e3) {
+    return told(
+        [&](auto& b) { b.quaternion("A", b.n, b.number(e0), b.number(0), b.number(0), b.number(e3)); });
+  };
+  EXPECT_EQ(quaternion(0.6, 0.8), "");
+  EXPECT_EQ(quaternion(1, 1), "the quaternion of frame A does not have unit length");
+}
+
+TEST(builder_mistakes, looks_at_masses_and_inertias) {
+  const auto body = [](auto mass, auto inertia) {
+    return told([&](auto& b) { b.rigid_body("A", b.bob, b.rod, mass(b), inertia(b)); });
+  };
+  const auto m = [](auto& b) { return b.m; };
+  const auto of = [](std::initializer_list<double> numbers) {
+    return [numbers](auto& b) {
+      const double* i = numbers.begin();
+      return b.inertia(b.rod, b.number(i[0]), b.number(i[1]), b.number(i[2]), b.number(i[3]), b.number(i[4]),
+                       b.number(i[5]));
+    };
+  };
+  EXPECT_EQ(body(m, of({1, 2, 3, 0, 0, 0})), "");          // a plate
+  EXPECT_EQ(body(m, of({1, 1, 0, 0, 0, 0})), "");          // a rod
+  EXPECT_EQ(body(m, of({1.23, 2.34, 3.58, 0, 0, 0})), ""); // a plate, rounded
+  EXPECT_EQ(body(m, of({0, 0, 0, 0, 0, 0})), "");
+  EXPECT_EQ(body(m, of({0, 0, 5, 0, 0, 0})), ""); // of a planar motion
+  EXPECT_EQ(body(m, of({1e-9, 1e-9, 1e-9, 0.2e-9, 0, 0.1e-9})), "");
+  const std::string none =
+      "the inertia of A is that of no body: one principal moment is larger than the other "
+      "two together; if it is meant, write effective_inertia<...> around it";
+  EXPECT_EQ(body(m, of({1, 2, 3.1, 0, 0, 0})), none);
+  EXPECT_EQ(body(m, of({1e-9, 2e-9, 3.1e-9, 0, 0, 0})), none);
+  EXPECT_EQ(body(m, of({2, 2, 2, 1.5, 0, 0})), none); // principal moments 0.5, 2 and 3.5
+  EXPECT_EQ(body(m, of({2, 2, 2, 2.1, 0, 0})),
+            "the inertia of A is indefinite: about some axis its moment is negative");
+  EXPECT_EQ(body(m, [](auto& b) { return b.inertia(b.rod, b.m, -2 * b.m * b.length, b.m); }),
+            "a moment of inertia of A is negative");
+  for (int factor : {1, 2, 3})
+    EXPECT_EQ(told([&](auto& b) { b.particle("A", b.bob, -factor * b.m); }), "the mass of A is negative");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, -(b.m + b.length * b.m / 3)); }),
+            "the mass of A is negative");
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m - b.length); }), "");
+  const auto about = [&](std::initializer_list<double> numbers) { // a point at (1, 2, 0) of the mass centre
+    return told([&](auto& b) {
+      const point_id other = b.offset("Other", b.bob, b.along(b.rod, 1, 2, 0));
+      b.rigid_body("A", b.bob, b.rod, b.number(2), of(numbers)(b), other);
+    });
+  };
+  EXPECT_EQ(about({8, 2, 10, -4, 0, 0}), ""); // of the mass alone
+  EXPECT_EQ(about({9, 3, 11, -4, 0, 0}), "");
+  EXPECT_EQ(about({7, 6, 10, -4, 0, 0}),
+            "the inertia of A about Other is less than what its mass alone has there");
+  EXPECT_EQ(about({9, 3, 14, -4, 0, 0}), none);
+  EXPECT_EQ(told([&](auto& b) {
+              b.rigid_body("A", b.bob, b.rod, b.m, of({1, 2, 3.1, 0, 0, 0})(b));
+              b.effective_inertia("A");
+            }),
+            "");
+  EXPECT_EQ(told([](auto& b) { b.effective_inertia("B"); }),
+            "there is no body B whose inertia could be an effective one");
+  const auto nothing = [](auto& b) { return b.number(0); };
+  EXPECT_EQ(body(nothing, of({1, 2, 3, 0, 0, 0})), "");
+  EXPECT_EQ(body(nothing, of({0, 0, 0, 0, 0, 0})), "body A has no mass");
+}
+
+TEST(builder_mistakes, looks_at_what_torsional_springs_turn) {
+  EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.theta, b.m); }), "");
+  EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.m, b.theta); }),
+            "the angle of a torsional spring holds no coordinate; the angle comes first, then the stiffness");
+  EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.theta, b.m * b.x); }),
+            "the stiffness of a torsional spring holds the coordinate x; it may hold parameters, inputs and "
+            "time only");
 }
 
 TEST(builder_mistakes, tells_the_first_one) {

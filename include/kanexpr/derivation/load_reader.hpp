@@ -2,6 +2,7 @@
 
 #include <kanexpr/derivation/lagrange_reader.hpp>
 #include <kanexpr/derivation/load_wording.hpp>
+#include <kanexpr/mechanics/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads.hpp>
 
 namespace kanexpr::derivation {
@@ -137,6 +138,7 @@ private:
     const expression angle = scalar_of(r.angle, {"the angle of ", whom.view()}, whom.view());
     const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
     const expression rest = scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
+    if (!mistake_) mistake_ = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom.view());
     if (!mistake_) mechanics::add_torsional_spring(m_, angle, stiffness, rest);
   }
 

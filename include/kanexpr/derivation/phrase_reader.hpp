@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/symbol_reader.hpp>
 #include <kanexpr/derivation/value.hpp>
 #include <kanexpr/describe/motion.hpp>
+#include <kanexpr/mechanics/check_numbers.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/observe.hpp>
 
@@ -33,7 +34,12 @@ protected:
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
     check_written(p, whom);
-    for (int i = 0; i < p.size && !mistake_; ++i) step(p.tokens[i], stack, whom);
+    for (int i = 0; i < p.size && !mistake_; ++i) {
+      const int known = m_.g->size();
+      step(p.tokens[i], stack, whom);
+      if (p.tokens[i].what <= describe::word::normalized && m_.g->size() != known)
+        look_for_no_number(known, p.tokens[i], whom);
+    }
     return stack;
   }
 
@@ -82,6 +88,23 @@ protected:
       const std::string_view held = named ? "" : name_in(p);
       fail({part_, whom, held.empty() ? "" : " with ", held,
             describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
+    }
+  }
+
+  /// What a step adds to the graph must be numbers where it holds no symbols.
+  constexpr void look_for_no_number(int known, const describe::token& t, std::string_view whom) {
+    using describe::word;
+    for (int id = known; id < m_.g->size() && !mistake_; ++id) {
+      if (!mechanics::has_no_value(*m_.g, id)) continue;
+      if (t.what == word::normalized)
+        fail({part_, whom, " holds normalized of a vector of no length"});
+      else if (t.what != word::scalar_function)
+        fail({part_, whom, " holds a number that is not finite"});
+      else if (t.operation == symbolic::operation::power)
+        fail({part_, whom, " holds pow of numbers for which it has no value"});
+      else
+        fail({part_, whom, " holds ", symbolic::function_name(t.operation),
+              " of a number for which it has no value"});
     }
   }
 

@@ -24,6 +24,7 @@ public:
     for (int i = 0; i < from_.loads.size && !mistake_; ++i) read_load(from_.loads[i]);
     for (int i = 0; i < from_.kinematics.size && !mistake_; ++i) read_kinematics(from_.kinematics[i]);
     visit_constraints();
+    check_values_are_used();
   }
 
 private:
@@ -69,7 +70,7 @@ private:
       if (right.tokens[i].symbol != nullptr)
         return fail({"the value of parameter ", s->called.view(), " is not a number: it holds ",
                      right.tokens[i].symbol->called.view()});
-    const value number = evaluate(right, s->called.view());
+    const value number = evaluate_part("the value of parameter ", right, s->called.view());
     if (!mistake_ && (number.kind != shape::scalar || !number.scalar.is_constant()))
       fail({"the value of parameter ", s->called.view(), " is not a number"});
     bind(*s, number.scalar);
@@ -120,6 +121,7 @@ private:
       b.inertia = inertia_of(r);
       if (r.about != nullptr) b.about = point(r.about, r.called);
       b.inertia_changes = r.inertia_changes;
+      b.effective = r.effective;
     }
     if (!mistake_) m_.bodies.push(b);
   }

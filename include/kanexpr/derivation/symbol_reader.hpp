@@ -53,7 +53,10 @@ public:
     case symbol_kind::multiplier: break;
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
-        if (bound_[i] == r.called) return is_the_same(r, "parameter"), bound_values_[i];
+        if (bound_[i] == r.called) {
+          bound_is_used_[i] = 1;
+          return is_the_same(r, "parameter"), bound_values_[i];
+        }
       return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
     case symbol_kind::input:
       if (from_.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
@@ -148,9 +151,17 @@ protected:
   constexpr void bind(const symbol_record& r, expression number) {
     bound_.push(r.called);
     bound_values_.push(number);
+    bound_is_used_.push(0);
     claim(r, "values");
   }
   constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
+  /// After all that the model says was read.
+  constexpr void check_values_are_used() {
+    for (int i = 0; i < bound_.size(); ++i)
+      if (bound_is_used_[i] == 0)
+        fail({"values<...> gives a value to parameter ", bound_[i].view(),
+              ", which nothing in the system holds"});
+  }
 
   const system_record& from_;
   mechanism& m_;
@@ -248,6 +259,7 @@ private:
   bool follows_from_unparsed_ = false;
   sequence<symbolic::name> bound_;
   sequence<expression> bound_values_;
+  sequence<char> bound_is_used_;
   sequence<claimed> claimed_;
   bool is_time_claimed_ = false;
 };

@@ -62,6 +62,17 @@ struct changing_inertia : describe::inertia_words {
   }
 };
 
+/// An inertia that no distribution of mass has, on purpose: identified from motions, or with what a gear adds
+/// about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
+template <class... Inertia>
+struct effective_inertia : describe::inertia_words {
+  static constexpr void give_to(describe::body_record& r) {
+    if (r.fits) r.fits = describe::arguments_of("effective_inertia<Inertia>", sizeof...(Inertia), 1);
+    (describe::give_inertia<Inertia>(r), ...);
+    r.effective = true;
+  }
+};
+
 /// A mass at a point: `struct Bob : particle<Bob, P, m> {};`
 template <class Self, class Point, auto... mass>
 struct particle : describe::body_words {

@@ -236,7 +236,7 @@ constexpr auto pow(T x, const scalar<a>& exponent) {
 template <std::int64_t numerator, std::int64_t denominator>
 inline constexpr scalar<1> rational = [] {
   describe::token t{};
-  t.number = symbolic::exactly(numerator, denominator);
+  t.number = denominator == 0 ? symbolic::no_number() : symbolic::exactly(numerator, denominator);
   return scalar<1>{{t}};
 }();
 

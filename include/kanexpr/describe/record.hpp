@@ -120,6 +120,7 @@ struct body_record {
   std::string_view instead_of_inertia; ///< what stands in its place and is none
   std::string_view instead;            ///< what it is, if it is no body
   bool inertia_changes = false;
+  bool effective = false; ///< the inertia need not be that of a distribution of mass
   misfit beside = misfit::none;
   bool unparsed = false;
 };

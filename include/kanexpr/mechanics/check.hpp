@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/mechanics/check_changing_inertia.hpp>
+#include <kanexpr/mechanics/check_direction_cosines.hpp>
 #include <kanexpr/mechanics/check_inertia.hpp>
 #include <kanexpr/mechanics/check_kinematics.hpp>
 #include <kanexpr/mechanics/check_loads.hpp>
@@ -73,6 +75,7 @@ private:
       geometry(f.angle, "the angle of frame ", f.called);
     if (f.kind == orientation::matrix)
       for (int i = 0; i < 9; ++i) geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
+    if (!found_) found_ = check_direction_cosines(f);
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
     // the frames whose motion this one's is measured from
@@ -106,9 +109,8 @@ private:
 
   constexpr void check(const body& b) {
     const std::string_view called = b.called.view();
-    if (b.mass.is_zero()) fail({"body ", called, " has no mass"});
-    if (b.mass.is_constant() && m_.g->number_at(b.mass.node()).negative())
-      fail({"the mass of ", called, " is negative"});
+    if (b.mass.is_zero() && !has_inertia(b)) fail({"body ", called, " has no mass"});
+    if (is_negative(b.mass)) fail({"the mass of ", called, " is negative"});
     mass(b.mass, "the mass of ", called);
     for (const dyadic::part& p : b.inertia.parts) {
       for (int i = 0; i < 9; ++i) mass(p.value(i / 3, i % 3), "the inertia of ", called);
@@ -123,6 +125,7 @@ private:
           fail({"the inertia of ", called, " is not symmetric"});
       }
     }
+    if (!found_) found_ = check_inertia(m_, b);
   }
 
   /// Masses and inertias may change in a known way: with the time, coordinates and prescribed quantities.

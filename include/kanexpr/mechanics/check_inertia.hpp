@@ -1,161 +1,133 @@
 #pragma once
 
-#include <kanexpr/mechanics/central_inertia.hpp>
-#include <kanexpr/mechanics/fixed.hpp>
-#include <kanexpr/mechanics/generic_motion.hpp>
+#include <kanexpr/mechanics/mechanism.hpp>
+#include <kanexpr/mechanics/negative.hpp>
 #include <kanexpr/mechanics/problem.hpp>
+#include <kanexpr/symbolic/elementary.hpp>
 
-/// Inertias that are not constant as their bodies see them.
+/// Inertias that no body has, as far as they are numbers.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Looks at rigid bodies whose inertia is made of numbers and parameters, so that it is meant to stay, and
-/// given in axes, or about a point, that may move in the body. An inertia that changes in a known way holds
-/// what it changes with; any other is told apart by the model.
-class checking_inertia {
-public:
-  /// `apart`: some frame does not turn as its orientation says, so that a body's own axes may move in it.
-  constexpr checking_inertia(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
-    for (int b = 0; b < m.bodies.size(); ++b)
-      if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
-  }
+struct numeric_inertia {
+  double at[3][3]{};
+  bool known = true;
 
-  constexpr problem run() {
-    if (doubtful_.empty()) return {};
-    sequence<expression> wanted;
-    for (doubt& d : doubtful_) {
-      const body& b = m_.bodies[d.body];
-      wanted.push(b.mass);
-      for (const dyadic::part& p : b.inertia.parts)
-        for (int i = 0; i < 9; ++i) wanted.push(p.value(i / 3, i % 3));
-      if (b.about != none)
-        d.from_center = position_from_origin(m_, b.about) - position_from_origin(m_, b.center);
-      for (const vector::part& p : d.from_center.parts)
-        for (int i = 0; i < 3; ++i) wanted.push(p.value[i]);
-    }
-    generic_motion motion(m_, held_, wanted);
-    for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
-      motion.draw();
-      if (!motion.move()) continue;
-      ++looked; // what stays at one generic state stays at all
-      for (const doubt& d : doubtful_)
-        if (changes(motion, d)) return told(m_.bodies[d.body]);
-    }
-    return {};
+  constexpr explicit numeric_inertia(const matrix3& m) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        known = known && m(i, j).is_constant();
+        if (known) at[i][j] = m(i, j).owner().number_at(m(i, j).node()).value();
+      }
   }
-
-private:
-  struct doubt {
-    int body;
-    vector from_center; ///< to the point that the inertia is about
-  };
-
-  constexpr problem told(const body& b) const {
-    constexpr std::string_view word = "if that is meant, write changing_inertia<...>";
-    const std::string_view frame = m_.frames[b.frame].called.view();
-    for (const dyadic::part& p : b.inertia.parts)
-      for (int axes : {p.left, p.right})
-        if (axes != b.frame)
-          return sentence({"the inertia of ", b.called.view(), " is given in axes of ",
-                           m_.frames[axes].called.view(), " and changes as seen from ", frame,
-                           ", with which the body turns; ", word});
-    if (b.about != none && b.about != b.center)
-      return sentence({"the inertia of ", b.called.view(), " is given about ",
-                       m_.points[b.about].called.view(), ", which moves in ", frame,
-                       ", with which the body turns; ", word});
-    return sentence({"the inertia of ", b.called.view(),
-                     " is not the same from all sides of the axis about which ", frame,
-                     " turns without an angle; ", word});
+  constexpr double largest() const {
+    double most = 0;
+    for (const auto& row : at)
+      for (double e : row)
+        if (symbolic::elementary::abs(e) > most) most = symbolic::elementary::abs(e);
+    return most;
   }
-
-  constexpr bool is_meant_to_stay(const body& b) const {
-    if (b.frame == none || b.inertia_changes || is_apart(b.frame)) return false;
-    for (const dyadic::part& p : b.inertia.parts) {
-      if (is_apart(p.left) || is_apart(p.right) || !held_.is_fixed(p.value)) return false;
-    }
-    return b.about == none || b.about == b.center || held_.is_fixed(b.mass);
+  constexpr void scale(double by) {
+    for (auto& row : at)
+      for (double& e : row) e *= by;
   }
-  /// On purpose, or what it turns in is.
-  constexpr bool is_apart(int f) const {
-    for (; f != mechanism::inertial; f = m_.frames[f].parent)
-      if (m_.frames[f].turns_apart) return true;
-    return false;
+  /// What is left of it about the mass centre, at −r of the point that it is about.
+  constexpr void move_to_center(double mass, const double (&r)[3]) {
+    const double square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) at[i][j] -= mass * ((i == j ? square : 0) - r[i] * r[j]);
   }
-
-  constexpr bool is_elsewhere(const body& b) const {
-    for (const dyadic::part& p : b.inertia.parts)
-      if (!are_rigid(p.left, b.frame) || !are_rigid(p.right, b.frame)) return true;
-    if (b.about == none || b.about == b.center) return false;
-    for (const vector::part& p :
-         (position_from_origin(m_, b.about) - position_from_origin(m_, b.center)).parts)
-      if (!p.value.is_zero() && (!are_rigid(p.frame, b.frame) || !mechanics::is_fixed(p.value))) return true;
-    return false;
-  }
-  /// Whether nothing turns between two frames.
-  constexpr bool are_rigid(int a, int b) const {
-    const int meeting = path::common_ancestor(m_, a, b);
-    return is_still(a, meeting) && is_still(b, meeting);
-  }
-  constexpr bool is_still(int f, int above) const {
-    for (; f != above; f = m_.frames[f].parent) {
-      const frame& own = m_.frames[f];
-      if (own.turns_by_declaration()) return false;
-      if (own.kind == orientation::matrix ? !held_.is_fixed(own.to_parent) : !held_.is_fixed(own.angle))
-        return false;
-    }
+  constexpr double trace() const { return at[0][0] + at[1][1] + at[2][2]; }
+  constexpr bool symmetric() const {
+    for (int i = 0; i < 3; ++i)
+      if (symbolic::elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
     return true;
   }
-
-  /// Whether the body sees a rate of its inertia I = Σ a⊗b: with axes that turn with w in the body,
-  /// İ = Σ (w_a × a)⊗b + a⊗(w_b × b).
-  constexpr bool changes(const generic_motion& motion, const doubt& d) const {
-    const body& b = m_.bodies[d.body];
-    if (!motion.is_proper(b.frame)) return false;
-    const triple own = motion.turning(b.frame);
-    triad rate;
-    double size = 0, turns = length(own);
-    const auto add = [](triad& sum, const triad& other) {
-      sum = {sum.x + other.x, sum.y + other.y, sum.z + other.z};
-    };
-    for (const dyadic::part& p : b.inertia.parts) {
-      if (!motion.is_proper(p.left) || !motion.is_proper(p.right)) return false;
-      const triple left = motion.by_orientation(p.left) - own, right = motion.by_orientation(p.right) - own;
-      turns += length(left) + length(right);
-      for (int i = 0; i < 3; ++i) {
-        const triple a = motion.basis(p.left)[i],
-                     along = motion.basis(p.right) * motion.value(p.value.row[i]);
-        add(rate, outer(cross(left, a), along));
-        add(rate, outer(a, cross(right, along)));
-        size += length(along);
-      }
-    }
-    triple r, moves; // of the point that the inertia is about
-    for (const vector::part& p : d.from_center.parts) {
-      if (!motion.is_proper(p.frame)) return false;
-      const triple part = motion.basis(p.frame) * motion.value(p.value);
-      r = r + part;
-      moves = moves + motion.basis(p.frame) * motion.rate(p.value) +
-              cross(motion.by_orientation(p.frame) - own, part);
-    }
-    if (!d.from_center.parts.empty()) { // I − m (r·r E − r⊗r) is what it is about the mass centre
-      const double mass = motion[b.mass].value, stretch = 2 * dot(r, moves);
-      const triad spread = outer(r, moves), back = outer(moves, r);
-      add(rate, {mass * (spread.x + back.x), mass * (spread.y + back.y), mass * (spread.z + back.z)});
-      add(rate, {{-mass * stretch, 0, 0}, {0, -mass * stretch, 0}, {0, 0, -mass * stretch}});
-      size += symbolic::elementary::abs(mass) * dot(r, r);
-      turns += length(r) > 0 ? length(moves) / length(r) : 0;
-    }
-    return length(rate.x) + length(rate.y) + length(rate.z) > 1e-9 * size * turns;
+  /// Whether this·factor + shift·E has positive principal values only, by its leading minors.
+  constexpr bool positive(double factor, double shift) const {
+    double a[3][3]{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) a[i][j] = factor * at[i][j] + (i == j ? shift : 0);
+    const double minor = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    const double whole = a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+                         a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+                         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+    return a[0][0] > 0 && minor > 0 && whole > 0;
   }
-  /// a⊗b by its columns.
-  static constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }
-
-  const mechanism& m_;
-  const contents& held_;
-  sequence<doubt> doubtful_;
 };
 
 } // namespace detail
+
+namespace detail {
+
+/// The way from a body's mass centre to the point that its inertia is about, if that is numbers in the axes
+/// of the inertia, and the mass is one.
+struct numeric_way {
+  bool known = false;
+  double mass = 0;
+  double r[3]{};
+
+  constexpr numeric_way(const mechanism& m, const body& b, int axes) {
+    if (b.about == none || b.about == b.center || !b.mass.is_constant()) return;
+    sequence<int> above; // points from which the mass centre is offset
+    for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
+    int common = b.about;
+    vector way;
+    for (; common != none && !above.contains(common); common = m.points[common].parent)
+      way.add(m.points[common].offset);
+    if (common == none) return;
+    for (int p = b.center; p != common; p = m.points[p].parent) way.subtract(m.points[p].offset);
+    mass = m.g->number_at(b.mass.node()).value();
+    for (const vector::part& p : way.parts)
+      for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
+        if (p.frame != axes || !p.value[i].is_constant()) return;
+        r[i] = m.g->number_at(p.value[i].node()).value();
+        if (symbolic::elementary::abs(r[i]) > 1e30) return; // whose square might overflow
+      }
+    known = mass < 1e30;
+  }
+};
+
+} // namespace detail
+
+constexpr bool has_inertia(const body& b) {
+  for (const dyadic::part& p : b.inertia.parts)
+    for (int i = 0; i < 9; ++i)
+      if (!p.value(i / 3, i % 3).is_zero()) return true;
+  return false;
+}
+
+/// An inertia that is negative about some axis, or of which one principal moment is larger than the other two
+/// together: Σ m (½ tr E − I), the second moments of the mass, would be negative.
+constexpr problem check_inertia(const mechanism& m, const body& b) {
+  if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
+  const matrix3& given = b.inertia.parts[0].value;
+  const std::string_view called = b.called.view();
+  for (int i = 0; i < 3; ++i)
+    if (is_negative(given(i, i))) return sentence({"a moment of inertia of ", called, " is negative"});
+  detail::numeric_inertia inertia(given);
+  const double largest = inertia.known ? inertia.largest() : 0;
+  if (!(largest > 1e-100)) return {};
+  inertia.scale(1 / largest);
+  if (!inertia.symmetric()) return sentence({"the inertia of ", called, " is not symmetric"});
+  if (b.effective) return {};
+  if (!inertia.positive(1, 1e-9))
+    return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
+  // of a planar motion one moment matters, and the others are left zero
+  if (given(0, 0).is_zero() || given(1, 1).is_zero() || given(2, 2).is_zero()) return {};
+  constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
+  const double whole = inertia.trace();
+  const detail::numeric_way way(m, b, b.inertia.parts[0].left);
+  if (way.known) inertia.move_to_center(way.mass / largest, way.r);
+  if (way.known && !inertia.positive(1, rounded * whole))
+    return sentence({"the inertia of ", called, " about ", m.points[b.about].called.view(),
+                     " is less than what its mass alone has there"});
+  if (!inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
+    return sentence({"the inertia of ", called,
+                     " is that of no body: one principal moment is larger than the other two together; if it "
+                     "is meant, write effective_inertia<...> around it"});
+  return {};
+}
 
 } // namespace kanexpr::mechanics

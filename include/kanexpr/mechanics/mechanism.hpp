@@ -138,6 +138,7 @@ struct body {
   dyadic inertia;
   int about = none;             ///< the point that the inertia is about
   bool inertia_changes = false; ///< as the body sees it, on purpose
+  bool effective = false;       ///< the inertia need not be that of a distribution of mass
 };
 
 struct force {

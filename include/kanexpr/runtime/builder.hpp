@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/bodies.hpp>
 #include <kanexpr/mechanics/check.hpp>
+#include <kanexpr/mechanics/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/fixed.hpp>
 #include <kanexpr/mechanics/frames.hpp>
 #include <kanexpr/mechanics/loads.hpp>
@@ -68,7 +69,10 @@ public:
     m_.lagrangian = energy;
   }
   expression time() { return inspect_.take_time(), m_.time; }
-  expression number(double value) const { return m_.number(value); }
+  expression number(double value) {
+    if (!symbolic::is_finite(value)) inspect_.fail({"a number is given that is not finite"});
+    return m_.number(value);
+  }
 
   /// The rate of a coordinate, speed or prescribed quantity.
   expression dot(expression e) {
@@ -223,6 +227,15 @@ public:
       }
     inspect_.fail({"the inertia of ", body, " is said to change, and there is no such body"});
   }
+  /// Of a body with an inertia that no distribution of mass has, on purpose.
+  void effective_inertia(std::string_view of) {
+    for (mechanics::body& b : m_.bodies)
+      if (b.called.view() == of) {
+        b.effective = true;
+        return;
+      }
+    inspect_.fail({"there is no body ", of, " whose inertia could be an effective one"});
+  }
   void force(point_id at, const vector& value) {
     if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
       mechanics::add_force(m_, place(at), value);
@@ -266,7 +279,10 @@ public:
   /// Turns an angle back to where it is at rest, with stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest) {
     constexpr std::string_view whose = "a torsional spring";
-    if (inspect_.own(angle, whose) && inspect_.own(stiffness, whose) && inspect_.own(rest, whose))
+    if (!inspect_.own(angle, whose) || !inspect_.own({stiffness, rest}, whose)) return;
+    if (const problem found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
+      inspect_.fail({found.view()});
+    else
       mechanics::add_torsional_spring(m_, angle, stiffness, rest);
   }
   void torsional_spring(expression angle, expression stiffness) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/check_name.hpp>
+#include <kanexpr/mechanics/check_numbers.hpp>
 #include <kanexpr/mechanics/mechanism.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
@@ -42,8 +43,9 @@ public:
 
   /// Whether everything in there belongs to this mechanism.
   bool own(expression e, std::string_view whose) {
-    return e.lives_in(*m_.g) ||
-           fail({whose, " has an expression that belongs to another mechanism or to none"});
+    if (!e.lives_in(*m_.g))
+      return fail({whose, " has an expression that belongs to another mechanism or to none"});
+    return !numbers_.holds_no_number(e) || fail({whose, " holds a number that is not finite"});
   }
   bool own(const mechanics::components& v, std::string_view whose) {
     return own(v.x, whose) && own(v.y, whose) && own(v.z, whose);
@@ -106,6 +108,7 @@ private:
   static constexpr std::string_view name_of_time = "t";
 
   const mechanics::mechanism& m_;
+  mechanics::finiteness numbers_;
   problem mistake_;
   bool has_time_ = false;
 };

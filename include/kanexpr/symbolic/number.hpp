@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace kanexpr::symbolic {
 
@@ -21,6 +23,11 @@ struct number {
   constexpr bool negative() const { return exact() ? numerator < 0 : real < 0; }
   constexpr bool operator==(const number&) const = default;
 };
+
+constexpr bool is_finite(double value) {
+  return (std::bit_cast<std::uint64_t>(value) & ~(std::uint64_t{1} << 63)) < std::uint64_t{0x7ff} << 52;
+}
+constexpr bool is_finite(const number& n) { return n.denominator != 0 || is_finite(n.real); }
 
 /// A double; one that holds an integer becomes exact, so that `1.0*x` is `x`.
 constexpr number real(double value) {
@@ -47,6 +54,16 @@ constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
   return {numerator, denominator, 0};
 }
 
+/// What stands for the result of an operation that has none.
+constexpr number no_number() { return {0, 0, std::numeric_limits<double>::quiet_NaN()}; }
+
+/// Whether a result, formed in the wider range of a long double, is one of doubles: in the compiler nothing
+/// may overflow.
+constexpr bool stays_finite(long double wide) {
+  constexpr long double end = std::numeric_limits<double>::max();
+  return wide <= end && wide >= -end;
+}
+
 constexpr number operator-(const number& a) {
   return a.exact() ? number{-a.numerator, a.denominator, 0} : number{0, 0, -a.real};
 }
@@ -61,7 +78,11 @@ constexpr number operator+(const number& a, const number& b) {
         !__builtin_mul_overflow(a.denominator, b.denominator, &below))
       return exactly(sum, below);
   }
-  const double x = a.value(), sum = x + b.value(), least = 0x1p-50 * (x < 0 ? -x : x);
+  const double x = a.value(), y = b.value();
+  if (std::is_constant_evaluated() &&
+      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) + y)))
+    return no_number();
+  const double sum = x + y, least = 0x1p-50 * (x < 0 ? -x : x);
   return real(sum <= least && sum >= -least ? 0 : sum);
 }
 
@@ -74,7 +95,11 @@ constexpr number operator*(const number& a, const number& b) {
         !__builtin_mul_overflow(a.denominator, b.denominator, &below))
       return exactly(above, below);
   }
-  return real(a.value() * b.value());
+  const double x = a.value(), y = b.value();
+  if (std::is_constant_evaluated() &&
+      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) * y)))
+    return no_number();
+  return real(x * y);
 }
 
 /// The caller has made sure that `b` is not zero.
@@ -85,7 +110,11 @@ constexpr number operator/(const number& a, const number& b) {
         !__builtin_mul_overflow(a.denominator, b.numerator, &below))
       return exactly(above, below);
   }
-  return real(a.value() / b.value());
+  const double x = a.value(), y = b.value();
+  if (std::is_constant_evaluated() &&
+      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) / y)))
+    return no_number();
+  return real(x / y);
 }
 
 } // namespace kanexpr::symbolic

@@ -1,0 +1,7 @@
+// expect: the force at P holds pow of numbers for which it has no value
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<force<P, q * pow(rational<0, 1>, -1) * N::x>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,10 @@
+// expect: the angle of the torsional spring with k holds no coordinate; the angle comes first, then the
+// stiffness
+#include "pendulum.hpp"
+
+constexpr parameter<"k"> k;
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<torsional_spring<k, q>>> {};
+
+int main() { use<System>(); }

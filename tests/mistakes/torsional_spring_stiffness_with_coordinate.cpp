@@ -1,0 +1,8 @@
+// expect: the stiffness of the torsional spring with q holds the coordinate q; it may hold parameters, inputs
+// and time only
+#include "pendulum.hpp"
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<torsional_spring<q, m * q>>> {};
+
+int main() { use<System>(); }
