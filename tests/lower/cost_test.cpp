@@ -47,4 +47,14 @@ TEST(cost, of_robots) {
   EXPECT_LE(accelerations<quadruped::System>(), 2980);
 }
 
+TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
+  kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
+  EXPECT_FALSE(kanexpr::derivation::check_room("Chain", sizes));
+  ++sizes.steps;
+  EXPECT_EQ(
+      kanexpr::derivation::check_room("Chain", sizes).view(),
+      "what is asked of Chain at once takes 65537 operations and has 9 entries; there is room for 65536 of "
+      "each; ask for it in parts");
+}
+
 } // namespace

@@ -43,6 +43,7 @@ constexpr sequence<int> motion_without_energy(numbers a) {
 
 /// Found at generic states; `mass` is that of the independent speeds.
 constexpr problem check_same_mass(const mechanism& m, const partition& speeds, const symbolic::matrix& mass) {
+  if (mass.rows < 2) return {}; // there is no other speed
   sequence<int> moving;
   for (const numbers& state : at_generic_states(mass)) {
     moving = detail::motion_without_energy(state);
