@@ -85,12 +85,20 @@ private:
 
   constexpr bool is_elsewhere(const body& b) const {
     for (const dyadic::part& p : b.inertia.parts)
-      if (!are_rigid(p.left, b.frame) || !are_rigid(p.right, b.frame)) return true;
+      if (!spins_unseen(p, b.frame) && (!are_rigid(p.left, b.frame) || !are_rigid(p.right, b.frame)))
+        return true;
     if (b.about == none || b.about == b.center) return false;
     for (const vector::part& p :
          (position_from_origin(m_, b.about) - position_from_origin(m_, b.center)).parts)
       if (!p.value.is_zero() && (!are_rigid(p.frame, b.frame) || !mechanics::is_fixed(p.value))) return true;
     return false;
+  }
+  /// Whether a frame only spins in the axes of an inertia, about an axis from all sides of which that is the
+  /// same.
+  constexpr bool spins_unseen(const dyadic::part& p, int f) const {
+    const frame& own = m_.frames[f];
+    return own.kind == orientation::about_basis && own.parent == p.left && p.left == p.right &&
+           is_round(p.value, own.axis);
   }
   /// Whether nothing turns between two frames.
   constexpr bool are_rigid(int a, int b) const {
