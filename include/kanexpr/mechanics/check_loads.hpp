@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/contents.hpp>
 #include <kanexpr/mechanics/generic_states.hpp>
 #include <kanexpr/mechanics/wording.hpp>
+#include <kanexpr/symbolic/differentiate.hpp>
 
 /// Mistakes in what acts on a system.
 namespace kanexpr::mechanics {

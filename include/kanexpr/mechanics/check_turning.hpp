@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/generic_motion.hpp>
+#include <kanexpr/mechanics/inertia.hpp>
 #include <kanexpr/mechanics/problem.hpp>
 
 /// Angular velocities that are declared, against those of orientations.
