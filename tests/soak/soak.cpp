@@ -54,8 +54,8 @@ tally go_through(const asked& a, long wanted, const char* kind) {
 }
 
 void print(const tally& t, const char* what, double decades) {
-  std::printf("\n%ld %s in units over 1e-9 to 1e9 each of length, mass and time: %ld failed\n", t.compared,
-              what, t.failed);
+  std::printf("\n%ld %s in units over 1e-%g to 1e%g each of length, mass and time: %ld failed\n", t.compared,
+              what, decades, decades, t.failed);
   std::printf("%ld were singular at their state, and left out\n", t.left_out);
   std::printf("%ld hostile states, of which %ld were refused with a sentence\n", t.hostile, t.refused);
   for (const auto& [name, worst] : t.errors.by_what())

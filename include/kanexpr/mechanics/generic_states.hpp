@@ -30,28 +30,31 @@ namespace detail {
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& outputs, const mechanism* of)
-      : g_(&g), of_(of), sizes_(g), value_(g.size(), 0.0) {
+      : g_(&g), of_(of), sizes_(g) {
     const sequence<char> live = symbolic::live_nodes(g, outputs);
     for (int id = 0; id < g.size(); ++id)
       if (live[id] != 0 && g[id].op == symbolic::operation::symbol) symbols_.push(id);
+    value_.resize(symbols_.size(), 0.0);
   }
 
   constexpr void draw() {
-    for (int id : symbols_) {
+    for (int i = 0; i < symbols_.size(); ++i) {
+      const int id = symbols_[i];
       random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
       const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
       const bool one_sign = g_->symbol_at(id).kind == symbolic::symbol_kind::parameter;
-      value_[id] = sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+      value_[i] = sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
     }
     if (of_ == nullptr) return;
     for (const frame& f : of_->frames) {
       double square = 0;
-      for (const expression& e : f.quaternion) square += value_[e.node()] * value_[e.node()];
-      if (square == 0) continue;
-      for (const expression& e : f.quaternion) value_[e.node()] /= symbolic::elementary::sqrt(square);
+      for (const expression& e : f.quaternion)
+        if (const int i = symbols_.find(e.node()); i >= 0) square += value_[i] * value_[i];
+      for (const expression& e : f.quaternion)
+        if (const int i = symbols_.find(e.node()); i >= 0) value_[i] /= symbolic::elementary::sqrt(square);
     }
   }
-  constexpr double operator[](int symbol) const { return value_[symbol]; }
+  constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
 
 private:
   const graph* g_;
@@ -74,7 +77,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   for (const expression& e : a.entries) outputs.push(e.node());
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
-  symbolic::magnitudes terms(g, outputs);
+  sequence<bool> is_nothing;
   detail::generic_values generic(g, outputs, of);
   for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
     generic.draw();
@@ -82,9 +85,14 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     numbers found{a.rows, a.columns, {}};
     for (int id : outputs) found.entries.push(evaluate[id]);
     if (!found.finite()) continue;
-    terms.at(evaluate);
+    if (values.empty()) { // what is zero at one of them is zero at all
+      symbolic::magnitudes terms(g, outputs);
+      terms.at(evaluate);
+      for (int i = 0; i < outputs.size(); ++i)
+        is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
+    }
     for (int i = 0; i < outputs.size(); ++i)
-      if (terms.is_nothing_of(outputs[i], found.entries[i])) found.entries[i] = 0;
+      if (is_nothing[i]) found.entries[i] = 0;
     values.push(found);
   }
   return values;

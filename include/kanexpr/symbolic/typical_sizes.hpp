@@ -32,8 +32,8 @@ private:
   static constexpr int none = -1, mixed = -2;
   static constexpr int most_passes = 4;
 
-  /// As the lengths of a machine in metres: there is nothing to find out.
-  static constexpr bool is_usual(double size) { return size > 0.02 && size < 50; }
+  /// As the numbers of a machine in metres and kilograms: there is nothing to find out.
+  static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
     for (int id = 0; id < g_->size(); ++id)
       if ((*g_)[id].op == operation::constant) {
