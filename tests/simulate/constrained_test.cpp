@@ -123,8 +123,8 @@ void passes_once_what_goes_on() {
     const auto run = simulate<System, by>({{q1, -0.5}, {q2, 0.5}, {u1, 0}}, {}, {0, 4},
                                           {.inputs = led_at(1.6, 0.02),
                                            .events = {{"height",
-                                                       [=](double, const state<System>& x, auto&, auto&) {
-                                                         return std::sin(x[q1]) + std::sin(x[q2]) - height;
+                                                       [=](double, const state<System>& at, auto&, auto&) {
+                                                         return std::sin(at[q1]) + std::sin(at[q2]) - height;
                                                        },
                                                        crossing::either, std::move(handler)}}});
     EXPECT_TRUE(run) << run.cause();
