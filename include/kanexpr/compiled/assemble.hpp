@@ -121,8 +121,8 @@ private:
 } // namespace compiled
 
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
-/// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as it was and the
-/// report says why. No memory is taken and nothing is thrown.
+/// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is
+/// left as it was and the report says why. No memory is taken and nothing is thrown.
 template <class System, class P = parameter_values<System>, class R = input_values<System>>
 assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
                   const assembly_options& options = {}) {

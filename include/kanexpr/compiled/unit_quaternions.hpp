@@ -3,9 +3,9 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/numeric/unit_quaternion.hpp>
+#include <kanexpr/symbolic/cost.hpp>
 
 #include <array>
-#include <tuple>
 #include <utility>
 
 namespace kanexpr::compiled {

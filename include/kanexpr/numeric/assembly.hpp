@@ -51,9 +51,9 @@ double largest(const Vector& v) {
   return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
 }
 
-/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting from
-/// those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as it
-/// was.
+/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
+/// from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as
+/// it was.
 ///
 /// `Constraints` gives the residuals, the Jacobian by the dependent coordinates, and the dependent speeds, at
 /// a state, and the places of what is dependent in it.

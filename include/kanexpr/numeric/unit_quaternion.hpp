@@ -2,6 +2,8 @@
 
 #include <kanexpr/lower/scalar_math.hpp>
 
+#include <Eigen/Core>
+
 #include <limits>
 
 /// Quaternions within a vector, by the places of their entries.
