@@ -4,8 +4,8 @@
 
 namespace kanexpr::symbolic {
 
-/// How large the terms are of which values are the sums. A value far below its own magnitude is what rounding
-/// has left of zero, in whatever units.
+/// How large the terms are of which values are the sums, to first order in what rounding makes of them (Higham
+/// 2002, section 3.3). A value far below its own magnitude is what rounding has left of zero, in whatever units.
 class magnitudes {
 public:
   constexpr magnitudes(const graph& g, const sequence<int>& outputs) : g_(&g), size_(g.size(), 0.0) {
@@ -43,8 +43,9 @@ private:
     case operation::abs: return size_[n.a];
     case operation::add:
     case operation::subtract: return size_[n.a] + size_[n.b];
-    case operation::multiply: return size_[n.a] * size_[n.b];
-    case operation::divide: return over(size_[n.a], value[n.b]) * over(size_[n.b], value[n.b]);
+    case operation::multiply:
+      return size_[n.a] * elementary::abs(value[n.b]) + elementary::abs(value[n.a]) * size_[n.b];
+    case operation::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
     case operation::sqrt: return over(size_[n.a], v);
     case operation::cos: return v + size_[n.a] * (size_[n.a] < 1 ? size_[n.a] : 1);
     case operation::constant:
