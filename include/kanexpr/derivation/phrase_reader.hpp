@@ -33,7 +33,7 @@ protected:
   /// What a phrase of several expressions, one after another, stands for.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
-    check_written(p, whom);
+    reading_ = &p;
     for (int i = 0; i < p.size && !mistake_; ++i) {
       const int known = m_.g->size();
       step(p.tokens[i], stack, whom);
@@ -217,6 +217,7 @@ protected:
       stack.back().vector = v;
       break;
     }
+    case word::misused: return check_written(*reading_, whom);
     default: motion(t, stack, whom); break;
     }
   }
@@ -278,6 +279,7 @@ protected:
   }
 
   mechanics::equations* derived_ = nullptr;
+  const phrase* reading_ = nullptr;
   int describing_ = none; ///< the frame whose own axes `own` means
 
 private:
