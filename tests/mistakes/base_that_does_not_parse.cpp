@@ -1,5 +1,6 @@
-// The compiler's own error, about a value where a template takes a type; no sentence follows from what it
-// left. expect: template
+// expect: template
+// The compiler's own error, about a value where a template takes a type. No sentence follows from what it
+// left.
 #include "pendulum.hpp"
 
 struct Rod : rigid_body<Rod, P, A, m, m> {};
