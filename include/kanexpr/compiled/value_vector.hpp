@@ -4,6 +4,7 @@
 #include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/compiled/gap.hpp>
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 
@@ -56,6 +57,12 @@ public:
       (*this)(i) = static_cast<Scalar>(first);
       (((*this)(++i) = static_cast<Scalar>(more)), ...);
     }
+  }
+  /// The same as Eigen takes columns, `{{1, 2, 3}}`.
+  template <std::size_t given>
+  value_vector(const Scalar (&column)[given]) {
+    if constexpr (fitting<System, which, static_cast<int>(given)>::possible)
+      std::copy_n(column, given, this->data());
   }
   explicit value_vector(const Scalar* entries) : base(entries) {}
 
