@@ -72,13 +72,15 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
 }
 
 /// Constraints that leave nothing to move, or that say nothing that those before them have not said.
+/// Both Jacobians are given at generic states too, equilibrated.
 constexpr problem check_constraints(const mechanism& m, const constraints& c,
-                                    const symbolic::matrix& configuration) {
+                                    const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                    const sequence<numbers>& by_u) {
   const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
                      several(coordinates, "coordinate").view()});
-  const sequence<char> holds = independent_rows(configuration, &m);
+  const sequence<char> holds = independent_rows(by_q, configuration.rows);
   for (int i = 0; i < configuration.rows; ++i)
     if (holds[i] == 0)
       return sentence({"configuration constraint ", counted(i + 1).view(),
@@ -96,7 +98,7 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
                      several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view()});
-  const sequence<char> binds = independent_rows(c.jacobian, &m);
+  const sequence<char> binds = independent_rows(by_u, c.size());
   for (int i = 0; i < c.size(); ++i) {
     if (binds[i] != 0) continue;
     if (c.of_configuration[i] == none)

@@ -37,13 +37,15 @@ public:
     if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
       constraints_ = form_constraints(moving());
     configuration_ = mechanics::configuration_jacobian(*m_);
-    mistake_ = check_constraints(*m_, constraints_, configuration_);
+    const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
+                            by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
+    mistake_ = check_constraints(*m_, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_choice(*m_, constraints_, configuration_);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_);
     if (mistake_) return;
-    coordinates_ = partition_of(*m_, configuration_, m_->dependent_coordinates,
+    coordinates_ = partition_of(by_q, configuration_, m_->dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));
-    speeds_ = partition_of(*m_, constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
+    speeds_ = partition_of(by_u, constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
     if (m_->auxiliary_speeds.empty()) return;
     drop_auxiliary_speeds(s_);
     has_motion_ = false;

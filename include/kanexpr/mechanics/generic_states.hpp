@@ -200,20 +200,23 @@ private:
 };
 
 /// Which rows of a matrix do not follow from those before them, in some configuration at least.
-constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mechanism* of = nullptr) {
-  const sequence<numbers> states = equilibrated(at_generic_states(a, of));
+constexpr sequence<char> independent_rows(const sequence<numbers>& states, int rows) {
   sequence<row_space> spaces(states.size());
   sequence<char> independent;
-  for (int i = 0; i < a.rows; ++i) {
+  for (int i = 0; i < rows; ++i) {
     bool adds = states.empty(); // nothing is known
     for (int s = 0; s < states.size(); ++s) {
       sequence<double> row;
-      for (int j = 0; j < a.columns; ++j) row.push(states[s](i, j));
+      for (int j = 0; j < states[s].columns; ++j) row.push(states[s](i, j));
       if (spaces[s].add(row)) adds = true;
     }
     independent.push(adds ? 1 : 0);
   }
   return independent;
+}
+
+constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mechanism* of = nullptr) {
+  return independent_rows(equilibrated(at_generic_states(a, of)), a.rows);
 }
 
 } // namespace kanexpr::mechanics

@@ -22,10 +22,10 @@ namespace detail {
 /// Gaussian elimination with full pivoting at several states at once.
 class elimination_by_numbers {
 public:
-  constexpr elimination_by_numbers(const mechanism& m, const symbolic::matrix& jacobian,
+  constexpr elimination_by_numbers(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                    const sequence<char>& favoured)
-      : jacobian_(jacobian), favoured_(favoured), states_(equilibrated(at_generic_states(jacobian, &m))),
-        row_done_(jacobian.rows, 0), is_dependent_(jacobian.columns, 0) {}
+      : jacobian_(jacobian), favoured_(favoured), states_(states), row_done_(jacobian.rows, 0),
+        is_dependent_(jacobian.columns, 0) {}
 
   constexpr partition run() {
     for (int step = 0; step < jacobian_.rows; ++step) {
@@ -100,15 +100,15 @@ private:
 /// pivoting at several generic states at once, so that the choice is well conditioned at all of them, where
 /// columns and rows with few entries weigh more, so that it is cheap to solve (Markowitz). `favoured`
 /// columns are taken where they serve nearly as well.
-constexpr partition choose_dependent(const mechanism& m, const symbolic::matrix& jacobian,
+constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                      const sequence<char>& favoured) {
-  return detail::elimination_by_numbers(m, jacobian, favoured).run();
+  return detail::elimination_by_numbers(states, jacobian, favoured).run();
 }
 
 /// The user's choice, or a good one.
-constexpr partition partition_of(const mechanism& m, const symbolic::matrix& jacobian,
+constexpr partition partition_of(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                  const sequence<int>& chosen, const sequence<char>& favoured) {
-  if (chosen.empty()) return choose_dependent(m, jacobian, favoured);
+  if (chosen.empty()) return choose_dependent(states, jacobian, favoured);
   sequence<char> is_dependent(jacobian.columns, 0);
   for (int j : chosen) is_dependent[j] = 1;
   return partition_by(is_dependent);
