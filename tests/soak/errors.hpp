@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -32,6 +33,7 @@ public:
       const double off = std::abs(found.data()[i] - wanted.data()[i]) / size;
       if (!(off <= error)) error = off; // or is no number
     }
+    if (error != error) error = std::numeric_limits<double>::infinity();
     worst& so_far = by_what_[what];
     ++so_far.count;
     if (!(error <= so_far.error)) so_far = {error, seed_, so_far.count};

@@ -17,11 +17,14 @@ class rates_of {
 public:
   rates_of(recipe::builder& b, kanexpr::mechanics::equations& derived) : rates_(evaluated(b, derived)) {}
 
-  const Eigen::MatrixXd at(const recipe::mechanism& m) {
+  Eigen::MatrixXd at(const recipe::mechanism& m) {
     Eigen::VectorXd x(static_cast<Eigen::Index>(m.q.size() + m.u.size()));
     std::copy(m.q.begin(), m.q.end(), x.begin());
     std::copy(m.u.begin(), m.u.end(), x.begin() + static_cast<std::ptrdiff_t>(m.q.size()));
-    return rates_(m.t, x, m.parameters, m.r);
+    const auto vector = [](const std::vector<double>& v) {
+      return Eigen::VectorXd(Eigen::VectorXd::Map(v.data(), static_cast<Eigen::Index>(v.size())));
+    };
+    return rates_(m.t, x, vector(m.parameters), vector(m.r));
   }
   kanexpr::status status() const { return rates_.status(); }
 
