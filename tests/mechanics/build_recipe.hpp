@@ -126,6 +126,7 @@ private:
     else
       b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total, points[at(b.about)]);
     if (b.inertia_changes) b_.changing_inertia(called);
+    b_.effective_inertia(called); // drawn at random, as no distribution of mass would have it
   }
 
   void add_force(const load& f) {

@@ -5,7 +5,9 @@
 #include "recipe.hpp"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace recipe {
 
@@ -183,14 +185,20 @@ private:
     }
     return in_.time;
   }
+  // One for equal numbers of one unit: what agrees with an orientation, or is round, remains so.
+  int symbol_for(const constant& c, double unit) {
+    const auto [found, is_new] =
+        symbols_.try_emplace({c.value, unit}, static_cast<int>(to_.parameters.size()));
+    if (is_new) to_.parameters.push_back(0), given_.push_back(0);
+    return found->second;
+  }
+
   // A parameter that stands in several places has one unit in all of them.
   void convert(constant& c, double unit) {
     c.value *= unit;
     if (how_ == constants::numbers) c.parameter = -1;
-    if (how_ == constants::symbols && unit != 1 && c.value != 0 && c.parameter < 0) {
-      c.parameter = static_cast<int>(to_.parameters.size());
-      to_.parameters.push_back(0), given_.push_back(0);
-    }
+    if (how_ == constants::symbols && unit != 1 && c.value != 0 && c.parameter < 0)
+      c.parameter = symbol_for(c, unit);
     if (c.parameter < 0) return;
     const auto i = static_cast<std::size_t>(c.parameter);
     if (given_[i] != 0 && std::abs(given_[i] / unit - 1) > 1e-12)
@@ -202,7 +210,8 @@ private:
   units in_;
   constants how_;
   std::vector<double> q_, qdot_, u_;
-  std::vector<double> given_; // units of parameters
+  std::map<std::pair<double, double>, int> symbols_; // by value and unit
+  std::vector<double> given_;                        // units of parameters
   mechanism to_;
 };
 
