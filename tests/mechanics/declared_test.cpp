@@ -171,7 +171,7 @@ TEST(inertia, stays_as_the_body_sees_it) {
   EXPECT_EQ(told(b), "");
   // turned by the time
   const frame_id driven = b.rotated("T", c, b.time(), b.along(c, 0, 0, 1));
-  with("Clock", driven, 1, 1.5, 3);
+  with("Clock", driven, 1, 2.5, 3);
   EXPECT_EQ(told(b), elsewhere("Clock", "T", "C"));
   b.changing_inertia("Nothing");
   EXPECT_EQ(told(b), "the inertia of Nothing is said to change, and there is no such body");

@@ -125,7 +125,7 @@ struct System : pendulum_with<A> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: one of the coordinates has no name; a name is a text between quotes
+// expect: one of the coordinates has no name
 namespace n21 {
 constexpr coordinate<1> x;
 struct System : kane_system<inertial<N>, coordinates<x>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};

@@ -113,7 +113,7 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
             "the value of coordinate q is not a number");
   EXPECT_EQ(operating_point({{q, 0.5}}).cause(), "parameter m has no value");
   EXPECT_EQ(operating_point({{q, 0.5}}, {{m, 0}, {l, 1}, {g, 1}, {c, 0}}).cause(),
-            "the rate of speed u is not finite at the guess");
+            "at the guess: the mass matrix is singular at this state: its elimination fails at the speed u");
 }
 
 TEST(operating_point, refuses_options_that_make_no_sense) {

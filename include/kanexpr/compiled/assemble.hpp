@@ -66,12 +66,10 @@ public:
       return std::get<0>(velocities()(t_, x, p_, r_));
   }
   speed_vector velocity_terms(const state<System>& x) const {
-    if constexpr (known.constraints == 0) {
+    if constexpr (known.constraints == 0)
       return {};
-    } else {
-      const auto [residual, jacobian] = velocities()(t_, x, p_, r_);
-      return numeric::terms_of(residual, jacobian, x.template tail<known.speeds>());
-    }
+    else
+      return eom::velocity_terms(t_, x, p_, r_);
   }
   /// What the norms of quaternions are off.
   Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {

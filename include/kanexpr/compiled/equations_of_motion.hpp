@@ -71,6 +71,7 @@ struct equations_of_motion {
       configuration_jacobian_full{};
   /// What the velocity constraints and the rates of the configuration constraints leave.
   static constexpr function<System, mechanics::quantity::velocity_residual> velocity_residual{};
+  static constexpr function<System, mechanics::quantity::velocity_terms> velocity_terms{};
   /// Both residuals, those of configurations first.
   static constexpr function<System, mechanics::quantity::constraint_residual> constraint_residual{};
   /// J in J u + c = 0.

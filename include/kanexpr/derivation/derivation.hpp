@@ -54,6 +54,7 @@ struct request<wanted> {
     case quantity::constraint_jacobian: return {m, p};
     case quantity::dependency: return {m, p - m};
     case quantity::velocity_residual:
+    case quantity::velocity_terms:
     case quantity::dependent_speeds:
     case quantity::acceleration_bias:
     case quantity::multipliers: return {m, 1};

@@ -8,7 +8,7 @@ namespace kanexpr::mechanics {
 /// Why a text is no name, or nothing. `kinds` are what it would name one of, "parameters".
 constexpr problem check_name(std::string_view called, std::string_view kinds) {
   if (symbolic::is_name(called)) return {};
-  if (called.empty()) return sentence({"one of the ", kinds, " has no name; a name is a text between quotes"});
+  if (called.empty()) return sentence({"one of the ", kinds, " has no name"});
   for (char letter : called)
     if (!symbolic::is_printed(letter))
       return sentence({"the name of one of the ", kinds, " holds a quote or a control character"});

@@ -79,11 +79,12 @@ public:
     case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
     case quantity::configuration_residual: return column(m_->configuration_constraints);
-    case quantity::configuration_terms: return column(configuration_terms());
+    case quantity::configuration_terms: return column(terms_of(m_->configuration_constraints));
     case quantity::configuration_jacobian:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_full: return configuration_;
     case quantity::velocity_residual: return column(velocity_residual());
+    case quantity::velocity_terms: return column(terms_of(velocity_residual()));
     case quantity::constraint_residual: return column(m_->configuration_constraints, velocity_residual());
     case quantity::constraint_jacobian: return constraints_.jacobian;
     case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
@@ -286,10 +287,10 @@ private:
     for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
     return residual;
   }
-  constexpr sequence<expression> configuration_terms() const {
+  constexpr sequence<expression> terms_of(const sequence<expression>& sums) const {
     symbolic::sizes_of_terms sizes(*m_->g);
     sequence<expression> terms;
-    for (const expression& f : m_->configuration_constraints) terms.push(sizes.of(f));
+    for (const expression& f : sums) terms.push(sizes.of(f));
     return terms;
   }
   constexpr symbolic::matrix column(const sequence<expression>& above,

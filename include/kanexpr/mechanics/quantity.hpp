@@ -25,6 +25,7 @@ enum class quantity {
   configuration_jacobian,      ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_full, ///< its derivatives by all coordinates, l×n
   velocity_residual,           ///< m: the velocity constraints, then the rates of configuration constraints
+  velocity_terms,              ///< m: how large the terms are of which that is the sum
   constraint_residual,         ///< both, l+m
   constraint_jacobian,         ///< J in J u + c = 0, m×p
   dependent_speeds,            ///< u_d as the constraints give them by the independent ones, m

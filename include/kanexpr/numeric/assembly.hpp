@@ -105,21 +105,6 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   return report;
 }
 
-/// How large the terms are of which each row of J u + c is the sum.
-template <class Residual, class Jacobian, class Speeds>
-Residual terms_of(const Residual& residual, const Jacobian& jacobian, const Speeds& u) {
-  Residual terms = residual;
-  for (Eigen::Index i = 0; i < terms.size(); ++i) {
-    double all = 0, rest = residual(i);
-    for (Eigen::Index j = 0; j < u.size(); ++j) {
-      const double term = jacobian(i, j) * u(j);
-      all += std::abs(term), rest -= term;
-    }
-    terms(i) = all + std::abs(rest);
-  }
-  return terms;
-}
-
 /// Says whether a state satisfies the constraints to within `tolerance` of the terms that they are sums of,
 /// and which it does not.
 template <class Constraints, class State>

@@ -24,7 +24,7 @@ public:
         terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
         jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
-        velocity_jacobian_(m.function(m.get(mechanics::quantity::constraint_jacobian))),
+        velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
         speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
 
   int coordinates() const { return coordinates_.size(); }
@@ -42,10 +42,7 @@ public:
   }
   Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
-  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) {
-    return numeric::terms_of(velocity_residual(x), velocity_jacobian_(t_, x, p_, r_),
-                             x.tail(x.size() - first_speed_));
-  }
+  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
   /// What the norms of quaternions are off.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
@@ -84,7 +81,7 @@ private:
   double t_;
   const P& p_;
   const R& r_;
-  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_jacobian_, speeds_solved_;
+  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
 };
 
 } // namespace runtime

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/rates_at.hpp>
 #include <kanexpr/simulate/tolerances.hpp>
 
 #include <algorithm>
@@ -140,12 +140,7 @@ private:
   }
   bool is_clear(std::size_t i, double moved) const { return std::abs(moved) > 1e-3 * margins_[i]; }
 
-  bool rates(double t, const state& x, state& out) {
-    if (around_.take(t, x) != answer::given) return false;
-    const auto found = equations_of_motion<System>::rhs(t, x, around_.p(), around_.r());
-    out = found;
-    return static_cast<bool>(compiled::status_of(found)) && out.allFinite();
-  }
+  bool rates(double t, const state& x, state& out) { return rates_at(around_, t, x, out); }
 
   /// Looks farther and farther ahead until it is seen to which side the functions go that are zero.
   void look_ahead(double t, const state& x, double farthest, std::vector<int>& passed) {

@@ -69,7 +69,7 @@ private:
     state first = result_.state;
     if (!assemble_at(span_.from, first)) return false;
     result_.state = first;
-    const state_sizes<System> found(span_.from, first, around_.p(), around_.r(), span_.to - span_.from);
+    const state_sizes<System> found(around_, span_.from, first, span_.to - span_.from);
     if (std::string wrong = read_tolerances(options_, found.sizes(), o.absolute_tolerances); !wrong.empty())
       return fail(std::move(wrong));
     const tolerances<System> of_entries = tolerances_of(o);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/simulate/rates_at.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace kanexpr::simulated {
@@ -17,15 +18,13 @@ class state_sizes {
 public:
   using state = kanexpr::state<System>;
 
-  template <class P, class R>
-  state_sizes(double t, const state& x, const P& p, const R& r, double span) : sizes_(x.cwiseAbs()) {
-    const auto rates = equations_of_motion<System>::rhs(t, x, p, r);
+  state_sizes(surroundings<System>& around, double t, const state& x, double span) : sizes_(x.cwiseAbs()) {
+    state rates, later;
     const double instant = 1e-9 * span;
-    if (compiled::status_of(rates) && instant > 0) {
-      const state ahead = state(x + instant * rates);
-      const auto later = equations_of_motion<System>::rhs(t, ahead, p, r);
-      if (compiled::status_of(later)) take(rates, state((later - rates) / instant), span);
-    }
+    if (instant > 0 && rates_at(around, t, x, rates) &&
+        rates_at(around, t + instant, state(x + instant * rates), later))
+      take(rates, state((later - rates) / instant), span);
+    around.forget();
     fill(0, state::coordinates);
     fill(state::coordinates, state::coordinates + state::speeds);
   }
@@ -35,17 +34,18 @@ public:
 private:
   /// The median of what each entry says of the time, so that one which happens to be next to zero does not
   /// matter.
-  template <class Rates>
-  void take(const Rates& rates, const state& accelerations, double span) {
+  void take(const state& rates, const state& accelerations, double span) {
     std::vector<double> times;
     const auto add = [&](double time) {
       if (time > 0 && std::isfinite(time)) times.push_back(time);
     };
     for (Eigen::Index i = 0; i < sizes_.size(); ++i) {
       const double acceleration = std::abs(accelerations(i));
+      const double farthest = std::max(std::abs(rates(i)) * span, acceleration * span * span / 2);
+      add(std::abs(rates(i)) / acceleration);
+      if (sizes_(i) <= std::numeric_limits<double>::epsilon() * farthest) continue; // it begins at zero
       add(sizes_(i) / std::abs(rates(i)));
       add(std::sqrt(sizes_(i) / acceleration));
-      add(std::abs(rates(i)) / acceleration);
     }
     double time = span;
     if (!times.empty()) {

@@ -83,7 +83,7 @@ constexpr number operator+(const number& a, const number& b) {
       !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) + y)))
     return no_number();
   const double sum = x + y, least = 0x1p-50 * (x < 0 ? -x : x);
-  return real(sum <= least && sum >= -least ? 0 : sum);
+  return real(is_finite(sum) && sum <= least && sum >= -least ? 0 : sum);
 }
 
 constexpr number operator-(const number& a, const number& b) { return a + -b; }

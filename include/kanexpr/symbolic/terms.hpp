@@ -26,10 +26,18 @@ private:
     case operation::negate: return of(a);
     case operation::add:
     case operation::subtract: return of(a) + of(b);
-    case operation::multiply: return of(a) * of(b);
+    case operation::multiply: return product(a, b);
     case operation::divide: return of(a) / abs(b);
     default: return abs(e);
     }
+  }
+
+  /// To first order, so that what is left of sums that nearly vanish does not grow from product to product.
+  constexpr expression product(const expression& a, const expression& b) {
+    const expression left = abs(a), right = abs(b);
+    if (of(a).node() == left.node()) return left * of(b);
+    if (of(b).node() == right.node()) return of(a) * right;
+    return of(a) * right + left * of(b);
   }
 
   graph& g_;
