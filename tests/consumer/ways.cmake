@@ -4,15 +4,21 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
 
-foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate)
+foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate unfriendly)
+  set(program consumer)
+  if(way STREQUAL "unfriendly") # is read only
+    set(program ${CMAKE_COMMAND} -E true)
+  endif()
   add_test(NAME consumer_${way}
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/${way}
       --build-generator ${CMAKE_GENERATOR}
       --build-options -DWAY=${way} -DKANEXPR_SOURCE=${PROJECT_SOURCE_DIR} -DCMAKE_PREFIX_PATH=${prefix}
         -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      --test-command consumer)
+      --test-command ${program})
 endforeach()
 set_tests_properties(consumer_find_package consumer_simulate PROPERTIES FIXTURES_REQUIRED installed)
+set_tests_properties(consumer_unfriendly PROPERTIES
+  FAIL_REGULAR_EXPRESSION "in the member initialization list;pointer data members;operator= should return;virtual destructor")
 
 # What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

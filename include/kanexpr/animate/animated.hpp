@@ -95,8 +95,8 @@ private:
   }
 
   const Trajectory& trajectory_;
-  animation made_;
-  footage film_;
+  animation made_{};
+  footage film_{};
 };
 
 } // namespace animate

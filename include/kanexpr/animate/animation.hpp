@@ -11,12 +11,12 @@ namespace kanexpr {
 /// The shapes of a picture along a trajectory, or why there are none.
 struct animation {
   struct shape {
-    std::string name, kind; ///< the kind is that of the word: "sphere", "trace"
-    std::string colour;     ///< "#rrggbb"; empty: the page chooses
+    std::string name{}, kind{}; ///< the kind is that of the word: "sphere", "trace"
+    std::string colour{};       ///< "#rrggbb"; empty: the page chooses
     double opacity = 1;
-    std::vector<double> sizes;
+    std::vector<double> sizes{};
     animate::placing placed_by = animate::placing::place;
-    std::vector<animate::placement> placements; ///< at each time
+    std::vector<animate::placement> placements{}; ///< at each time
   };
   /// A coordinate or speed at each time.
   struct column {
@@ -24,14 +24,14 @@ struct animation {
     std::vector<double> values;
   };
 
-  std::vector<double> times;
-  std::vector<shape> shapes;
-  std::vector<column> columns;
+  std::vector<double> times{};
+  std::vector<shape> shapes{};
+  std::vector<column> columns{};
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector3d> seen_from;
-  std::optional<double> ground;
+  std::optional<Eigen::Vector3d> seen_from{};
+  std::optional<double> ground{};
   bool carried = false;
-  std::string reason;
+  std::string reason{};
 
   explicit operator bool() const { return reason.empty(); }
   /// Why there is none, as a sentence; empty: there is.

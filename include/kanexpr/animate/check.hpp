@@ -58,7 +58,7 @@ constexpr const point_record* origin_under(const point_record* p) {
 /// Positions are measured from one origin.
 struct origin_check {
   const point_record* first = nullptr;
-  problem mistake;
+  problem mistake{};
 
   template <class Word>
   constexpr void look_at() {

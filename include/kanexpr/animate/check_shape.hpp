@@ -18,7 +18,7 @@ concept shown_word = picture_word<Word> && requires { typename Word::attachment;
 
 /// "sphere at P" or "rod from O to P".
 struct title {
-  symbolic::name letters;
+  symbolic::name letters{};
   constexpr std::string_view view() const { return letters.view(); }
 };
 

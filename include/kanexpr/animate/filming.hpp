@@ -12,7 +12,7 @@ namespace kanexpr::animate {
 
 /// The numbers of a picture and the integrals of its rates, a column for each time.
 struct footage {
-  Eigen::MatrixXd numbers, integrals;
+  Eigen::MatrixXd numbers{}, integrals{};
 };
 
 inline Eigen::Vector3d triple(const Eigen::MatrixXd& m, int row, Eigen::Index column) {

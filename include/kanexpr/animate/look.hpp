@@ -10,8 +10,8 @@ namespace animate {
 
 /// What a shape looks like and is called.
 struct look {
-  std::string_view colour; ///< "#rrggbb"; empty: the page chooses
-  std::string_view name;   ///< empty: what it is and where
+  std::string_view colour{}; ///< "#rrggbb"; empty: the page chooses
+  std::string_view name{};   ///< empty: what it is and where
   double opacity = 1;
 };
 

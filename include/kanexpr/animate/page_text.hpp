@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/name_of_time.hpp>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ inline double rounded(double value) {
   const char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 7).ptr;
   double shorter = value;
   std::from_chars(digits, end, shorter);
-  return shorter == 0 ? 0 : shorter; // no −0
+  return numeric::equal(shorter, 0.0) ? 0 : shorter; // no −0
 }
 
 inline nlohmann::json list_of(const std::vector<double>& values) {

@@ -25,9 +25,9 @@ enum class placing : unsigned char {
 inline Eigen::Matrix3d about_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& x,
                                   const Eigen::Vector3d& y) {
   const Eigen::Vector3d z = axis.normalized();
-  const Eigen::Vector3d near = std::abs(z.dot(x)) < std::sqrt(0.75) ? x : y;
+  const Eigen::Vector3d across = std::abs(z.dot(x)) < std::sqrt(0.75) ? x : y;
   Eigen::Matrix3d r;
-  r.col(0) = (near - near.dot(z) * z).normalized();
+  r.col(0) = (across - across.dot(z) * z).normalized();
   r.col(1) = z.cross(r.col(0));
   r.col(2) = z;
   return r;

@@ -6,10 +6,10 @@ namespace kanexpr::animate {
 
 /// A word of a picture as a plain value.
 struct word_record {
-  std::string_view word;
-  title name;             ///< "sphere at P"
-  std::string_view shape; ///< "sphere"; empty: it shows none
-  look looks;
+  std::string_view word{};
+  title name{};             ///< "sphere at P"
+  std::string_view shape{}; ///< "sphere"; empty: it shows none
+  look looks{};
   placing placed_by = placing::place;
   placement (*placed)(const double* moving) = nullptr;
   int first_moving = 0; ///< where its numbers begin among all of them

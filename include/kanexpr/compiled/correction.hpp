@@ -81,7 +81,8 @@ private:
     constexpr symbolic::factors entry{unknowns};
     auto [residual, slope] = residual_and_slope()(t, x, p, r);
     if constexpr (quaternions::are_bound) quaternions::leave_norms_out(slope, x);
-    T f[entry.size()], scales[2 * unknowns], change[unknowns];
+    constexpr auto order = static_cast<std::size_t>(unknowns);
+    T f[static_cast<std::size_t>(entry.size())], scales[2 * order], change[order];
     for (int i = 0; i < unknowns; ++i) {
       change[i] = residual(i);
       scales[i] = lower::scalar_math<T>::from(0);

@@ -32,8 +32,8 @@ concept list_of_named_values = requires(const List& list) {
 /// Values for a vector of a system as they are given: by name, or as a vector of numbers.
 template <class System, symbols_of which, class Vector, bool may_be_incomplete>
 struct given_values {
-  Vector values;
-  mechanics::problem problem; ///< the first mistake in the values, as a sentence; empty: there is none
+  Vector values{};
+  mechanics::problem problem{}; ///< the first mistake in the values, as a sentence; empty: there is none
 
   given_values() { read(std::initializer_list<named_value>{}); }
   given_values(std::initializer_list<named_value> list) { read(list); }

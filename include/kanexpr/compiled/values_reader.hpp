@@ -71,7 +71,7 @@ private:
   symbol_range range_;
   double* values_;
   std::array<bool, derivation::survey::room> named_{};
-  mechanics::problem problem_;
+  mechanics::problem problem_{};
 };
 
 } // namespace kanexpr::compiled

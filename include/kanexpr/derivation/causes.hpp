@@ -13,9 +13,9 @@ struct cause_sizes {
 /// behind the sizes is unused.
 template <cause_sizes room>
 struct cause_list {
-  cause_sizes sizes;
-  int begin[room.count > 0 ? room.count : 1]{};
-  char letters[room.letters > 0 ? room.letters : 1]{};
+  cause_sizes sizes{};
+  int begin[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
+  char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
 
   constexpr const char* operator[](int i) const { return letters + begin[i]; }
   constexpr bool has_room_for(const mechanics::problem& p) const {

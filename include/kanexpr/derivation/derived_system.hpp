@@ -51,11 +51,11 @@ public:
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:
-  symbolic::graph graph_;
+  symbolic::graph graph_{};
   mechanism mechanism_;
   derivation::reader reader_;
-  problem mistake_;
-  std::optional<mechanics::equations> equations_;
+  problem mistake_{};
+  std::optional<mechanics::equations> equations_{};
 };
 
 } // namespace kanexpr::derivation

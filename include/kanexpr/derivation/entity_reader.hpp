@@ -176,11 +176,11 @@ private:
     return mechanism::inertial;
   }
 
-  sequence<const frame_record*> frames_;
-  sequence<int> places_of_frames_; ///< a sequence of turns has frames of its own in between
-  sequence<const point_record*> points_;
-  sequence<const frame_record*> open_frames_; ///< that are being read
-  sequence<const point_record*> open_points_;
+  sequence<const frame_record*> frames_{};
+  sequence<int> places_of_frames_{}; ///< a sequence of turns has frames of its own in between
+  sequence<const point_record*> points_{};
+  sequence<const frame_record*> open_frames_{}; ///< that are being read
+  sequence<const point_record*> open_points_{};
 };
 
 } // namespace kanexpr::derivation

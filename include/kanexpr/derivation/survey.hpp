@@ -9,7 +9,7 @@ namespace kanexpr::derivation {
 struct survey {
   static constexpr int room = 512;
 
-  problem mistake;
+  problem mistake{};
   bool follows_from_unparsed = false; ///< the compiler has told an error about it already
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;

@@ -165,8 +165,8 @@ protected:
 
   const system_record& from_;
   mechanism& m_;
-  problem mistake_;
-  std::string_view part_; ///< of an entity, that is being read: "the offset of point "
+  problem mistake_{};
+  std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
 
 private:
   constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
@@ -231,8 +231,8 @@ private:
 
   /// A name that is taken.
   struct claimed {
-    symbolic::name called;
-    std::string_view list;
+    symbolic::name called{};
+    std::string_view list{};
     int mark = 0; ///< which symbol of that name it is
   };
 
@@ -257,10 +257,10 @@ private:
   }
 
   bool follows_from_unparsed_ = false;
-  sequence<symbolic::name> bound_;
-  sequence<expression> bound_values_;
-  sequence<char> bound_is_used_;
-  sequence<claimed> claimed_;
+  sequence<symbolic::name> bound_{};
+  sequence<expression> bound_values_{};
+  sequence<char> bound_is_used_{};
+  sequence<claimed> claimed_{};
   bool is_time_claimed_ = false;
 };
 

@@ -14,9 +14,9 @@ using symbolic::sequence;
 /// What a phrase of a model stands for, once read.
 struct value {
   describe::shape kind = describe::shape::nothing;
-  expression scalar;
-  mechanics::vector vector;
-  mechanics::dyadic dyadic;
+  expression scalar{};
+  mechanics::vector vector{};
+  mechanics::dyadic dyadic{};
 
   static constexpr value of(expression e) {
     value v;
@@ -75,7 +75,7 @@ constexpr value scaled(expression s, const value& a) {
 /// Both vectors in the axes of one frame, the one deeper in the tree if they have several.
 struct together {
   int frame = mechanics::mechanism::inertial;
-  components a, b;
+  components a{}, b{};
 };
 
 constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics::vector& a,

@@ -10,7 +10,7 @@ namespace describe {
 /// A vector and the directions along which it is zero, one after another in postfix order.
 template <int size>
 struct vanishing {
-  token tokens[size];
+  token tokens[static_cast<std::size_t>(size)];
 };
 
 template <int size>

@@ -3,6 +3,7 @@
 #include <kanexpr/describe/token.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <type_traits>
 
 namespace kanexpr {
@@ -18,7 +19,7 @@ constexpr auto assigned(const X& x, const Y& y);
 /// A scalar of a model, written with ordinary operators: `m*r*r/4`, `u3/cos(q2)`.
 template <int size>
 struct scalar {
-  describe::token tokens[size];
+  describe::token tokens[static_cast<std::size_t>(size)];
 
   template <class T>
   constexpr auto operator=(const T& other) const {
@@ -29,24 +30,24 @@ struct scalar {
 /// `left == right`, kept as left − right.
 template <int size>
 struct equation {
-  describe::token tokens[size];
+  describe::token tokens[static_cast<std::size_t>(size)];
 };
 
 namespace describe {
 
-template <class Result, int a, int b>
+template <class Result, std::size_t a, std::size_t b>
 constexpr Result join(const token (&left)[a], const token (&right)[b], const token& last) {
   Result all{};
-  for (int i = 0; i < a; ++i) all.tokens[i] = left[i];
-  for (int i = 0; i < b; ++i) all.tokens[a + i] = right[i];
+  for (std::size_t i = 0; i < a; ++i) all.tokens[i] = left[i];
+  for (std::size_t i = 0; i < b; ++i) all.tokens[a + i] = right[i];
   all.tokens[a + b] = last;
   return all;
 }
 
-template <class Result, int a>
+template <class Result, std::size_t a>
 constexpr Result join(const token (&left)[a], const token& last) {
   Result all{};
-  for (int i = 0; i < a; ++i) all.tokens[i] = left[i];
+  for (std::size_t i = 0; i < a; ++i) all.tokens[i] = left[i];
   all.tokens[a] = last;
   return all;
 }

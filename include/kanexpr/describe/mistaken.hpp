@@ -197,7 +197,7 @@ constexpr auto ceil(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
 template <describe::expression_of_a_model X>
-constexpr auto round(const X& x) {
+constexpr auto(round)(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
 template <describe::expression_of_a_model X>

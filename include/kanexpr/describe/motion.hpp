@@ -135,8 +135,8 @@ constexpr auto in_axes_of(const X& x) {
 template <int a, int columns>
 struct jacobian_matrix {
   bool of_vector;
-  describe::token tokens[a];
-  describe::token by[columns];
+  describe::token tokens[static_cast<std::size_t>(a)];
+  describe::token by[static_cast<std::size_t>(columns)];
 };
 
 template <int a, std::derived_from<scalar<1>>... Symbols>

@@ -71,13 +71,14 @@ template <class T>
 concept no_vector = written<T> && shape_of_operand<T> != shape::vector;
 
 /// The operands and what is done with them, one after another.
-template <template <int> class Kind, int a>
-constexpr Kind<a + 1> followed_by(const token (&x)[a], const token& last) {
-  return join<Kind<a + 1>>(x, last);
+template <template <int> class Kind, std::size_t a>
+constexpr Kind<static_cast<int>(a + 1)> followed_by(const token (&x)[a], const token& last) {
+  return join<Kind<static_cast<int>(a + 1)>>(x, last);
 }
-template <template <int> class Kind, int a, int b>
-constexpr Kind<a + b + 1> followed_by(const token (&x)[a], const token (&y)[b], const token& last) {
-  return join<Kind<a + b + 1>>(x, y, last);
+template <template <int> class Kind, std::size_t a, std::size_t b>
+constexpr Kind<static_cast<int>(a + b + 1)> followed_by(const token (&x)[a], const token (&y)[b],
+                                                        const token& last) {
+  return join<Kind<static_cast<int>(a + b + 1)>>(x, y, last);
 }
 
 } // namespace kanexpr::describe

@@ -76,8 +76,8 @@ enum class orientation_word : unsigned char {
 };
 
 struct frame_record {
-  std::string_view called;
-  std::string_view calls_itself; ///< the first template argument of its orientation
+  std::string_view called{};
+  std::string_view calls_itself{}; ///< the first template argument of its orientation
   arguments fits{};
   bool unparsed = false;
   orientation_word orientation = orientation_word::inertial;
@@ -92,8 +92,8 @@ struct frame_record {
 };
 
 struct point_record {
-  std::string_view called;
-  std::string_view calls_itself;
+  std::string_view called{};
+  std::string_view calls_itself{};
   arguments fits{};
   bool unparsed = false;
   const point_record* parent = nullptr; ///< none: an origin
@@ -106,8 +106,8 @@ struct point_record {
 };
 
 struct body_record {
-  std::string_view called;
-  std::string_view calls_itself;
+  std::string_view called{};
+  std::string_view calls_itself{};
   arguments fits{};
   bool rigid = false;
   const point_record* center = nullptr;
@@ -117,8 +117,8 @@ struct body_record {
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
-  std::string_view instead_of_inertia; ///< what stands in its place and is none
-  std::string_view instead;            ///< what it is, if it is no body
+  std::string_view instead_of_inertia{}; ///< what stands in its place and is none
+  std::string_view instead{};            ///< what it is, if it is no body
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not be that of a distribution of mass
   misfit beside = misfit::none;

@@ -21,6 +21,10 @@ public:
   symbol_name(std::string_view name) : name_(name) {}
   symbol_name(const char* name) : name_(name) {}
   symbol_name(const std::string& name) : name_(name) {}
+  symbol_name(const symbol_name&) = default;
+  symbol_name(symbol_name&&) = default;
+  symbol_name& operator=(const symbol_name&) = default;
+  symbol_name& operator=(symbol_name&&) = default;
 
   const describe::symbol_record* symbol() const { return symbol_; } ///< null: there is the name alone
   const std::string& name() const { return name_; }                 ///< empty: of a number
@@ -28,7 +32,7 @@ public:
 
 private:
   const describe::symbol_record* symbol_ = nullptr;
-  std::string name_;
+  std::string name_{};
 };
 
 } // namespace kanexpr

@@ -26,14 +26,14 @@ enum class method : unsigned char { kane, lagrange };
 struct system_record {
   method derived_by = method::kane;
   const frame_record* inertial = nullptr;
-  listing<phrase> coordinates, speeds, parameters, inputs;
-  listing<phrase> kinematics;
-  listing<phrase> configuration_constraints, velocity_constraints, acceleration_constraints;
-  listing<phrase> dependent, auxiliary;
-  listing<phrase> values;
-  listing<phrase> lagrangian;
-  listing<body_record> bodies;
-  listing<load_record> loads;
+  listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
+  listing<phrase> kinematics{};
+  listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
+  listing<phrase> dependent{}, auxiliary{};
+  listing<phrase> values{};
+  listing<phrase> lagrangian{};
+  listing<body_record> bodies{};
+  listing<load_record> loads{};
 };
 
 template <class Record, const Record*... entries>

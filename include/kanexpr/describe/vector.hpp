@@ -7,7 +7,7 @@ namespace kanexpr {
 /// A vector of a model: basis vectors of any frames, mixed freely, as in `u1*L::x + u2*N::y`.
 template <int size>
 struct vector {
-  describe::token tokens[size];
+  describe::token tokens[static_cast<std::size_t>(size)];
 
   template <class T>
   constexpr auto operator=(const T& other) const {
@@ -18,7 +18,7 @@ struct vector {
 /// A sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.
 template <int size>
 struct dyadic {
-  describe::token tokens[size];
+  describe::token tokens[static_cast<std::size_t>(size)];
 };
 
 template <int a>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
 
 #include <array>
@@ -31,14 +32,14 @@ constexpr void constant_elimination(const elimination& e, const int* operands, c
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
   if (e.op == operation::regularity) {
-    const bool singular = factors[symbolic::factors{e.order}.least_pivot()] == 0;
+    const bool singular = numeric::equal(factors[symbolic::factors{e.order}.least_pivot()], 0.0);
     *out = singular ? 0 : symbolic::regularity_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];
   if (e.op == operation::factorization)
     symbolic::factorize<math>(e.order, out);
-  else if (factors[symbolic::factors{e.order}.least_pivot()] == 0)
+  else if (numeric::equal(factors[symbolic::factors{e.order}.least_pivot()], 0.0))
     for (int i = 0; i < e.order; ++i) out[i] = symbolic::elementary::detail::not_a_number;
   else if (e.op == operation::solve)
     symbolic::solve_factorized<math>(e.order, factors, out);
@@ -49,7 +50,7 @@ constexpr void constant_elimination(const elimination& e, const int* operands, c
 /// All slots of a tape, one after another; `value_of(load)` gives the arguments.
 template <const auto& tape, class ValueOf>
 constexpr auto constant_slots(ValueOf value_of) {
-  std::array<double, static_cast<std::size_t>(tape.slots() + 1)> slot{};
+  std::array<double, static_cast<std::size_t>(tape.slot_count() + 1)> slot{};
   std::size_t next = 0;
   for (int i = 0; i < tape.sizes.numbers; ++i) slot[next++] = tape.numbers[i].value();
   for (int i = 0; i < tape.sizes.loads; ++i) slot[next++] = value_of(tape.loads[i]);

@@ -85,7 +85,7 @@ private:
     constexpr elimination e = tape.eliminations[i];
     T* const out = slot_ + first + e.step;
     if constexpr (e.op == operation::regularity) {
-      T scales[e.inputs()];
+      T scales[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(scales, std::make_integer_sequence<int, e.inputs()>{});
       *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, scales);
     } else {
@@ -139,7 +139,7 @@ private:
       scalar_math<T>::sincos(a, slot[0], slot[1]);
   }
 
-  T slot_[tape.slots() > 0 ? tape.slots() : 1];
+  T slot_[tape.slot_count() > 0 ? tape.slot_count() : 1];
 };
 
 } // namespace kanexpr::lower

@@ -18,7 +18,7 @@ struct tape_sizes {
 /// A tape that can leave a constant evaluation, as plain arrays; what is behind the sizes is unused.
 template <tape_sizes room>
 struct fixed_tape {
-  static constexpr int at_least_one(int n) { return n > 0 ? n : 1; }
+  static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   tape_sizes sizes;
   symbolic::cost cost;
@@ -33,7 +33,7 @@ struct fixed_tape {
   int operands[at_least_one(room.operands)]{};
 
   constexpr int first_step() const { return sizes.numbers + sizes.loads; }
-  constexpr int slots() const { return first_step() + sizes.steps; }
+  constexpr int slot_count() const { return first_step() + sizes.steps; }
 };
 
 /// Room for any model that a compiler can be asked to derive. It costs nothing as long as only constant

@@ -48,17 +48,17 @@ struct load {
 /// The sines and cosines of angles that need none themselves stand together, `angle_count` pairs from step
 /// `first_angle` on, so that one routine can compute them all.
 struct tape {
-  sequence<instruction> steps;
-  sequence<symbolic::number> numbers;
-  sequence<load> loads;
-  sequence<int> results; ///< slots
-  sequence<elimination> eliminations;
-  sequence<int> operands; ///< slots
+  sequence<instruction> steps{};
+  sequence<symbolic::number> numbers{};
+  sequence<load> loads{};
+  sequence<int> results{}; ///< slots
+  sequence<elimination> eliminations{};
+  sequence<int> operands{}; ///< slots
   int first_angle = 0;
   int angle_count = 0;
 
   constexpr int first_step() const { return numbers.size() + loads.size(); }
-  constexpr int slots() const { return first_step() + steps.size(); }
+  constexpr int slot_count() const { return first_step() + steps.size(); }
 };
 
 namespace detail {
@@ -176,7 +176,7 @@ private:
   sequence<char> live_;
   sequence<int> slot_;
   const sequence<int>& outputs_;
-  tape tape_;
+  tape tape_{};
 };
 
 } // namespace detail

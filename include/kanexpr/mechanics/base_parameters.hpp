@@ -111,8 +111,8 @@ private:
   }
 
   const skeleton& s_;
-  sequence<link> links_;
-  sequence<link> settled_;
+  sequence<link> links_{};
+  sequence<link> settled_{};
 };
 
 } // namespace detail

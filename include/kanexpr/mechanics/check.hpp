@@ -149,7 +149,7 @@ private:
 
   const mechanism& m_;
   contents held_;
-  problem found_;
+  problem found_{};
 };
 
 } // namespace detail

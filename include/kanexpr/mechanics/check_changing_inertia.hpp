@@ -47,8 +47,8 @@ public:
 
 private:
   struct doubt {
-    int body;
-    vector from_center; ///< to the point that the inertia is about
+    int body = none;
+    vector from_center{}; ///< to the point that the inertia is about
   };
 
   constexpr problem told(const body& b) const {
@@ -161,7 +161,7 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  sequence<doubt> doubtful_;
+  sequence<doubt> doubtful_{};
 };
 
 } // namespace detail

@@ -139,8 +139,8 @@ private:
 
   const mechanism& m_;
   const contents& c_;
-  sequence<sequence<int>> rates_; ///< nodes of the coordinate rates that each equation holds
-  problem found_;
+  sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates that each equation holds
+  problem found_{};
 };
 
 } // namespace detail

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/check_constraints.hpp>
 #include <kanexpr/mechanics/lagrange.hpp>
 #include <kanexpr/mechanics/turning.hpp>
+#include <kanexpr/numeric/equal.hpp>
 
 /// Mistakes that Lagrange's method alone minds.
 namespace kanexpr::mechanics {
@@ -15,7 +16,7 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   a.entries = all;
   for (const numbers& state : at_generic_states(a, &m))
     for (double e : state.entries)
-      if (e != 0) return false;
+      if (!numeric::equal(e, 0.0)) return false;
   return true;
 }
 
@@ -121,7 +122,7 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   contents held_;
-  problem found_;
+  problem found_{};
 };
 
 } // namespace detail

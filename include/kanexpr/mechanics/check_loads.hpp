@@ -190,7 +190,7 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  problem found_;
+  problem found_{};
 };
 
 } // namespace detail

@@ -52,12 +52,12 @@ public:
 private:
   /// Of a frame, in its own axes at all states.
   struct turning {
-    int frame;
-    span_of_triples all;       ///< what its orientation does not say of its angular velocity
-    span_of_triples bound;     ///< the same without speeds that stand in no kinematic equation
-    span_of_triples free;      ///< what these speeds make of it
-    span_of_triples by_angles; ///< what its orientation can turn about in its reference, at one state
-    triple before;
+    int frame = none;
+    span_of_triples all{};       ///< what its orientation does not say of its angular velocity
+    span_of_triples bound{};     ///< the same without speeds that stand in no kinematic equation
+    span_of_triples free{};      ///< what these speeds make of it
+    span_of_triples by_angles{}; ///< what its orientation can turn about in its reference, at one state
+    triple before{};
   };
 
   constexpr std::string_view called(int f) const { return m_.frames[f].called.view(); }
@@ -114,7 +114,7 @@ private:
   const mechanism& m_;
   const contents& held_;
   generic_motion motion_;
-  sequence<turning> declared_;
+  sequence<turning> declared_{};
   bool is_any_apart_ = false;
 };
 

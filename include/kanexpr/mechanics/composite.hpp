@@ -10,12 +10,12 @@ namespace kanexpr::mechanics {
 struct composite {
   struct column {
     int speed = none;
-    vector force;      ///< turned to no other axes before it has to be
-    components moment; ///< about the node, on the frame
+    vector force{};      ///< turned to no other axes before it has to be
+    components moment{}; ///< about the node, on the frame
   };
   int frame = mechanism::inertial;
-  rigid_mass mass;
-  sequence<column> columns;
+  rigid_mass mass{};
+  sequence<column> columns{};
 };
 
 /// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree

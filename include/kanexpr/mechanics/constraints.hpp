@@ -10,12 +10,12 @@ namespace kanexpr::mechanics {
 /// Everything that binds the speeds, J u + J_a u_a + c = 0: the velocity constraints of the model, then the
 /// rates of its configuration constraints.
 struct constraints {
-  sequence<velocity_constraint> on_velocities; ///< without auxiliary speeds
-  sequence<int> node; ///< by such constraint: the node whose velocity has no such component, or none
-  sequence<int> of_configuration; ///< the configuration constraint that it is the rate of, or none
-  symbolic::matrix jacobian;      ///< J, a column for each speed
-  symbolic::matrix by_auxiliary;  ///< J_a, a column for each auxiliary speed
-  sequence<expression> remainder; ///< c, what is left when nothing moves
+  sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
+  sequence<int> node{}; ///< by such constraint: the node whose velocity has no such component, or none
+  sequence<int> of_configuration{}; ///< the configuration constraint that it is the rate of, or none
+  symbolic::matrix jacobian{};      ///< J, a column for each speed
+  symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
+  sequence<expression> remainder{}; ///< c, what is left when nothing moves
 
   constexpr int size() const { return on_velocities.size(); }
 };

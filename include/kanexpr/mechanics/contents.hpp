@@ -10,11 +10,11 @@ class contents {
 public:
   using kind = symbolic::symbol_kind;
 
-  constexpr explicit contents(const graph& g) : g_(&g), held_(g.size(), 0) {
+  constexpr explicit contents(const graph& g) : g_(g), held_(g.size(), 0) {
     for (int id = 0; id < g.size(); ++id) held_[id] = of(g[id], id);
   }
 
-  constexpr bool holds(expression e, kind wanted) const { return (held_[e.node()] & bit(wanted)) != 0; }
+  constexpr bool holds(expression e, kind wanted) const { return (held_[e.node()] & bit_of(wanted)) != 0; }
   constexpr bool holds_any(expression e, std::initializer_list<kind> wanted) const {
     for (kind k : wanted)
       if (holds(e, k)) return true;
@@ -23,7 +23,7 @@ public:
 
   /// Made of numbers and parameters alone.
   constexpr bool is_fixed(expression e) const {
-    return (held_[e.node()] & ~(bit(kind::parameter) | nonlinear)) == 0;
+    return (held_[e.node()] & ~(bit_of(kind::parameter) | nonlinear)) == 0;
   }
   constexpr bool is_fixed(const components& v) const {
     return is_fixed(v.x) && is_fixed(v.y) && is_fixed(v.z);
@@ -38,11 +38,11 @@ public:
   /// The name of the first symbol of a kind that the expression holds.
   constexpr std::string_view name_of(expression e, kind wanted) const {
     int id = e.node();
-    while ((*g_)[id].op != symbolic::operation::symbol) {
-      const symbolic::node& n = (*g_)[id];
-      id = (held_[n.a] & bit(wanted)) != 0 ? n.a : n.b;
+    while (g_[id].op != symbolic::operation::symbol) {
+      const symbolic::node& n = g_[id];
+      id = (held_[n.a] & bit_of(wanted)) != 0 ? n.a : n.b;
     }
-    return g_->symbol_at(id).called.view();
+    return g_.symbol_at(id).called.view();
   }
 
   /// Adds the symbols of a kind that the expression holds.
@@ -55,12 +55,12 @@ private:
   static constexpr unsigned moving = 1u << static_cast<int>(kind::speed) |
                                      1u << static_cast<int>(kind::coordinate_rate) |
                                      1u << static_cast<int>(kind::auxiliary_speed);
-  static constexpr unsigned bit(kind k) { return 1u << static_cast<int>(k); }
+  static constexpr unsigned bit_of(kind k) { return 1u << static_cast<int>(k); }
 
   constexpr unsigned of(const symbolic::node& n, int id) const {
     using symbolic::operation;
     if (n.op == operation::constant) return 0;
-    if (n.op == operation::symbol) return bit(g_->symbol_at(id).kind);
+    if (n.op == operation::symbol) return bit_of(g_.symbol_at(id).kind);
     const unsigned a = held_[n.a], b = symbolic::is_binary(n.op) ? held_[n.b] : 0;
     bool linear = true;
     switch (n.op) {
@@ -75,8 +75,8 @@ private:
   }
 
   constexpr void collect(int id, kind wanted, sequence<int>& nodes) const {
-    if ((held_[id] & bit(wanted)) == 0) return;
-    const symbolic::node& n = (*g_)[id];
+    if ((held_[id] & bit_of(wanted)) == 0) return;
+    const symbolic::node& n = g_[id];
     if (n.op == symbolic::operation::symbol) {
       if (!nodes.contains(id)) nodes.push(id);
       return;
@@ -85,7 +85,7 @@ private:
     if (symbolic::is_binary(n.op)) collect(n.b, wanted, nodes);
   }
 
-  const graph* g_;
+  const graph& g_;
   sequence<unsigned> held_;
 };
 

@@ -7,10 +7,10 @@ namespace kanexpr::mechanics {
 
 /// The dependent speeds and their rates by the independent ones: u_d = A u_i + b, u̇_d = A u̇_i + b̄.
 struct dependent_speeds {
-  symbolic::matrix on_independent;        ///< A
-  sequence<expression> at_rest;           ///< b
-  sequence<expression> acceleration_bias; ///< b̄
-  sequence<symbolic::solved_block> blocks;
+  symbolic::matrix on_independent{};        ///< A
+  sequence<expression> at_rest{};           ///< b
+  sequence<expression> acceleration_bias{}; ///< b̄
+  sequence<symbolic::solved_block> blocks{};
 };
 
 namespace detail {

@@ -173,10 +173,10 @@ private:
   const partition& speeds_;
   lagrange_equations lagrange_{s_};
   bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
-  dependent_speeds dependent_;
-  symbolic::matrix free_mass_, coupling_, mass_, lambda_;
-  sequence<expression> free_force_, force_, udot_;
-  sequence<symbolic::pivot> pivots_;
+  dependent_speeds dependent_{};
+  symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};
+  sequence<expression> free_force_{}, force_{}, udot_{};
+  sequence<symbolic::pivot> pivots_{};
 };
 
 } // namespace kanexpr::mechanics

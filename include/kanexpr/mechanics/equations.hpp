@@ -306,14 +306,14 @@ private:
 
   skeleton s_;
   const mechanism* m_;
-  problem mistake_;
-  constraints constraints_;
-  symbolic::matrix configuration_; ///< the derivatives of the configuration constraints by the coordinates
-  partition speeds_, coordinates_;
+  problem mistake_{};
+  constraints constraints_{};
+  symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
+  partition speeds_{}, coordinates_{};
   dynamics dynamics_{s_, constraints_, speeds_};
   bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_positive_ = false;
-  motion motion_;
-  std::optional<mechanics::linearizer> linearizer_, full_linearizer_, free_linearizer_;
+  motion motion_{};
+  std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
 };
 
 } // namespace kanexpr::mechanics

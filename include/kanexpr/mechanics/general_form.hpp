@@ -16,22 +16,22 @@ namespace kanexpr::mechanics {
 /// Peterson, Gede & Hubbard, Symbolic linearization of equations of motion of constrained multibody systems,
 /// Multibody System Dynamics 33 (2015).
 struct general_form {
-  sequence<expression> q, u, lambda, r; ///< symbols
-  sequence<expression> qdot, udot;      ///< the symbols of the rates of q and u
-  partition coordinates, speeds;        ///< which of them are dependent
-  sequence<expression> f_c, f_v, f_a, f_0, f_1, f_2, f_3, f_4;
+  sequence<expression> q{}, u{}, lambda{}, r{}; ///< symbols
+  sequence<expression> qdot{}, udot{};          ///< the symbols of the rates of q and u
+  partition coordinates{}, speeds{};            ///< which of them are dependent
+  sequence<expression> f_c{}, f_v{}, f_a{}, f_0{}, f_1{}, f_2{}, f_3{}, f_4{};
 
   /// What a derivation knows already of the linear parts of these equations; what is left empty is formed
   /// when it is needed.
   struct linear_parts {
-    sequence<expression> qdot;   ///< q̇ as f_0 + f_1 = 0 gives it
-    symbolic::matrix on_u;       ///< ∂f_v/∂u
-    symbolic::matrix on_udot;    ///< ∂f_a/∂u̇
-    symbolic::matrix dependency; ///< ∂u̇_d/∂u̇_i as f_a = 0 gives it
-    symbolic::matrix coupling;   ///< (∂f_2/∂u̇_d)ᵀ
-    symbolic::matrix mass;       ///< ∂f_2/∂u̇_i with the dependent rates eliminated; symmetric
+    sequence<expression> qdot{};   ///< q̇ as f_0 + f_1 = 0 gives it
+    symbolic::matrix on_u{};       ///< ∂f_v/∂u
+    symbolic::matrix on_udot{};    ///< ∂f_a/∂u̇
+    symbolic::matrix dependency{}; ///< ∂u̇_d/∂u̇_i as f_a = 0 gives it
+    symbolic::matrix coupling{};   ///< (∂f_2/∂u̇_d)ᵀ
+    symbolic::matrix mass{};       ///< ∂f_2/∂u̇_i with the dependent rates eliminated; symmetric
   };
-  linear_parts known;
+  linear_parts known{};
 
   constexpr int states() const { return coordinates.independent.size() + speeds.independent.size(); }
   constexpr int inputs() const { return r.size(); }

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/contents.hpp>
 #include <kanexpr/mechanics/mechanism.hpp>
 #include <kanexpr/mechanics/triple.hpp>
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/evaluate_rate.hpp>
 
 /// How the frames of a mechanism turn, in numbers, at states that nobody chose.
@@ -86,8 +87,8 @@ private:
   using kind = symbolic::symbol_kind;
 
   struct pose {
-    triad basis;
-    triple by_orientation, turning;
+    triad basis{};
+    triple by_orientation{}, turning{};
     bool proper = true;
     bool known = false; ///< `turning`
   };
@@ -148,7 +149,7 @@ private:
         coupled.push(i);
         continue;
       }
-      if (at_one[i] == at_rest[i]) return false;
+      if (numeric::equal(at_one[i], at_rest[i])) return false;
       known.push(rates_[i][0]);
       set_rate(known.back(), -at_rest[i] / (at_one[i] - at_rest[i]));
     }
@@ -265,8 +266,8 @@ private:
   symbolic::rate_evaluation scalars_;
   sequence<symbolic::rated> symbols_;
   sequence<pose> frames_;
-  sequence<sequence<int>> rates_; ///< of coordinates, that each equation holds
-  sequence<int> free_speeds_;
+  sequence<sequence<int>> rates_{}; ///< of coordinates, that each equation holds
+  sequence<int> free_speeds_{};
   std::uint64_t random_ = 88172645463325252u;
 };
 

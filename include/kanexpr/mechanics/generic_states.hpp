@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/mechanism.hpp>
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/elementary.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
 #include <kanexpr/symbolic/magnitudes.hpp>
@@ -14,7 +15,7 @@ namespace kanexpr::mechanics {
 struct numbers {
   int rows = 0;
   int columns = 0;
-  sequence<double> entries;
+  sequence<double> entries{};
 
   constexpr double operator()(int i, int j) const { return entries[i * columns + j]; }
   constexpr bool finite() const {
@@ -30,19 +31,21 @@ namespace detail {
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& outputs, const mechanism* of)
-      : g_(&g), of_(of), sizes_(g) {
+      : g_(g), of_(of), sizes_(g) {
     const sequence<char> live = symbolic::live_nodes(g, outputs);
     for (int id = 0; id < g.size(); ++id)
       if (live[id] != 0 && g[id].op == symbolic::operation::symbol) symbols_.push(id);
     value_.resize(symbols_.size(), 0.0);
   }
+  generic_values(const generic_values&) = delete;
+  generic_values& operator=(const generic_values&) = delete;
 
   constexpr void draw() {
     for (int i = 0; i < symbols_.size(); ++i) {
       const int id = symbols_[i];
       random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
       const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
-      const bool one_sign = g_->symbol_at(id).kind == symbolic::symbol_kind::parameter;
+      const bool one_sign = g_.symbol_at(id).kind == symbolic::symbol_kind::parameter;
       value_[i] = sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
     }
     if (of_ == nullptr) return;
@@ -57,11 +60,11 @@ public:
   constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
 
 private:
-  const graph* g_;
+  const graph& g_;
   const mechanism* of_;
   symbolic::typical_sizes sizes_;
-  sequence<int> symbols_;
-  sequence<double> value_;
+  sequence<int> symbols_{};
+  sequence<double> value_{};
   std::uint64_t random_ = 88172645463325252u;
 };
 
@@ -124,7 +127,7 @@ public:
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
-      if (rows_[i] == 0) rows_[i] = 1, hand_on(i);
+      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, hand_on(i);
     for (int sweeps = 0; sweeps < 2; ++sweeps) {
       for (int j = 0; j < largest_.columns; ++j) {
         double most = 0;
@@ -152,15 +155,16 @@ private:
   /// To the columns of a row, and to the rows of these.
   constexpr void hand_on(int row) {
     for (int j = 0; j < largest_.columns; ++j) {
-      if (columns_[j] != 0 || largest_(row, j) == 0) continue;
+      if (!numeric::equal(columns_[j], 0.0) || numeric::equal(largest_(row, j), 0.0)) continue;
       columns_[j] = 1 / (largest_(row, j) * rows_[row]);
       for (int i = 0; i < largest_.rows; ++i)
-        if (rows_[i] == 0 && largest_(i, j) != 0) rows_[i] = 1 / (largest_(i, j) * columns_[j]), hand_on(i);
+        if (numeric::equal(rows_[i], 0.0) && !numeric::equal(largest_(i, j), 0.0))
+          rows_[i] = 1 / (largest_(i, j) * columns_[j]), hand_on(i);
     }
   }
 
-  numbers largest_; ///< of all states
-  sequence<double> rows_, columns_;
+  numbers largest_{}; ///< of all states
+  sequence<double> rows_{}, columns_{};
 };
 
 constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
@@ -175,7 +179,7 @@ public:
   /// Takes a row up; false where it lies in the space already.
   constexpr bool add(sequence<double> row) {
     const double whole = norm(row);
-    if (whole == 0) return false;
+    if (numeric::equal(whole, 0.0)) return false;
     for (int twice = 0; twice < 2; ++twice) // once more for what rounding left
       for (const sequence<double>& unit : basis_) {
         const double along = dot(unit, row);
@@ -196,7 +200,7 @@ private:
   }
   static constexpr double norm(const sequence<double>& a) { return symbolic::elementary::sqrt(dot(a, a)); }
 
-  sequence<sequence<double>> basis_;
+  sequence<sequence<double>> basis_{};
 };
 
 /// Which rows of a matrix do not follow from those before them, in some configuration at least.

@@ -6,7 +6,7 @@ namespace kanexpr::mechanics {
 
 /// A symmetric dyadic in the axes of some frame: an inertia, with the sign of I = Σ m (r·r E − r r).
 struct symmetric {
-  expression xx, yy, zz, xy, yz, zx;
+  expression xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
 
   static constexpr expression symmetric::* entry(int i, int j) {
     if (i == j) return i == 0 ? &symmetric::xx : i == 1 ? &symmetric::yy : &symmetric::zz;
@@ -50,9 +50,9 @@ constexpr bool is_round(const Inertia& i, int a) {
 /// The rigid mass of a part seen from one of its points, in the axes of some frame:
 /// mass, first moment h = Σ m r and inertia about the point.
 struct rigid_mass {
-  expression mass;
-  components first_moment;
-  symmetric inertia;
+  expression mass{};
+  components first_moment{};
+  symmetric inertia{};
 
   constexpr rigid_mass() = default;
   constexpr explicit rigid_mass(graph& g) : mass(g, graph::zero), first_moment(g), inertia(g) {}

@@ -11,8 +11,8 @@ namespace kanexpr::mechanics {
 
 /// The momenta p = ∂L/∂q̇ and ∂L/∂q of a Lagrangian, by one reverse pass.
 struct lagrangian_gradient {
-  sequence<expression> momenta;
-  sequence<expression> by_coordinates;
+  sequence<expression> momenta{};
+  sequence<expression> by_coordinates{};
 };
 
 constexpr lagrangian_gradient gradient_of(const mechanism& m, expression lagrangian) {
@@ -94,7 +94,7 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
-  lagrangian_gradient gradient_;
+  lagrangian_gradient gradient_{};
 };
 
 } // namespace kanexpr::mechanics

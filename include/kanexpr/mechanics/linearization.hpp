@@ -7,15 +7,15 @@ namespace kanexpr::mechanics {
 
 /// M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, the rows in the order kinematics, constraints, dynamics.
 struct implicit_linearization {
-  symbolic::matrix mass;  ///< M, (n+o+k)×(n+o+k)
-  symbolic::matrix state; ///< A, (n+o+k)×(n−l+o−m)
-  symbolic::matrix input; ///< B, (n+o+k)×s
+  symbolic::matrix mass{};  ///< M, (n+o+k)×(n+o+k)
+  symbolic::matrix state{}; ///< A, (n+o+k)×(n−l+o−m)
+  symbolic::matrix input{}; ///< B, (n+o+k)×s
 };
 
 /// δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr; of outputs y, δy = C δ[q_i; u_i] + D δr.
 struct explicit_linearization {
-  symbolic::matrix state; ///< A or C
-  symbolic::matrix input; ///< B or D
+  symbolic::matrix state{}; ///< A or C
+  symbolic::matrix input{}; ///< B or D
 
   constexpr explicit_linearization() = default;
   constexpr explicit_linearization(graph& g, int rows, int states, int inputs)

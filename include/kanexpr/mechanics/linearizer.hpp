@@ -227,10 +227,10 @@ private:
   graph& g_;
   const general_form form_;
   mechanics::variations variations_;
-  implicit_linearization implicit_;
-  explicit_linearization explicit_;
-  symbolic::matrix rates_;
-  sequence<symbolic::pivot> pivots_;
+  implicit_linearization implicit_{};
+  explicit_linearization explicit_{};
+  symbolic::matrix rates_{};
+  sequence<symbolic::pivot> pivots_{};
 };
 
 } // namespace kanexpr::mechanics

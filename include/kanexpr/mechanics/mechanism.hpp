@@ -13,9 +13,9 @@ inline constexpr int none = -1;
 struct vector {
   struct part {
     int frame = none;
-    components value;
+    components value{};
   };
-  sequence<part> parts;
+  sequence<part> parts{};
 
   constexpr void add(int frame, const components& value) {
     for (part& p : parts)
@@ -63,9 +63,9 @@ struct dyadic {
   struct part {
     int left = none;
     int right = none;
-    matrix3 value;
+    matrix3 value{};
   };
-  sequence<part> parts;
+  sequence<part> parts{};
 
   constexpr void add(int left, int right, const matrix3& value) {
     for (part& p : parts)
@@ -104,38 +104,38 @@ enum class orientation {
 };
 
 struct frame {
-  name called;
+  name called{};
   int parent = none;
   orientation kind = orientation::inertial;
   int axis = 0;
-  expression angle;
-  components direction; ///< in the parent's axes
-  matrix3 to_parent;    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
-  sequence<expression> quaternion; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
-  int reference = none;            ///< the frame that a declared angular velocity is measured in
-  vector angular_velocity;
+  expression angle{};
+  components direction{}; ///< in the parent's axes
+  matrix3 to_parent{};    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
+  sequence<expression> quaternion{}; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
+  int reference = none;              ///< the frame that a declared angular velocity is measured in
+  vector angular_velocity{};
   bool turns_apart = false; ///< from its orientation, on purpose
 
   constexpr bool turns_by_declaration() const { return reference != none; }
 };
 
 struct point {
-  name called;
+  name called{};
   int parent = none;    ///< none: an origin, fixed in the inertial frame
-  vector offset;        ///< from the parent
+  vector offset{};      ///< from the parent
   int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
   int reference = none; ///< the frame that a declared velocity is measured in
-  vector velocity;
+  vector velocity{};
 
   constexpr bool moves_by_declaration() const { return reference != none; }
 };
 
 struct body {
-  name called;
+  name called{};
   int center = none; ///< the point of the mass centre
   int frame = none;  ///< none: a particle
-  expression mass;
-  dyadic inertia;
+  expression mass{};
+  dyadic inertia{};
   int about = none;             ///< the point that the inertia is about
   bool inertia_changes = false; ///< as the body sees it, on purpose
   bool effective = false;       ///< the inertia need not be that of a distribution of mass
@@ -143,13 +143,13 @@ struct body {
 
 struct force {
   int point = none;
-  vector value;
+  vector value{};
   int against = none; ///< the point that feels the opposite; none: nothing of the system does
 };
 
 struct torque {
   int frame = none;
-  vector value;
+  vector value{};
   int against = none; ///< the frame that feels the opposite
 };
 
@@ -158,29 +158,29 @@ struct torque {
 struct spring_damper {
   int point = none;
   int other = none;
-  expression stiffness, length, damping;
+  expression stiffness{}, length{}, damping{};
 };
 
 /// A torque −damping·(ω_frame − ω_against) on what is fixed in `frame`, and its opposite on `against`.
 struct torsional_damper {
   int frame = none;
   int against = none;
-  expression damping;
+  expression damping{};
 };
 
 /// A velocity constraint: a scalar, linear in the speeds, that vanishes. Where it is the component of a
 /// vector along a direction, both are kept, for the rate of the vector is cheaper to form than that of the
 /// scalar.
 struct velocity_constraint {
-  expression value;
-  vector vanishing; ///< no parts: there is only the scalar
-  vector direction;
+  expression value{};
+  vector vanishing{}; ///< no parts: there is only the scalar
+  vector direction{};
 };
 
 /// A quantity that the caller knows as a function of time: its symbol is an input, and so is its rate.
 struct prescribed_rate {
-  expression quantity;
-  expression rate;
+  expression quantity{};
+  expression rate{};
 };
 
 /// How the equations of motion are derived.
@@ -193,31 +193,32 @@ enum class method : unsigned char {
 /// while they run, and what every step of the mechanics starts from. Frame 0 is the inertial frame.
 struct mechanism {
   graph* g = nullptr;
-  sequence<expression> coordinates, speeds, parameters,
-      inputs;                                         ///< in the order of the state and argument vectors
-  sequence<expression> coordinate_rates, speed_rates; ///< the symbols dq/dt and du/dt
+  sequence<expression> coordinates{}, speeds{}, parameters{},
+      inputs{};                                           ///< in the order of the state and argument vectors
+  sequence<expression> coordinate_rates{}, speed_rates{}; ///< the symbols dq/dt and du/dt
   expression time;
-  sequence<prescribed_rate> prescribed_rates;
-  sequence<expression> kinematics;                ///< expressions that vanish, linear in the coordinate rates
-  sequence<expression> configuration_constraints; ///< of coordinates, parameters and time, that vanish
-  sequence<velocity_constraint> velocity_constraints;
-  sequence<expression> acceleration_constraints; ///< linear in u̇, that vanish; empty: derived from the others
-  sequence<int> dependent_coordinates, dependent_speeds; ///< by position; empty: the library chooses
-  sequence<expression> auxiliary_speeds; ///< that are zero and bring out a force that does no work
-  sequence<frame> frames;
-  sequence<point> points;
-  sequence<body> bodies;
-  sequence<force> forces;
-  sequence<torque> torques;
-  sequence<expression> potential_energies; ///< of coordinates, parameters, time and inputs; others are those
-                                           ///< of gravity and of springs
-  sequence<spring_damper> spring_dampers;
-  sequence<torsional_damper> torsional_dampers;
+  sequence<prescribed_rate> prescribed_rates{};
+  sequence<expression> kinematics{}; ///< expressions that vanish, linear in the coordinate rates
+  sequence<expression> configuration_constraints{}; ///< of coordinates, parameters and time, that vanish
+  sequence<velocity_constraint> velocity_constraints{};
+  /// Linear in u̇, that vanish; empty: derived from the others.
+  sequence<expression> acceleration_constraints{};
+  sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by position; empty: the library chooses
+  sequence<expression> auxiliary_speeds{}; ///< that are zero and bring out a force that does no work
+  sequence<frame> frames{};
+  sequence<point> points{};
+  sequence<body> bodies{};
+  sequence<force> forces{};
+  sequence<torque> torques{};
+  sequence<expression> potential_energies{}; ///< of coordinates, parameters, time and inputs; others are
+                                             ///< those of gravity and of springs
+  sequence<spring_damper> spring_dampers{};
+  sequence<torsional_damper> torsional_dampers{};
   bool has_gravity = false;
-  vector gravity; ///< acceleration of free fall, on every body
+  vector gravity{}; ///< acceleration of free fall, on every body
   method derived_by = method::kane;
   bool has_lagrangian = false;
-  expression lagrangian; ///< in place of the energies of bodies
+  expression lagrangian{}; ///< in place of the energies of bodies
 
   static constexpr int inertial = 0;
 

@@ -11,7 +11,7 @@ namespace kanexpr::mechanics {
 template <class T>
 struct remembered {
   bool known = false;
-  T value;
+  T value{};
   constexpr const T& keep(const T& formed) {
     known = true;
     return value = formed;
@@ -24,6 +24,10 @@ struct remembered {
 class motion {
 public:
   constexpr motion() = default;
+  motion(const motion&) = default;
+  motion(motion&&) = default;
+  motion& operator=(const motion&) = default;
+  motion& operator=(motion&&) = default;
   /// `udot`: the rates of the speeds; without them all accelerations are taken at u̇ = 0, the bias of Kane's
   /// equations.
   constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
@@ -153,11 +157,11 @@ public:
 private:
   const skeleton* s_ = nullptr;
   const mechanism* m_ = nullptr;
-  symbolic::derivation along_time_;
-  vector ground_;
-  sequence<remembered<components>> omega_, alpha_;
-  sequence<remembered<matrix3>> carry_;
-  sequence<remembered<components>> velocity_, acceleration_;
+  symbolic::derivation along_time_{};
+  vector ground_{};
+  sequence<remembered<components>> omega_{}, alpha_{};
+  sequence<remembered<matrix3>> carry_{};
+  sequence<remembered<components>> velocity_{}, acceleration_{};
 };
 
 } // namespace kanexpr::mechanics

@@ -9,8 +9,8 @@ namespace kanexpr::mechanics {
 struct hop {
   bool about_basis = true;
   int axis = 0;
-  expression angle; ///< of the old axes in the new ones
-  matrix3 to_new;
+  expression angle{}; ///< of the old axes in the new ones
+  matrix3 to_new{};
 };
 
 constexpr components turned(const hop& h, const components& v) {
@@ -122,7 +122,7 @@ private:
       hops_.push({true, axis, angle, matrix3{}});
   }
 
-  sequence<hop> hops_;
+  sequence<hop> hops_{};
 };
 
 constexpr components express(const mechanism& m, const components& v, int from, int to) {
@@ -136,14 +136,14 @@ constexpr components express(const mechanism& m, const vector& v, int to) {
   sequence<vector::part> left = v.parts;
   components total(*m.g);
   while (!left.empty()) {
-    int far = 0, hops = -1;
+    int farthest = 0, hops = -1;
     for (int i = 0; i < left.size(); ++i) {
       const int meeting = path::common_ancestor(m, left[i].frame, to);
       const int n = path::depth(m, left[i].frame) + path::depth(m, to) - 2 * path::depth(m, meeting);
-      if (n > hops) far = i, hops = n;
+      if (n > hops) farthest = i, hops = n;
     }
-    const vector::part part = left[far];
-    left[far] = left.back();
+    const vector::part part = left[farthest];
+    left[farthest] = left.back();
     left.pop();
     if (hops == 0) {
       total += part.value;

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <kanexpr/mechanics/generic_states.hpp>
+#include <kanexpr/numeric/equal.hpp>
 
 namespace kanexpr::mechanics {
 
 /// The unknowns that some equations are solved for, and those that stay free; both in the order of the model.
 struct partition {
-  sequence<int> dependent;
-  sequence<int> independent;
+  sequence<int> dependent{};
+  sequence<int> independent{};
 };
 
 constexpr partition partition_by(const sequence<char>& is_dependent) {
@@ -82,7 +83,7 @@ private:
 
   constexpr void eliminate(numbers& a, place pivot) const {
     for (int i = 0; i < a.rows; ++i) {
-      if (row_done_[i] != 0 || a(i, pivot.column) == 0) continue;
+      if (row_done_[i] != 0 || numeric::equal(a(i, pivot.column), 0.0)) continue;
       const double factor = a(i, pivot.column) / a(pivot.row, pivot.column);
       for (int j = 0; j < a.columns; ++j) a.entries[i * a.columns + j] -= factor * a(pivot.row, j);
     }

@@ -11,8 +11,8 @@ namespace kanexpr::mechanics {
 /// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
 struct guard {
   int key = 0; ///< the node that all results rest on which need the solution
-  expression measure, scale;
-  problem cause;
+  expression measure{}, scale{};
+  problem cause{};
 };
 
 constexpr sequence<guard> guards_of_rates(const mechanism& m,

@@ -12,10 +12,10 @@ struct node {
   bool absolute = false; ///< v = slide alone, measured from the ground
   int frame = mechanism::inertial;
   int offset_frame = mechanism::inertial; ///< the frame whose axes `r` is given in
-  components r;
+  components r{};
   bool carried = true; ///< ṙ = ω_frame × r
   bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
-  vector slide;
+  vector slide{};
   int axes = mechanism::inertial; ///< the frame in whose working axes the node's motion and forces are given
 
   constexpr vector offset() const {
@@ -29,14 +29,14 @@ struct node {
 struct link {
   int node = none;
   int frame = none;
-  rigid_mass mass;
+  rigid_mass mass{};
 };
 
 /// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or
 /// a partial angular velocity.
 struct direction {
   int speed = none;
-  components value;
+  components value{};
 };
 
 /// A mechanism made ready for the dynamics: frames that do not turn in each other are one, points form a tree
@@ -44,23 +44,23 @@ struct direction {
 /// are cheapest to form.
 struct skeleton {
   const mechanism* model = nullptr;
-  sequence<expression> coordinate_rates;        ///< q̇ as expressions of q, u and t
-  sequence<symbolic::solved_block> rate_blocks; ///< the coupled parts of the equations that gave them
-  sequence<int> rigid_with;                     ///< by frame: the frame that stands for all that turn with it
-  sequence<int> turns_in;   ///< by such frame: the one that its angular velocity is measured in
-  sequence<vector> turning; ///< by such frame: that angular velocity
-  sequence<int> body_axes;  ///< by such frame: the axes in which its masses and offsets are given
+  sequence<expression> coordinate_rates{};        ///< q̇ as expressions of q, u and t
+  sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that gave them
+  sequence<int> rigid_with{}; ///< by frame: the frame that stands for all that turn with it
+  sequence<int> turns_in{};   ///< by such frame: the one that its angular velocity is measured in
+  sequence<vector> turning{}; ///< by such frame: that angular velocity
+  sequence<int> body_axes{};  ///< by such frame: the axes in which its masses and offsets are given
   sequence<int>
-      working_axes; ///< by such frame: the axes in which its motion, forces and composites are formed
+      working_axes{}; ///< by such frame: the axes in which its motion, forces and composites are formed
   sequence<sequence<direction>>
-      partial_turning;  ///< by such frame: the partial derivatives of that, in working axes
-  sequence<node> nodes; ///< a parent comes before its children
+      partial_turning{};  ///< by such frame: the partial derivatives of that, in working axes
+  sequence<node> nodes{}; ///< a parent comes before its children
   sequence<sequence<direction>>
-      partial_slide; ///< by node: the partial derivatives of its slide, in working axes
-  sequence<int> node_of_point;
-  sequence<link> links;      ///< every mass, gathered where it moves as one
-  sequence<link> base_links; ///< the same motion with fewer numbers: masses regrouped across joints, see
-                             ///< base_parameters.hpp
+      partial_slide{}; ///< by node: the partial derivatives of its slide, in working axes
+  sequence<int> node_of_point{};
+  sequence<link> links{};      ///< every mass, gathered where it moves as one
+  sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see
+                               ///< base_parameters.hpp
 
   constexpr components offset_in_working_axes(int n) const {
     const node& at = nodes[n];

@@ -37,7 +37,7 @@ constexpr expression spring_energy(const mechanism& m, const spring_damper& e) {
 /// The line d in the axes in which the forces of one of its points are formed, the last of these.
 struct stretch {
   int axes = mechanism::inertial;
-  components d;
+  components d{};
 };
 
 constexpr stretch stretch_of(const skeleton& s, const spring_damper& e) {

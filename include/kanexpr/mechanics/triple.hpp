@@ -22,7 +22,7 @@ constexpr double length(triple a) { return symbolic::elementary::sqrt(dot(a, a))
 
 /// Three vectors: the basis of one frame in the axes of another, or the columns of a dyadic.
 struct triad {
-  triple x, y, z;
+  triple x{}, y{}, z{};
 
   constexpr const triple& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   constexpr triple operator*(triple v) const { return v.x * x + v.y * y + v.z * z; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/generic_states.hpp>
+#include <kanexpr/numeric/equal.hpp>
 
 /// The quaternions of frames whose norm 1 the kinematic differential equations keep: no constraint, for no
 /// speed is bound by it, but what numbers must not lose.
@@ -44,7 +45,7 @@ public:
     row_space kept;
     for (int i = 0; i < rows.size(); ++i) {
       bool holds_a_rate = false;
-      for (double entry : rows[i]) holds_a_rate = holds_a_rate || entry != 0;
+      for (double entry : rows[i]) holds_a_rate = holds_a_rate || !numeric::equal(entry, 0.0);
       rows[i].push(rest[i]);
       if (holds_a_rate) kept.add(rows[i]);
     }
@@ -84,7 +85,7 @@ private:
   const mechanism& m_;
   const sequence<int>& places_;
   symbolic::evaluation evaluate_;
-  sequence<double> e_;
+  sequence<double> e_{};
 };
 
 } // namespace detail

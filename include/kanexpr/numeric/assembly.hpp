@@ -16,7 +16,7 @@ struct assembly {
   int steps = 0;                     ///< of Newton's method
   double configuration_residual = 0; ///< the largest magnitude at the end
   double velocity_residual = 0;
-  mechanics::problem reason;
+  mechanics::problem reason{};
 
   explicit operator bool() const { return assembled; }
   /// Why it was not assembled, as a sentence; empty: it was.
@@ -27,7 +27,7 @@ struct assembly {
 struct consistency {
   double configuration_residual = 0; ///< the largest magnitude
   double velocity_residual = 0;
-  mechanics::problem reason;
+  mechanics::problem reason{};
 
   explicit operator bool() const { return !reason; }
   /// Which constraint is off and by how much, as a sentence; empty: none.

@@ -11,7 +11,7 @@ namespace kanexpr::numeric {
 /// and every vector made orthogonal twice (Golub & Van Loan, Matrix Computations, section 5.2). A remainder
 /// no longer than `least` counts as nothing.
 inline Eigen::MatrixXd orthonormal_columns(Eigen::MatrixXd a, double least) {
-  Eigen::MatrixXd q(a.rows(), std::min(a.rows(), a.cols()));
+  Eigen::MatrixXd q(a.rows(), (std::min)(a.rows(), a.cols()));
   Eigen::Index rank = 0;
   for (; rank < q.cols(); ++rank) {
     Eigen::Index longest = 0;
@@ -50,8 +50,8 @@ public:
   }
 
 private:
-  Eigen::MatrixXd q_, v_;
-  std::optional<factorized<Eigen::VectorXd>> core_; ///< of C; none: A is zero
+  Eigen::MatrixXd q_, v_{};
+  std::optional<factorized<Eigen::VectorXd>> core_{}; ///< of C; none: A is zero
 };
 
 } // namespace kanexpr::numeric

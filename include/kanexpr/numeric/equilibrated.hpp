@@ -17,12 +17,12 @@ struct equilibration {
     for (int sweeps = 0; sweeps < 3; ++sweeps) {
       for (Eigen::Index i = 0; i < a.rows(); ++i) {
         double most = 0;
-        for (Eigen::Index j = 0; j < a.cols(); ++j) most = std::max(most, std::abs(a(i, j)) * columns(j));
+        for (Eigen::Index j = 0; j < a.cols(); ++j) most = (std::max)(most, std::abs(a(i, j)) * columns(j));
         rows(i) = inverse(most);
       }
       for (Eigen::Index j = 0; j < a.cols(); ++j) {
         double most = 0;
-        for (Eigen::Index i = 0; i < a.rows(); ++i) most = std::max(most, std::abs(a(i, j)) * rows(i));
+        for (Eigen::Index i = 0; i < a.rows(); ++i) most = (std::max)(most, std::abs(a(i, j)) * rows(i));
         columns(j) = inverse(most);
       }
     }

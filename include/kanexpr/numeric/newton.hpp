@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 
@@ -37,7 +38,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
   };
   report.residual = size(f);
-  if (x.size() == 0 || report.residual == 0) report.converged = true;
+  if (x.size() == 0 || equal(report.residual, 0.0)) report.converged = true;
   if (report.converged || !f.allFinite()) return report;
 
   bool goes_on = true;
@@ -73,13 +74,13 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     }
     ++report.steps;
     report.residual = size(f);
-    goes_on = fell && report.residual != 0;
+    goes_on = fell && !equal(report.residual, 0.0);
     if (!report.singular && (!goes_on || report.steps == options.most_steps)) {
       const Matrix after = scale.applied_to(Matrix(jacobian(before + step)));
       report.converged = (after - scaled).cwiseAbs().maxCoeff() <= options.tolerance;
     }
   }
-  if (report.residual == 0) report.converged = true;
+  if (equal(report.residual, 0.0)) report.converged = true;
   return report;
 }
 

@@ -109,7 +109,7 @@ private:
   symbolic::graph& g_;
   bool is_empty_;
   std::vector<symbolic::replacement> all_; ///< what is given, then what follows from it
-  std::vector<std::string> problems_;
+  std::vector<std::string> problems_{};
 };
 
 } // namespace kanexpr::runtime

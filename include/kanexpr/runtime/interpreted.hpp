@@ -97,7 +97,7 @@ private:
   int coordinates_;
   matrix result_;
   Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it rests on is
-  symbolic::sequence<mechanics::problem> causes_;
+  symbolic::sequence<mechanics::problem> causes_{};
 };
 
 } // namespace kanexpr::runtime

@@ -12,7 +12,7 @@ template <class T = double>
 class interpreter {
 public:
   explicit interpreter(const lower::tape& code)
-      : code_(code), slots_(code.slots(), lower::scalar_math<T>::from(0)) {
+      : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
     for (const lower::elimination& e : code_.eliminations)
       if (e.inputs() > scales_.size()) scales_.resize(e.inputs(), lower::scalar_math<T>::from(0));
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
@@ -93,7 +93,7 @@ private:
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
-  symbolic::sequence<T> scales_; ///< of rows, while their largest is found
+  symbolic::sequence<T> scales_{}; ///< of rows, while their largest is found
 };
 
 } // namespace kanexpr::runtime

@@ -13,12 +13,12 @@ namespace kanexpr::runtime {
 
 /// M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr.
 struct implicit_matrices {
-  symbolic::matrix M, A, B;
+  symbolic::matrix M, A, B{};
 };
 
 /// δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr.
 struct explicit_matrices {
-  symbolic::matrix A, B;
+  symbolic::matrix A, B{};
 };
 
 /// δy = C δ[q_i; u_i] + D δr of outputs y.
@@ -159,10 +159,10 @@ private:
   }
 
   std::shared_ptr<derivation::derived_system> system_;
-  std::optional<consistent_point> point_; ///< of a system without a mistake
+  std::optional<consistent_point> point_{}; ///< of a system without a mistake
   std::vector<std::string> problems_;
-  implicit_matrices implicit_;
-  explicit_matrices explicit_;
+  implicit_matrices implicit_{};
+  explicit_matrices explicit_{};
 };
 
 } // namespace kanexpr::runtime

@@ -63,7 +63,7 @@ public:
   const std::vector<entry>& entries() const { return entries_; }
 
 private:
-  std::vector<entry> entries_;
+  std::vector<entry> entries_{};
 };
 
 } // namespace kanexpr

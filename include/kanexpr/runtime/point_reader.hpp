@@ -104,7 +104,7 @@ private:
 
   derivation::derived_system& system_;
   const mechanics::mechanism& m_;
-  std::vector<std::string> problems_;
+  std::vector<std::string> problems_{};
 };
 
 } // namespace kanexpr::runtime

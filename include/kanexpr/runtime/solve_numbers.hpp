@@ -44,7 +44,7 @@ private:
     factors_.resize(static_cast<std::size_t>(place.size()));
     for (int i = 0; i < order_; ++i) {
       double largest = 0;
-      for (int j = 0; j < order_; ++j) largest = std::max(largest, std::abs(number_at(m, i, j)));
+      for (int j = 0; j < order_; ++j) largest = (std::max)(largest, std::abs(number_at(m, i, j)));
       scales_.push_back(largest > 0 ? 1 / largest : 1);
       for (int j = 0; j < order_; ++j)
         factors_[static_cast<std::size_t>(place.at(i, j))] = scales_.back() * number_at(m, i, j);
@@ -68,7 +68,7 @@ private:
   symbolic::graph& g_;
   int order_;
   symbolic::matrix rates_;
-  std::vector<double> factors_, scales_;
+  std::vector<double> factors_{}, scales_{};
   bool is_regular_ = false;
 };
 

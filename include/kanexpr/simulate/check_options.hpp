@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
@@ -41,11 +42,11 @@ inline std::string check_tolerance(double tolerance) {
 
 /// Regular samples that the times of the span can tell apart and, if they are kept, that memory can hold.
 inline std::string check_output_every(double every, const time_span& span, std::size_t bytes_each) {
-  if (every == 0) return {};
+  if (numeric::equal(every, 0.0)) return {};
   if (!(every > 0)) return "the time between two samples must be positive";
   if (std::isinf(every)) return "the time between two samples is not finite";
   const std::string samples_every = "samples every " + digits(every) + " s";
-  const double latest = std::max(std::abs(span.from), std::abs(span.to));
+  const double latest = (std::max)(std::abs(span.from), std::abs(span.to));
   if (span.from < span.to && every < 4 * std::numeric_limits<double>::epsilon() * latest)
     return samples_every + " are closer than times up to " + digits(latest) + " can be told apart";
   const double bytes = (span.to - span.from) / every * static_cast<double>(bytes_each);

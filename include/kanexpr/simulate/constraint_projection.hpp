@@ -89,9 +89,9 @@ private:
   static constexpr double close_enough = 1e-2;
   static constexpr int most_steps = 10;
 
-  vector units_, correction_ = vector::Zero();
-  Eigen::Matrix<double, l, n> by_q_;
-  Eigen::Matrix<double, m, o> by_u_;
+  vector units_{}, correction_ = vector::Zero();
+  Eigen::Matrix<double, l, n> by_q_{};
+  Eigen::Matrix<double, m, o> by_u_{};
 };
 
 } // namespace kanexpr::simulated

@@ -19,7 +19,7 @@ namespace simulated {
 /// The records of a text: a line each, or several where a quoted field holds the end of a line.
 class csv_records {
 public:
-  explicit csv_records(std::istream& in) : in_(&in) {}
+  explicit csv_records(std::istream& in) : in_(in) {}
 
   /// Goes to the next record; false at the end of the text and where a record is not well formed.
   bool next() {
@@ -50,7 +50,7 @@ private:
       " holds a carriage return within; lines end with a line feed, or with both";
 
   bool next_line() {
-    if (!mistake_.empty() || !std::getline(*in_, text_)) return false;
+    if (!mistake_.empty() || !std::getline(in_, text_)) return false;
     ++last_;
     if (last_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the mark of UTF-8
     if (last_ == 1 && (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")))
@@ -63,7 +63,7 @@ private:
   bool holds(char c) const { return at_ < text_.size() && text_[at_] == c; }
   bool skip_blanks() {
     const std::size_t from = at_;
-    at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+    at_ = (std::min)(text_.find_first_not_of(blanks, at_), text_.size());
     return at_ == text_.size() || text_.find('\r', from) >= at_ || refuse(lone_return);
   }
   bool refuse(std::string what) {
@@ -72,7 +72,7 @@ private:
   }
 
   bool plain() {
-    const std::size_t end = std::min(text_.find(',', at_), text_.size());
+    const std::size_t end = (std::min)(text_.find(',', at_), text_.size());
     std::string field = text_.substr(at_, end - at_);
     field.erase(field.find_last_not_of(blanks) + 1);
     if (field.find('\r') != std::string::npos) return refuse(lone_return);
@@ -102,11 +102,11 @@ private:
     return at_ == text_.size() || holds(',') || refuse(" has text after a closing quote");
   }
 
-  std::istream* in_;
-  std::string text_, mistake_;
+  std::istream& in_;
+  std::string text_{}, mistake_{};
   std::size_t at_ = 0;
   long line_ = 0, last_ = 0;
-  std::vector<std::string> fields_;
+  std::vector<std::string> fields_{};
 };
 
 /// A number by its text; the end of a sentence about what it is instead, or empty.
@@ -120,7 +120,7 @@ inline std::string_view read_number(std::string_view text, double& number) {
 
 class table_reader {
 public:
-  table_reader(std::istream& in, const std::string& called) : in_(&in), called_(called), records_(in) {}
+  table_reader(std::istream& in, const std::string& called) : in_(in), called_(called), records_(in) {}
 
   csv_table read() {
     if (!header()) return csv_table(wrong_);
@@ -138,7 +138,7 @@ private:
   bool header() {
     const bool found = records_.next();
     if (!well_formed()) return false;
-    if (!found) return refuse(source() + (in_->eof() ? " is empty" : " cannot be read"));
+    if (!found) return refuse(source() + (in_.eof() ? " is empty" : " cannot be read"));
     for (const std::string& name : records_.fields())
       if (const outcome added = header_.add(name, {}); !added)
         return refuse(line() + " is no header: " + added.cause());
@@ -163,7 +163,7 @@ private:
 
   bool well_formed() {
     if (!records_.mistake().empty()) return refuse(line() + records_.mistake());
-    return in_->bad() ? refuse(source() + " cannot be read") : true;
+    return in_.bad() ? refuse(source() + " cannot be read") : true;
   }
 
   std::string source() const { return called_.empty() ? "the stream" : called_; }
@@ -175,12 +175,12 @@ private:
     return false;
   }
 
-  std::istream* in_;
+  std::istream& in_;
   std::string called_;
   csv_records records_;
-  table header_; ///< the names, without rows
-  std::vector<std::vector<double>> columns_;
-  outcome wrong_;
+  table header_{}; ///< the names, without rows
+  std::vector<std::vector<double>> columns_{};
+  outcome wrong_{};
 };
 
 } // namespace simulated

@@ -3,6 +3,7 @@
 #include <kanexpr/simulate/table.hpp>
 
 #include <charconv>
+#include <functional>
 #include <initializer_list>
 #include <ostream>
 
@@ -34,7 +35,7 @@ class csv_writer {
 public:
   /// `called` is the stream's name in sentences.
   csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream")
-      : out_(&out), called_(std::move(called)), columns_(names.size()) {
+      : out_(out), called_(std::move(called)), columns_(names.size()) {
     table header; // which takes no name twice
     for (const std::string& name : names) {
       if (done_) done_ = header.add(name, {});
@@ -67,7 +68,7 @@ public:
 
   /// Hands over what the stream still holds, and says whether all has been written.
   bool finish() {
-    if (done_ && !out_->flush()) fail(" after row " + std::to_string(rows_));
+    if (done_ && !out_.get().flush()) fail(" after row " + std::to_string(rows_));
     return static_cast<bool>(done_);
   }
 
@@ -77,19 +78,19 @@ public:
 private:
   bool write() {
     line_ += '\n';
-    if (!out_->write(line_.data(), static_cast<std::streamsize>(line_.size())))
+    if (!out_.get().write(line_.data(), static_cast<std::streamsize>(line_.size())))
       fail(rows_ == 0 ? " at the header" : " at row " + std::to_string(rows_));
     line_.clear();
     return static_cast<bool>(done_);
   }
   void fail(const std::string& where) { done_ = outcome("writing " + called_ + " failed" + where); }
 
-  std::ostream* out_;
+  std::reference_wrapper<std::ostream> out_; // so that writers can be assigned
   std::string called_;
   std::size_t columns_;
   std::size_t rows_ = 0;
-  std::string line_;
-  outcome done_;
+  std::string line_{};
+  outcome done_{};
 };
 
 /// Writes a whole table; `called` is the stream's name in sentences.

@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  std::vector<piece> pieces_;
+  std::vector<piece> pieces_{};
 };
 
 /// Hermite's cubic through two states with their rates, at a part of the way between them.

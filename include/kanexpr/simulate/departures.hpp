@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/rates_at.hpp>
 #include <kanexpr/simulate/tolerances.hpp>
 
@@ -67,9 +68,9 @@ public:
   int resting(double t, const state& x, const std::vector<int>& passed) {
     if (!evaluate(t, x, here_)) return -1;
     for (std::size_t i = 0; i < passed.size(); ++i) {
-      if (passed[i] == 0 || here_[i] != 0) continue;
+      if (passed[i] == 0 || !numeric::equal(here_[i], 0.0)) continue;
       find_margins(t, x);
-      if (margins_[i] == 0) return static_cast<int>(i);
+      if (numeric::equal(margins_[i], 0.0)) return static_cast<int>(i);
     }
     return -1;
   }
@@ -178,7 +179,7 @@ private:
     std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;
     if (evaluate(t, x, here_) && rates(t, x, now)) {
-      const double ahead = std::max(least_ahead_, 1 / fastest(x, now));
+      const double ahead = (std::max)(least_ahead_, 1 / fastest(x, now));
       if (std::isfinite(ahead) && evaluate(t + ahead, state(x + ahead * now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
     }
@@ -192,11 +193,11 @@ private:
   }
 
   surroundings<System>& around_;
-  tolerances<System> tolerances_;
+  tolerances<System> tolerances_{};
   double least_ahead_ = 0;
-  std::vector<int> waiting_;                ///< to leave zero in a direction
-  std::vector<int> returning_, completing_; ///< to a side, in a direction
-  std::vector<double> here_, later_, margins_;
+  std::vector<int> waiting_{};                  ///< to leave zero in a direction
+  std::vector<int> returning_{}, completing_{}; ///< to a side, in a direction
+  std::vector<double> here_{}, later_{}, margins_{};
 };
 
 } // namespace kanexpr::simulated

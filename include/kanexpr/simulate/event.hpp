@@ -46,7 +46,7 @@ public:
   after_event operator()(moment<System>& now) const { return do_(now); }
 
 private:
-  std::function<after_event(moment<System>&)> do_;
+  std::function<after_event(moment<System>&)> do_{};
 };
 
 /// Something that happens where a function passes zero. Without a handler it is only noted.

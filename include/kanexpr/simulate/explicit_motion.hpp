@@ -80,8 +80,8 @@ private:
   }
 
   surroundings<System>& around_;
-  constraint_projection<System> projection_;
-  input_sensitivity<System> sensitivity_;
+  constraint_projection<System> projection_{};
+  input_sensitivity<System> sensitivity_{};
   long rate_evaluations_ = 0, projections_ = 0;
 };
 

@@ -87,12 +87,12 @@ private:
   }
 
   solvers::stepper_options stepper_options() const {
-    const double latest = std::max(std::abs(span_.from), std::abs(span_.to));
+    const double latest = (std::max)(std::abs(span_.from), std::abs(span_.to));
     solvers::stepper_options o;
     o.end = span_.to;
     o.relative_tolerance = options_.relative_tolerance;
     o.first_step = options_.first_step;
-    o.least_step = std::max(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
+    o.least_step = (std::max)(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
     o.greatest_step = options_.greatest_step;
     o.analytic_jacobian = options_.analytic_jacobian;
     return o;
@@ -195,7 +195,7 @@ private:
 
   /// Whether one event happens again and again at one time.
   bool is_endless(const std::vector<int>& passed) {
-    const double t = result_.time, latest = std::max(std::abs(span_.from), std::abs(span_.to));
+    const double t = result_.time, latest = (std::max)(std::abs(span_.from), std::abs(span_.to));
     bool is_soon = false;
     for (std::size_t i = 0; i < passed.size(); ++i) {
       if (passed[i] == 0) continue;
@@ -221,9 +221,9 @@ private:
   const time_span span_;
   surroundings<System> around_;
   moving_system<System, by> moving_;
-  simulation<System> result_;
+  simulation<System> result_{};
   sampling<System> sampling_;
-  departures<System> departures_;
+  departures<System> departures_{};
   double begun_ = -std::numeric_limits<double>::infinity();
   /// How often in a row an event has happened at one time.
   struct repetition {

@@ -70,7 +70,7 @@ private:
       is_implicit, solvers::ida,
       std::conditional_t<by == integrator::adams || by == integrator::bdf, solvers::cvode, solvers::arkode>>;
 
-  std::optional<stepper_type> integrating_;
+  std::optional<stepper_type> integrating_{};
 };
 
 } // namespace kanexpr::simulated

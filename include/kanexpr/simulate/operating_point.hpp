@@ -126,8 +126,8 @@ private:
     }
   }
 
-  std::string cause_;
-  std::vector<residual> residuals_;
+  std::string cause_{};
+  std::vector<residual> residuals_{};
 };
 
 } // namespace kanexpr

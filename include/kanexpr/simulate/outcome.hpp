@@ -16,7 +16,7 @@ public:
   const std::string& cause() const { return cause_; }
 
 private:
-  std::string cause_;
+  std::string cause_{};
 };
 
 } // namespace kanexpr

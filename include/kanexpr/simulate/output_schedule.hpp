@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/time_span.hpp>
 
 #include <algorithm>
@@ -17,19 +18,19 @@ public:
       : span_(span), every_(every), times_(times) {
     if (every > 0) {
       const double parts = (span.to - span.from) / every;
-      const double rounding = std::min(1e-12 * parts, 1e-3); // a last part as short as that is none
+      const double rounding = (std::min)(1e-12 * parts, 1e-3); // a last part as short as that is none
       count_ = std::ceil(parts - rounding) + 1;
     }
     if (!times.empty()) count_ = static_cast<double>(times.size());
   }
 
   /// Whether no times are asked for: each step of the integrator is a sample.
-  bool takes_each_step() const { return every_ == 0 && times_.empty(); }
+  bool takes_each_step() const { return numeric::equal(every_, 0.0) && times_.empty(); }
 
-  bool is_over() const { return next_ == count_; }
+  bool is_over() const { return numeric::equal(next_, count_); }
   double next() const {
     if (!times_.empty()) return times_[static_cast<std::size_t>(next_)];
-    return next_ + 1 == count_ ? span_.to : span_.from + next_ * every_;
+    return numeric::equal(next_ + 1, count_) ? span_.to : span_.from + next_ * every_;
   }
   void pass() { ++next_; }
 

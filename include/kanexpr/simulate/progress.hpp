@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
+
 #include <chrono>
 #include <cstdio>
 
@@ -52,7 +54,7 @@ private:
 
   /// From 0 to 1; time may run backwards.
   static double part_of(double t, double from, double to) {
-    if (t == to) return 1;
+    if (numeric::equal(t, to)) return 1;
     const double part = (t - from) / (to - from);
     return part >= 1 ? 1 : part > 0 ? part : 0; // of what is no number, 0
   }
@@ -74,7 +76,7 @@ private:
   std::FILE* out_;
   bool is_shown_;
   bool has_begun_ = false, is_drawn_ = false; ///< in this run; since the line was last taken away
-  clock::time_point begin_, drawn_;
+  clock::time_point begin_{}, drawn_{};
 };
 
 } // namespace kanexpr

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/constraint_projection.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
@@ -77,14 +78,14 @@ public:
   /// that was refused or no more can be taken.
   void end(double& t, state& x) {
     if (!last_) return;
-    const bool is_taken = last_->t == t && last_->x == x;
+    const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;
     if (!is_taken && !is_refused_ && last_->t <= t) record(t, x);
     t = last_->t, x = last_->x;
   }
 
   /// The polynomial of the last step, from no earlier than the last event.
   void keep_polynomial(solvers::stepper& s, double t, double last_event) {
-    piece p{std::max(s.step_begin(), last_event), t, {}};
+    piece p{(std::max)(s.step_begin(), last_event), t, {}};
     double factorial = 1;
     for (int k = 0; k <= s.degree(); ++k) {
       if (k > 0) factorial *= k;
@@ -133,11 +134,11 @@ private:
   output_schedule schedule_;
   surroundings<System>& around_;
   trajectory<System>& kept_;
-  constraint_projection<System> projection_;
-  std::optional<sample> last_;
+  constraint_projection<System> projection_{};
+  std::optional<sample> last_{};
   bool is_refused_ = false; ///< by the function that is given each sample
-  tolerances<System> tolerances_;
-  std::vector<double> whole_;
+  tolerances<System> tolerances_{};
+  std::vector<double> whole_{};
 };
 
 } // namespace kanexpr::simulated

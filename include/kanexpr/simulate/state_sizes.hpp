@@ -51,17 +51,17 @@ private:
     if (!times.empty()) {
       const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
       std::nth_element(times.begin(), middle, times.end());
-      time = std::min(span, *middle);
+      time = (std::min)(span, *middle);
     }
     for (Eigen::Index i = 0; i < sizes_.size(); ++i) {
-      const double size = std::max(std::abs(rates(i)) * time, std::abs(accelerations(i)) * time * time / 2);
-      if (std::isfinite(size)) sizes_(i) = std::max(sizes_(i), size);
+      const double size = (std::max)(std::abs(rates(i)) * time, std::abs(accelerations(i)) * time * time / 2);
+      if (std::isfinite(size)) sizes_(i) = (std::max)(sizes_(i), size);
     }
   }
 
   void fill(Eigen::Index begin, Eigen::Index end) {
     double largest = 0;
-    for (Eigen::Index i = begin; i < end; ++i) largest = std::max(largest, sizes_(i));
+    for (Eigen::Index i = begin; i < end; ++i) largest = (std::max)(largest, sizes_(i));
     for (Eigen::Index i = begin; i < end; ++i)
       if (!(sizes_(i) > 1e-12 * largest)) sizes_(i) = largest > 0 ? largest : 1;
   }

@@ -105,9 +105,9 @@ private:
   parameter_values<System> p_;
   const input_source<System>& source_;
   const std::vector<event<System>>& events_;
-  state x_;
-  input_values<System> r_;
-  std::string reason_;
+  state x_{};
+  input_values<System> r_{};
+  std::string reason_{};
 };
 
 } // namespace kanexpr::simulated

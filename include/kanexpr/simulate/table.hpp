@@ -26,7 +26,7 @@ public:
     const std::string& cause() const { return found_.cause(); }
 
   private:
-    outcome found_;
+    outcome found_{};
   };
 
   outcome add(std::string name, std::vector<double> values) {
@@ -66,8 +66,8 @@ private:
     return all;
   }
 
-  std::vector<std::string> names_;
-  std::vector<std::vector<double>> values_; ///< by column
+  std::vector<std::string> names_{};
+  std::vector<std::vector<double>> values_{}; ///< by column
 };
 
 } // namespace kanexpr

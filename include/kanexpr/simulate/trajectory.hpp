@@ -95,8 +95,8 @@ public:
     using constraints = compiled::constraints_at<System, parameters_type, input_values<System>>;
     return collect([&](const sample& s) {
       const constraints here(s.t, p_, s.r);
-      return std::max(numeric::largest(here.configuration_residual(s.x)),
-                      numeric::largest(here.velocity_residual(s.x)));
+      return (std::max)(numeric::largest(here.configuration_residual(s.x)),
+                        numeric::largest(here.velocity_residual(s.x)));
     });
   }
 
@@ -151,9 +151,9 @@ private:
     return all;
   }
 
-  std::vector<sample> samples_;
-  simulated::dense_output pieces_;
-  parameters_type p_;
+  std::vector<sample> samples_{};
+  simulated::dense_output pieces_{};
+  parameters_type p_{};
 };
 
 } // namespace kanexpr

@@ -136,9 +136,9 @@ private:
   const describe::system_record& told_;
   std::string_view system_;
   int states_, residuals_;
-  std::vector<int> unknowns_;
-  std::vector<condition> equations_;
-  mechanics::problem problem_;
+  std::vector<int> unknowns_{};
+  std::vector<condition> equations_{};
+  mechanics::problem problem_{};
 };
 
 } // namespace kanexpr::trim

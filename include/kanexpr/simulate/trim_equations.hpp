@@ -66,7 +66,7 @@ public:
   Eigen::VectorXd limits(const Eigen::VectorXd& z) const override {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
     for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (is_state(i)) most(i) = std::max(1.0, std::abs(z(i)));
+      if (is_state(i)) most(i) = (std::max)(1.0, std::abs(z(i)));
     return most;
   }
 
@@ -76,7 +76,7 @@ public:
     solvers::magnitudes sizes{z.cwiseAbs(), Eigen::VectorXd::Ones(equations())};
     for (Eigen::Index i = 0; i < z.size(); ++i) {
       const double effect = slope.col(i).norm();
-      sizes.unknowns(i) = std::max(sizes.unknowns(i), is_state(i) || effect < 1e-12 ? 1.0 : 1 / effect);
+      sizes.unknowns(i) = (std::max)(sizes.unknowns(i), is_state(i) || effect < 1e-12 ? 1.0 : 1 / effect);
       sizes.equations = sizes.equations.cwiseMax(sizes.unknowns(i) * slope.col(i).cwiseAbs());
     }
     return sizes;
@@ -101,7 +101,7 @@ private:
   evaluation evaluate_;
   double t_;
   complex_vector at_, all_;
-  std::string_view unsolved_;
+  std::string_view unsolved_{};
 };
 
 } // namespace kanexpr::trim

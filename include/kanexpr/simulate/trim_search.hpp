@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/trim_equations.hpp>
 
 #include <cmath>
@@ -9,11 +10,11 @@ namespace kanexpr::trim {
 
 /// What a search found.
 struct finding {
-  Eigen::VectorXd values; ///< [x; p; r]
-  Eigen::VectorXd left;   ///< of each equation
+  Eigen::VectorXd values{}; ///< [x; p; r]
+  Eigen::VectorXd left{};   ///< of each equation
   int iterations = 0;
   int freedom = 0;
-  std::string cause;
+  std::string cause{};
 };
 
 /// KINSOL's search, then Newton's steps as long as they lower what is left.
@@ -102,7 +103,7 @@ private:
     const double left = found_.left(i);
     if (c.place < asked_.residuals()) return name_of(i) + " is off by " + digits(left);
     return name_of(i) + " is " + digits(left + c.wanted) +
-           (c.wanted == 0 ? "" : " in place of " + digits(c.wanted));
+           (numeric::equal(c.wanted, 0.0) ? "" : " in place of " + digits(c.wanted));
   }
   static std::string digits(double number) {
     char text[32];
@@ -115,9 +116,9 @@ private:
   double tolerance_;
   int most_iterations_;
   Eigen::VectorXd z_;
-  Eigen::MatrixXd slope_;
-  std::string reason_;
-  finding found_;
+  Eigen::MatrixXd slope_{};
+  std::string reason_{};
+  finding found_{};
 };
 
 } // namespace kanexpr::trim

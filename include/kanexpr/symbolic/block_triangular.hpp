@@ -6,8 +6,8 @@ namespace kanexpr::symbolic {
 
 /// Equations of a linear system, by rows, and as many unknowns that only they and earlier blocks settle.
 struct coupled_part {
-  sequence<int> rows;
-  sequence<int> columns;
+  sequence<int> rows{};
+  sequence<int> columns{};
 };
 
 /// Puts a square system into block triangular form by where its matrix is not zero: a matching of equations
@@ -80,10 +80,10 @@ private:
   int count_ = 0;
   sequence<int> row_of_; ///< by column
   sequence<char> visited_;
-  sequence<int> number_, least_; ///< of columns, as they are met
-  sequence<int> open_;
-  sequence<char> is_open_;
-  sequence<coupled_part> parts_;
+  sequence<int> number_{}, least_{}; ///< of columns, as they are met
+  sequence<int> open_{};
+  sequence<char> is_open_{};
+  sequence<coupled_part> parts_{};
 };
 
 } // namespace kanexpr::symbolic

@@ -57,14 +57,14 @@ private:
   constexpr int at(int i, int j) const { return a_[(i % n_) * n_ + j % n_]; }
   constexpr int at(int i, int j, bool transposed) const { return transposed ? at(j, i) : at(i, j); }
   /// p s - q r
-  constexpr int minor(int p, int q, int r, int s) {
+  constexpr int minor_of(int p, int q, int r, int s) {
     return subtract(g_, multiply(g_, p, s), multiply(g_, q, r));
   }
 
   /// The cofactor of an entry, with its sign.
   constexpr int of(int i, int j, bool transposed) {
     if (transposed) return of(j, i, false);
-    if (n_ == 3) return minor(at(i + 1, j + 1), at(i + 1, j + 2), at(i + 2, j + 1), at(i + 2, j + 2));
+    if (n_ == 3) return minor_of(at(i + 1, j + 1), at(i + 1, j + 2), at(i + 2, j + 1), at(i + 2, j + 2));
     return i == j ? at(i + 1, j + 1) : negate(g_, at(i + 1, j + 1));
   }
 
@@ -79,7 +79,7 @@ private:
     const int c = method_.column, third = 3 - c - j;
     for (int i = 0; i < 3; ++i) {
       const int p = (i + 1) % 3, q = (i + 2) % 3;
-      const int normal = minor(at(p, c, transposed), b[p], at(q, c, transposed), b[q]);
+      const int normal = minor_of(at(p, c, transposed), b[p], at(q, c, transposed), b[q]);
       sum = add(g_, sum, multiply(g_, at(i, third, transposed), normal));
     }
     return j == (c + 1) % 3 ? sum : negate(g_, sum);

@@ -48,6 +48,10 @@ constexpr partials local_partials(graph& g, int id) {
 class derivation {
 public:
   constexpr derivation() = default;
+  derivation(const derivation&) = default;
+  derivation(derivation&&) = default;
+  derivation& operator=(const derivation&) = default;
+  derivation& operator=(derivation&&) = default;
   constexpr explicit derivation(graph& g) : graph_(&g) {}
 
   /// The rate of a symbol's node; zero where none is set. To be set before the first `of`.
@@ -112,8 +116,8 @@ private:
   }
 
   graph* graph_ = nullptr;
-  sequence<int> rates_; ///< by node
-  sequence<int> known_; ///< the nodes that have one
+  sequence<int> rates_{}; ///< by node
+  sequence<int> known_{}; ///< the nodes that have one
 };
 
 /// The partial derivative of an expression by a symbol.

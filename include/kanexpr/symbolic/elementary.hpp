@@ -8,6 +8,8 @@
 // range). Where long double is double, expect 2-3 ulp. Special values are those of Annex F of the C standard.
 // No arithmetic here gives NaN or overflows, for neither is allowed in a constant expression.
 
+#include <kanexpr/numeric/equal.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -67,8 +69,9 @@ constexpr double power_of_two(int n) noexcept {
 // x * 2^n for x >= 0 and |n| <= 2000, in two steps since 2^n itself may be out of range; only the last one
 // can round. The bound is the midpoint between the largest double and 2^1024.
 constexpr double scaled(real x, int n) noexcept {
-  const real y = x * power_of_two(n / 2) * power_of_two(n - n / 2);
-  return y - std::numeric_limits<double>::max() >= 0x1p970L ? infinity : static_cast<double>(y);
+  const real y = x * static_cast<real>(power_of_two(n / 2)) * static_cast<real>(power_of_two(n - n / 2));
+  return y - static_cast<real>((std::numeric_limits<double>::max)()) >= 0x1p970L ? infinity
+                                                                                 : static_cast<double>(y);
 }
 
 constexpr int nearest(real x) noexcept { return static_cast<int>(x < 0 ? x - 0.5L : x + 0.5L); }
@@ -112,7 +115,7 @@ constexpr double positive_sqrt(double x) noexcept {
 constexpr real other_leg(double x) noexcept {
   const real square = (1 - static_cast<real>(x)) * (1 + static_cast<real>(x));
   if (square <= 0) return 0;
-  const real root = positive_sqrt(static_cast<double>(square));
+  const real root = static_cast<real>(positive_sqrt(static_cast<double>(square)));
   return (root + square / root) / 2;
 }
 
@@ -196,10 +199,11 @@ constexpr std::pair<int, real> split_log(double x) noexcept {
 // x^y for finite x > 0 and y; the exponential series (DLMF 4.2.19) is cut as in exp.
 constexpr double positive_pow(double x, double y) noexcept {
   // Up to the 15th, no power of a double leaves the range of the 80-bit format.
-  if (magnitude(y) <= bits(15.0) && static_cast<int>(y) == y) {
+  if (magnitude(y) <= bits(15.0) && numeric::equal(static_cast<double>(static_cast<int>(y)), y)) {
     const int n = static_cast<int>(y < 0 ? -y : y);
+    const real factor = static_cast<real>(x);
     real power = 1;
-    for (int bit = 8; bit > 0; bit /= 2) power *= power * ((n & bit) != 0 ? x : 1);
+    for (int bit = 8; bit > 0; bit /= 2) power *= power * ((n & bit) != 0 ? factor : 1);
     return scaled(y < 0 ? 1 / power : power, 0);
   }
   // The product with the exponent of x is exact, and n is subtracted from it first: its size costs nothing.
@@ -218,18 +222,18 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 // -1 or 1; zeros and NaN are returned as they are.
 [[nodiscard]] constexpr double sign(double x) noexcept {
-  return x == 0 || detail::is_nan(x) ? x : detail::copy_sign(1.0, x);
+  return numeric::equal(x, 0.0) || detail::is_nan(x) ? x : detail::copy_sign(1.0, x);
 }
 
 [[nodiscard]] constexpr double floor(double x) noexcept {
   // From 2^52 on there are only integers; -0 is left alone for its sign.
-  if (x == 0 || detail::magnitude(x) >= detail::bits(0x1p52)) return x;
+  if (numeric::equal(x, 0.0) || detail::magnitude(x) >= detail::bits(0x1p52)) return x;
   const auto truncated = static_cast<std::int64_t>(x);
   return static_cast<double>(truncated - (static_cast<double>(truncated) > x ? 1 : 0));
 }
 
 [[nodiscard]] constexpr double sqrt(double x) noexcept {
-  if (x == 0 || x == detail::infinity) return x;
+  if (numeric::equal(x, 0.0) || numeric::equal(x, detail::infinity)) return x;
   return detail::is_nan(x) || x < 0 ? detail::not_a_number : detail::positive_sqrt(x);
 }
 
@@ -244,20 +248,22 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 [[nodiscard]] constexpr double asin(double x) noexcept {
   if (detail::magnitude(x) > detail::bits(1.0)) return detail::not_a_number;
-  const auto angle = detail::first_quadrant_angle(abs(x), detail::other_leg(x));
+  const auto angle = detail::first_quadrant_angle(static_cast<detail::real>(abs(x)), detail::other_leg(x));
   return detail::copy_sign(static_cast<double>(angle), x);
 }
 
 [[nodiscard]] constexpr double acos(double x) noexcept {
   if (detail::magnitude(x) > detail::bits(1.0)) return detail::not_a_number;
-  const auto angle = detail::first_quadrant_angle(detail::other_leg(x), abs(x));
+  const auto angle = detail::first_quadrant_angle(detail::other_leg(x), static_cast<detail::real>(abs(x)));
   return static_cast<double>(x < 0 ? detail::pi - angle : angle);
 }
 
 [[nodiscard]] constexpr double atan2(double y, double x) noexcept {
   if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number;
   const bool finite = detail::is_finite(x) && detail::is_finite(y);
-  const auto length = [=](double t) { return finite ? abs(t) : detail::is_finite(t) ? 0.0 : 1.0; };
+  const auto length = [=](double t) {
+    return static_cast<detail::real>(finite ? abs(t) : detail::is_finite(t) ? 0.0 : 1.0);
+  };
   const auto angle = detail::first_quadrant_angle(length(y), length(x));
   return detail::copy_sign(static_cast<double>(detail::is_negative(x) ? detail::pi - angle : angle), y);
 }
@@ -270,30 +276,33 @@ constexpr double positive_pow(double x, double y) noexcept {
   if (detail::is_nan(x)) return detail::not_a_number;
   if (x > 710) return detail::infinity;
   if (x < -746) return 0;
-  const int k = detail::nearest(x * detail::log2_e);
-  const detail::real r = (x - k * 0x1.62e42feep-1L) - k * 0x1.a39ef35793c7673p-33L;
+  const auto wide = static_cast<detail::real>(x);
+  const int k = detail::nearest(wide * detail::log2_e);
+  const detail::real r = (wide - k * 0x1.62e42feep-1L) - k * 0x1.a39ef35793c7673p-33L;
   return detail::scaled(detail::series(detail::reciprocal_factorials, 1, 14, r), k);
 }
 
 [[nodiscard]] constexpr double log(double x) noexcept {
-  if (x == 0) return -detail::infinity;
-  if (x == detail::infinity) return x;
+  if (numeric::equal(x, 0.0)) return -detail::infinity;
+  if (numeric::equal(x, detail::infinity)) return x;
   if (detail::is_nan(x) || x < 0) return detail::not_a_number;
   const auto [exponent, remainder] = detail::split_log(x);
   return static_cast<double>(exponent * detail::ln_2 + remainder);
 }
 
 [[nodiscard]] constexpr double pow(double x, double y) noexcept {
-  if (y == 0 || x == 1) return 1;
+  if (numeric::equal(y, 0.0) || numeric::equal(x, 1.0)) return 1;
   if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number;
-  if (!detail::is_finite(y)) return x == -1 ? 1 : (abs(x) > 1) == (y > 0) ? detail::infinity : 0;
-  const bool integer = floor(y) == y;
-  const double sign = integer && floor(y / 2) * 2 != y ? x : 1.0;
-  if (x == 0 || !detail::is_finite(x)) {
-    return detail::copy_sign((x == 0) == (y < 0) ? detail::infinity : 0, sign);
+  if (!detail::is_finite(y))
+    return numeric::equal(x, -1.0) ? 1 : (abs(x) > 1) == (y > 0) ? detail::infinity : 0;
+  const bool integer = numeric::equal(floor(y), y);
+  const double sign = integer && !numeric::equal(floor(y / 2) * 2, y) ? x : 1.0;
+  const bool zero = numeric::equal(x, 0.0);
+  if (zero || !detail::is_finite(x)) {
+    return detail::copy_sign(zero == (y < 0) ? detail::infinity : 0, sign);
   }
   if (x < 0 && !integer) return detail::not_a_number;
-  return y == 0.5 ? sqrt(x) : detail::copy_sign(detail::positive_pow(abs(x), y), sign);
+  return numeric::equal(y, 0.5) ? sqrt(x) : detail::copy_sign(detail::positive_pow(abs(x), y), sign);
 }
 
 } // namespace kanexpr::symbolic::elementary

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/elementary.hpp>
 #include <kanexpr/symbolic/elimination.hpp>
 #include <kanexpr/symbolic/list.hpp>
@@ -38,7 +39,7 @@ constexpr double value_of(operation op, double a, double b) {
 /// a vanishing pivot is left out, and whoever solves looks at the least pivot first.
 struct constant_elimination {
   static constexpr double magnitude(double x) { return elementary::abs(x); }
-  static constexpr double reciprocal(double x) { return x == 0 ? 0 : 1 / x; }
+  static constexpr double reciprocal(double x) { return numeric::equal(x, 0.0) ? 0 : 1 / x; }
   static constexpr double positive_or_one(double x) { return x > 0 ? x : 1; }
   static constexpr void exchange_if_positive(double d, double& a, double& b) {
     if (!(d > 0)) return;
@@ -52,7 +53,7 @@ struct constant_elimination {
 /// not defined there (0/0, the solution of a singular system) is not-a-number and all that rests on it.
 class evaluation {
 public:
-  constexpr evaluation(const graph& g, const sequence<int>& outputs) : g_(&g), value_(g.size(), 0.0) {
+  constexpr evaluation(const graph& g, const sequence<int>& outputs) : g_(g), value_(g.size(), 0.0) {
     const sequence<char> live = live_nodes(g, outputs);
     for (int id = 0; id < g.size(); ++id) {
       if (live[id] == 0 || g[id].op == operation::pair) continue;
@@ -66,9 +67,9 @@ public:
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
     for (int id : live_) {
-      const node& n = (*g_)[id];
+      const node& n = g_[id];
       if (n.op == operation::constant)
-        value_[id] = g_->number_at(id).value();
+        value_[id] = g_.number_at(id).value();
       else if (n.op == operation::symbol)
         value_[id] = value_of_symbol(id);
       else if (n.op < operation::pair)
@@ -84,31 +85,31 @@ private:
   static constexpr double undefined = elementary::detail::not_a_number;
 
   static constexpr double defined(operation op, double a, double b) {
-    if (a != a || b != b || (op == operation::divide && b == 0)) return undefined;
+    if (!numeric::is_number(a) || !numeric::is_number(b)) return undefined;
+    if (op == operation::divide && numeric::equal(b, 0.0)) return undefined;
     return value_of(op, a, b);
   }
 
   /// Appends the values of a list, and says whether all are defined.
   constexpr bool gather(int list) {
     bool all = true;
-    for (; (*g_)[list].op == operation::pair; list = (*g_)[list].b) {
-      const double value = value_[(*g_)[list].a];
-      all = all && value == value;
+    for (; g_[list].op == operation::pair; list = g_[list].b) {
+      const double value = value_[g_[list].a];
+      all = all && numeric::is_number(value);
       more_.push(value);
     }
     return all;
   }
 
   constexpr double solving(int id, const node& n) {
-    if (n.op == operation::component) return more_[place_[n.a] + integer_at(*g_, n.b)];
+    if (n.op == operation::component) return more_[place_[n.a] + integer_at(g_, n.b)];
     const int factorization = n.op == operation::factorization ? id : n.a;
-    const int order = order_of(*g_, factorization), first = more_.size();
+    const int order = order_of(g_, factorization), first = more_.size();
     const factors place{order};
     place_[id] = first;
     if (n.op == operation::factorization) {
       bool all = true;
-      for (int rows = n.a; (*g_)[rows].op == operation::pair; rows = (*g_)[rows].b)
-        all = gather((*g_)[rows].a) && all;
+      for (int rows = n.a; g_[rows].op == operation::pair; rows = g_[rows].b) all = gather(g_[rows].a) && all;
       more_.resize(first + place.size(), 0);
       if (all)
         factorize<constant_elimination>(order, &more_[first]);
@@ -119,7 +120,8 @@ private:
     const bool all = gather(n.b);
     const double* const f = &more_[place_[n.a]];
     const double least = f[place.least_pivot()];
-    if (n.op == operation::regularity) return all && least == least ? regularity(order, f, first) : undefined;
+    if (n.op == operation::regularity)
+      return all && numeric::is_number(least) ? regularity(order, f, first) : undefined;
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
@@ -131,7 +133,7 @@ private:
   }
 
   constexpr double regularity(int order, const double* f, int scales) {
-    if (f[factors{order}.least_pivot()] == 0) return 0;
+    if (numeric::equal(f[factors{order}.least_pivot()], 0.0)) return 0;
     if (order > 3) return regularity_of<constant_elimination>(order, f, &more_[scales]);
     double found = 1;
     for (int i = 0; i < order; ++i) found /= f[factors{order}.at(i, i)];
@@ -139,11 +141,11 @@ private:
     return elementary::abs(found);
   }
 
-  const graph* g_;
-  sequence<int> live_; ///< in the order of their numbers
+  const graph& g_;
+  sequence<int> live_{}; ///< in the order of their numbers
   sequence<double> value_;
-  sequence<double> more_; ///< factors and solutions
-  sequence<int> place_;   ///< of them, by node
+  sequence<double> more_{}; ///< factors and solutions
+  sequence<int> place_{};   ///< of them, by node
 };
 
 /// The values of some outputs; `value_of_symbol(id)` gives that of a symbol by its node.

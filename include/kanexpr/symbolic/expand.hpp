@@ -95,7 +95,7 @@ private:
 
   graph& g_;
   budget& left_;
-  std::map<int, real_polynomial> meanings_; ///< of what stands under a root, and of sums under a bar
+  std::map<int, real_polynomial> meanings_{}; ///< of what stands under a root, and of sums under a bar
 };
 
 } // namespace algebra

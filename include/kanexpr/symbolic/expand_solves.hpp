@@ -11,10 +11,10 @@ namespace detail {
 /// What is needed of one factorization.
 struct solves_of_factors {
   int factorization = 0;
-  sequence<int> solutions;
+  sequence<int> solutions{};
   int results = 0; ///< components of them
   bool measured = false;
-  cofactors::method method;
+  cofactors::method method{};
 };
 
 /// Rewrites the solutions of small systems, and of systems of numbers, as ordinary operations. Nodes are
@@ -156,10 +156,10 @@ private:
   sequence<char> live_;
   sequence<int> image_;
   sequence<int> uses_of_; ///< by the node of a factorization
-  sequence<solves_of_factors> uses_;
-  graph trial_;
+  sequence<solves_of_factors> uses_{};
+  graph trial_{};
   int inverted_ = -1; ///< the matrix of numbers that was inverted last
-  sequence<number> inverse_;
+  sequence<number> inverse_{};
 };
 
 } // namespace detail

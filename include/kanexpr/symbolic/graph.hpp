@@ -118,10 +118,10 @@ private:
     }
   }
 
-  sequence<node> nodes_;
-  sequence<number> numbers_;
-  sequence<symbol> symbols_;
-  sequence<int> table_; ///< open addressing; -1 is free
+  sequence<node> nodes_{};
+  sequence<number> numbers_{};
+  sequence<symbol> symbols_{};
+  sequence<int> table_{}; ///< open addressing; -1 is free
   bool holds_lists_ = false;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/number.hpp>
 #include <kanexpr/symbolic/sequence.hpp>
 
@@ -17,7 +18,7 @@ constexpr sequence<number> inverse_of(sequence<number> a, int order) {
     int pivot = k;
     for (int i = k + 1; i < order; ++i)
       if (magnitude(a[i * order + k]) > magnitude(a[pivot * order + k])) pivot = i;
-    if (magnitude(a[pivot * order + k]) == 0) return {};
+    if (numeric::equal(magnitude(a[pivot * order + k]), 0.0)) return {};
     const number below = a[pivot * order + k];
     for (sequence<number>* m : {&a, &inverse})
       for (int j = 0; j < order; ++j) {
@@ -27,7 +28,7 @@ constexpr sequence<number> inverse_of(sequence<number> a, int order) {
       }
     for (int i = 0; i < order; ++i) {
       const number weight = a[i * order + k];
-      if (i == k || magnitude(weight) == 0) continue;
+      if (i == k || numeric::equal(magnitude(weight), 0.0)) continue;
       subtract_row(a, i, k, weight);
       subtract_row(inverse, i, k, weight);
     }

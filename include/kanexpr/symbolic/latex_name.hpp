@@ -9,8 +9,8 @@ namespace kanexpr::symbolic::printing {
 
 /// `theta12` as theta and 12, `I_xx` as I and xx, `Link<3>` as Link and 3.
 struct split_name {
-  std::string head;
-  std::string subscript;
+  std::string head{};
+  std::string subscript{};
 
   explicit split_name(std::string_view name) {
     const auto begin = std::ranges::find_if_not(name, is_letter);

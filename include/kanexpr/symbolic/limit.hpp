@@ -24,8 +24,8 @@ struct point_values {
 namespace taylor {
 
 struct limit {
-  expression value;
-  std::string condition; ///< empty: the value was found
+  expression value{};
+  std::string condition{}; ///< empty: the value was found
 };
 
 /// Limits of expressions that have no value by substitution. The point is approached along straight lines,
@@ -132,7 +132,7 @@ private:
   substitution& plain_;
   conditions say_;
   directions ways_;
-  std::map<int, limit> found_;
+  std::map<int, limit> found_{};
 };
 
 } // namespace taylor

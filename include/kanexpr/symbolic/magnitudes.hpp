@@ -1,14 +1,16 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
 
 namespace kanexpr::symbolic {
 
-/// How large the terms are of which values are the sums, to first order in what rounding makes of them (Higham
-/// 2002, section 3.3). A value far below its own magnitude is what rounding has left of zero, in whatever units.
+/// How large the terms are of which values are the sums, to first order in what rounding makes of them
+/// (Higham 2002, section 3.3). A value far below its own magnitude is what rounding has left of zero, in
+/// whatever units.
 class magnitudes {
 public:
-  constexpr magnitudes(const graph& g, const sequence<int>& outputs) : g_(&g), size_(g.size(), 0.0) {
+  constexpr magnitudes(const graph& g, const sequence<int>& outputs) : g_(g), size_(g.size(), 0.0) {
     const sequence<char> live = live_nodes(g, outputs);
     for (int id = 0; id < g.size(); ++id)
       if (live[id] != 0) live_.push(id);
@@ -31,14 +33,14 @@ private:
   static constexpr double negligible = 1e-10;
 
   constexpr double size_of(int id, const evaluation& value) {
-    const node& n = (*g_)[id];
+    const node& n = g_[id];
     const double v = elementary::abs(value[id]);
     switch (n.op) {
     case operation::pair:
     case operation::factorization: return 0;
     case operation::solve:
     case operation::transposed_solve: return solve(id, value), 0.0;
-    case operation::component: return solutions_[first_of(n.a) + integer_at(*g_, n.b)];
+    case operation::component: return solutions_[first_of(n.a) + integer_at(g_, n.b)];
     case operation::negate:
     case operation::abs: return size_[n.a];
     case operation::add:
@@ -58,13 +60,15 @@ private:
     }
   }
 
-  static constexpr double over(double a, double b) { return b == 0 ? 0 : a / elementary::abs(b); }
+  static constexpr double over(double a, double b) {
+    return numeric::equal(b, 0.0) ? 0 : a / elementary::abs(b);
+  }
 
   /// |A⁻¹| (|A| |x| + |b|) of the solution x.
   constexpr void solve(int id, const evaluation& value) {
-    const node& n = (*g_)[id];
-    const int order = order_of(*g_, n.a);
-    const sequence<int> entries = entries_of(*g_, n.a), right = elements_of(*g_, n.b);
+    const node& n = g_[id];
+    const int order = order_of(g_, n.a);
+    const sequence<int> entries = entries_of(g_, n.a), right = elements_of(g_, n.b);
     const auto entry = [&](int i, int j) {
       return entries[n.op == operation::solve ? i * order + j : j * order + i];
     };
@@ -95,10 +99,10 @@ private:
     return places_[i];
   }
 
-  const graph* g_;
-  sequence<int> live_; ///< in the order of their numbers
-  sequence<double> size_, solutions_;
-  sequence<int> solved_, places_; ///< solve nodes, and where their solutions begin
+  const graph& g_;
+  sequence<int> live_{}; ///< in the order of their numbers
+  sequence<double> size_, solutions_{};
+  sequence<int> solved_{}, places_{}; ///< solve nodes, and where their solutions begin
 };
 
 } // namespace kanexpr::symbolic

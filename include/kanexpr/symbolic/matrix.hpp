@@ -8,7 +8,7 @@ namespace kanexpr::symbolic {
 struct matrix {
   int rows = 0;
   int columns = 0;
-  sequence<expression> entries;
+  sequence<expression> entries{};
 
   constexpr matrix() = default;
   constexpr matrix(graph& g, int rows_, int columns_)

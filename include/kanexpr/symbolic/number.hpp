@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -21,7 +23,10 @@ struct number {
     return exact() ? static_cast<double>(numerator) / static_cast<double>(denominator) : real;
   }
   constexpr bool negative() const { return exact() ? numerator < 0 : real < 0; }
-  constexpr bool operator==(const number&) const = default;
+  constexpr bool operator==(const number& other) const {
+    return numerator == other.numerator && denominator == other.denominator &&
+           numeric::equal(real, other.real);
+  }
 };
 
 constexpr bool is_finite(double value) {
@@ -34,13 +39,13 @@ constexpr number real(double value) {
   constexpr double integers_end = 9007199254740992.0; // 2^53
   if (value > -integers_end && value < integers_end) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) return {whole, 1, 0};
+    if (numeric::equal(static_cast<double>(whole), value)) return {whole, 1, 0};
   }
   return {0, 0, value};
 }
 
 constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
-  constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min(); // has no negative
+  constexpr std::int64_t lowest = (std::numeric_limits<std::int64_t>::min)(); // has no negative
   if (numerator == lowest || denominator == lowest)
     return real(static_cast<double>(numerator) / static_cast<double>(denominator));
   if (denominator < 0) numerator = -numerator, denominator = -denominator;
@@ -60,7 +65,7 @@ constexpr number no_number() { return {0, 0, std::numeric_limits<double>::quiet_
 /// Whether a result, formed in the wider range of a long double, is one of doubles: in the compiler nothing
 /// may overflow.
 constexpr bool stays_finite(long double wide) {
-  constexpr long double end = std::numeric_limits<double>::max();
+  constexpr auto end = static_cast<long double>((std::numeric_limits<double>::max)());
   return wide <= end && wide >= -end;
 }
 
@@ -80,7 +85,8 @@ constexpr number operator+(const number& a, const number& b) {
   }
   const double x = a.value(), y = b.value();
   if (std::is_constant_evaluated() &&
-      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) + y)))
+      !(is_finite(x) && is_finite(y) &&
+        stays_finite(static_cast<long double>(x) + static_cast<long double>(y))))
     return no_number();
   const double sum = x + y, least = 0x1p-50 * (x < 0 ? -x : x);
   return real(is_finite(sum) && sum <= least && sum >= -least ? 0 : sum);
@@ -97,7 +103,8 @@ constexpr number operator*(const number& a, const number& b) {
   }
   const double x = a.value(), y = b.value();
   if (std::is_constant_evaluated() &&
-      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) * y)))
+      !(is_finite(x) && is_finite(y) &&
+        stays_finite(static_cast<long double>(x) * static_cast<long double>(y))))
     return no_number();
   return real(x * y);
 }
@@ -112,7 +119,8 @@ constexpr number operator/(const number& a, const number& b) {
   }
   const double x = a.value(), y = b.value();
   if (std::is_constant_evaluated() &&
-      !(is_finite(x) && is_finite(y) && stays_finite(static_cast<long double>(x) / y)))
+      !(is_finite(x) && is_finite(y) &&
+        stays_finite(static_cast<long double>(x) / static_cast<long double>(y))))
     return no_number();
   return real(x / y);
 }

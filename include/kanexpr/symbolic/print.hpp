@@ -71,7 +71,7 @@ inline std::string print(const matrix& m) {
   for (const expression& e : m.entries) {
     std::size_t& width = widths[entries.size() % widths.size()];
     entries.push_back(print(e));
-    width = std::max(width, entries.back().size());
+    width = (std::max)(width, entries.back().size());
   }
   std::string text;
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/elementary.hpp>
 #include <kanexpr/symbolic/same_product.hpp>
 
@@ -164,7 +165,10 @@ constexpr int divide(graph& g, int a, int b) {
 
 /// What a function has near zero where its argument is rounded: the cosine of the double next to π/2 is zero.
 constexpr number beside_argument(double value, double argument) {
-  return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) && value != argument ? 0 : value);
+  return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) &&
+                      !numeric::equal(value, argument)
+                  ? 0
+                  : value);
 }
 
 /// A function of one argument.

@@ -9,13 +9,13 @@ namespace kanexpr::symbolic {
 struct pivot {
   int place = 0; ///< of the unknown
   int key = 0;   ///< the divisor
-  expression value;
-  expression entry; ///< of the diagonal, before anything was taken off it
+  expression value{};
+  expression entry{}; ///< of the diagonal, before anything was taken off it
 };
 
 struct symmetric_solution {
-  sequence<expression> x;
-  sequence<pivot> pivots; ///< not those that are numbers; what spoils others comes before them
+  sequence<expression> x{};
+  sequence<pivot> pivots{}; ///< not those that are numbers; what spoils others comes before them
 };
 
 namespace detail {

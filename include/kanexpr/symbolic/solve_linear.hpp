@@ -8,15 +8,15 @@ namespace kanexpr::symbolic {
 
 /// One coupled part of a linear system that is solved on its own and may be singular at some states.
 struct solved_block {
-  sequence<int> rows, columns; ///< equations and unknowns
-  int key = 0;                 ///< the divisor where there is one unknown, else the factorization
-  expression measure;          ///< far from singular as large as `scale`, up to signs; singular 0
-  expression scale;
+  sequence<int> rows{}, columns{}; ///< equations and unknowns
+  int key = 0;                     ///< the divisor where there is one unknown, else the factorization
+  expression measure{};            ///< far from singular as large as `scale`, up to signs; singular 0
+  expression scale{};
 };
 
 struct linear_solution {
-  matrix x;
-  sequence<solved_block> blocks; ///< not those whose matrix is of numbers
+  matrix x{};
+  sequence<solved_block> blocks{}; ///< not those whose matrix is of numbers
   bool structurally_regular = true;
 };
 
@@ -49,7 +49,7 @@ public:
         progress = true;
       }
     }
-    sequence<int> rows, columns;
+    sequence<int> rows{}, columns{};
     for (int i = 0; i < a_.rows; ++i)
       if (is_used[i] == 0) rows.push(i);
     for (int j = 0; j < a_.columns; ++j)
@@ -200,7 +200,7 @@ private:
   const matrix& b_;
   const matrix& equations_;
   sequence<char> is_solved_; ///< by column
-  linear_solution out_;
+  linear_solution out_{};
 };
 
 } // namespace detail

@@ -70,7 +70,7 @@ enum class symbol_kind : unsigned char {
 
 struct symbol {
   symbol_kind kind{};
-  name called;
+  name called{};
   int position = 0; ///< among the symbols of its kind, in the order of the state, parameter or input vector
 
   constexpr bool operator==(const symbol& other) const {

@@ -23,7 +23,7 @@ struct factor {
 /// coefficient · Π base^exponent, the factors in the order in which they are written.
 struct term {
   number coefficient = exactly(1);
-  std::vector<factor> factors;
+  std::vector<factor> factors{};
 };
 
 /// The numerator or the denominator of a term: only positive numbers and exponents.
@@ -97,7 +97,7 @@ inline std::strong_ordering compare_names(std::string_view a, std::string_view b
 /// alone: the numbers of nodes depend on the order in which a compiler evaluates operands.
 class term_reader {
 public:
-  explicit term_reader(const graph& g) : graph_(&g) {}
+  explicit term_reader(const graph& g) : graph_(g) {}
 
   /// A node as a sum, never empty; numbers come last, but some positive term first.
   const std::vector<term>& terms_of(int id) {
@@ -111,8 +111,8 @@ private:
 
   /// Parameters, other symbols, general powers, functions, and at last what needs parentheses.
   int rank(int id) const {
-    const operation op = (*graph_)[id].op;
-    if (op == operation::symbol) return graph_->symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
+    const operation op = graph_[id].op;
+    if (op == operation::symbol) return graph_.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
     return op == operation::power ? 2 : is_function(op) ? 3 : 4;
   }
 
@@ -124,10 +124,10 @@ private:
   }
 
   std::strong_ordering compare_structure(int a, int b) {
-    const node &x = (*graph_)[a], &y = (*graph_)[b];
+    const node &x = graph_[a], &y = graph_[b];
     if (const auto order = rank(a) <=> rank(b); order != 0) return order;
     if (x.op == operation::symbol) {
-      const symbol &s = graph_->symbol_at(a), &t = graph_->symbol_at(b);
+      const symbol &s = graph_.symbol_at(a), &t = graph_.symbol_at(b);
       const auto order = compare_names(s.called.view(), t.called.view());
       return order != 0 ? order : s.kind <=> t.kind;
     }
@@ -151,14 +151,14 @@ private:
   template <class T>
   std::strong_ordering compare_all(const std::vector<T>& a, const std::vector<T>& b,
                                    std::strong_ordering (term_reader::*order)(const T&, const T&)) {
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
       if (const auto found = (this->*order)(a[i], b[i]); found != 0) return found;
     return a.size() <=> b.size();
   }
 
-  const graph* graph_;
-  std::map<int, std::vector<term>> sums_;
-  std::map<std::pair<int, int>, std::strong_ordering> compared_;
+  const graph& graph_;
+  std::map<int, std::vector<term>> sums_{};
+  std::map<std::pair<int, int>, std::strong_ordering> compared_{};
 };
 
 inline term term_reader::product_of(int root) {
@@ -166,11 +166,11 @@ inline term term_reader::product_of(int root) {
   term product;
   const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
     if (exponent > largest_exponent || exponent < -largest_exponent) return false;
-    const node& n = (*graph_)[id];
+    const node& n = graph_[id];
     switch (n.op) {
     case operation::constant:
       if (id == graph::zero && exponent < 0) return false;
-      product.coefficient = product.coefficient * integer_power(graph_->number_at(id), exponent);
+      product.coefficient = product.coefficient * integer_power(graph_.number_at(id), exponent);
       return true;
     case operation::negate:
       if (exponent % 2 != 0) product.coefficient = -product.coefficient;
@@ -196,7 +196,7 @@ inline term term_reader::product_of(int root) {
 
 inline std::vector<term> term_reader::sum_of(int root) {
   const auto expand = [this](int id, const number& weight, const auto& put) {
-    const node& n = (*graph_)[id];
+    const node& n = graph_[id];
     if (n.op != operation::add && n.op != operation::subtract && n.op != operation::negate) return false;
     put(n.a, n.op == operation::negate ? -weight : weight);
     if (is_binary(n.op)) put(n.b, n.op == operation::subtract ? -weight : weight);

@@ -69,7 +69,7 @@ private:
   }
 
   angles angles_;
-  std::set<int> opaque_;
+  std::set<int> opaque_{};
 };
 
 } // namespace algebra

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
 
 namespace kanexpr::symbolic {
@@ -8,7 +9,7 @@ namespace kanexpr::symbolic {
 /// that is a length is as long as the lengths that a model has as numbers, in whatever units.
 class typical_sizes {
 public:
-  constexpr explicit typical_sizes(const graph& g) : g_(&g) {
+  constexpr explicit typical_sizes(const graph& g) : g_(g) {
     if (!holds_unusual_number()) return;
     known_.resize(g.size());
     for (int passes = 0; passes < most_passes; ++passes) {
@@ -35,10 +36,10 @@ private:
   /// As the numbers of a machine in metres and kilograms: there is nothing to find out.
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
-    for (int id = 0; id < g_->size(); ++id)
-      if ((*g_)[id].op == operation::constant) {
-        const double size = elementary::abs(g_->number_at(id).value());
-        if (size != 0 && !is_usual(size)) return true;
+    for (int id = 0; id < g_.size(); ++id)
+      if (g_[id].op == operation::constant) {
+        const double size = elementary::abs(g_.number_at(id).value());
+        if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
       }
     return false;
   }
@@ -50,7 +51,7 @@ private:
     double power = 0;
 
     constexpr bool is_known() const { return unknown == none; }
-    constexpr bool is_open() const { return unknown >= 0 && power != 0; }
+    constexpr bool is_open() const { return unknown >= 0 && !numeric::equal(power, 0.0); }
   };
   static constexpr estimate_of of_size(double size) { return {size, none, 0}; }
 
@@ -59,7 +60,7 @@ private:
       const int at = symbols_.find(id);
       return at >= 0 ? of_size(sizes_[at]) : estimate_of{1, id, 1};
     }
-    if (n.op == operation::constant) return of_size(elementary::abs(g_->number_at(id).value()));
+    if (n.op == operation::constant) return of_size(elementary::abs(g_.number_at(id).value()));
     if (n.op >= operation::pair) return {};
     const estimate_of& a = known_[n.a];
     switch (n.op) {
@@ -76,30 +77,32 @@ private:
   }
 
   constexpr estimate_of product(const estimate_of& a, const estimate_of& b, double sign) const {
-    if (a.unknown == mixed || b.unknown == mixed || b.factor == 0) return {};
+    if (a.unknown == mixed || b.unknown == mixed || numeric::equal(b.factor, 0.0)) return {};
     if (a.is_open() && b.is_open() && a.unknown != b.unknown) return {};
     const double factor = sign > 0 ? a.factor * b.factor : a.factor / b.factor,
                  power = a.power + sign * b.power;
-    return {factor, power == 0 ? none : a.is_open() ? a.unknown : b.unknown, power};
+    return {factor, numeric::equal(power, 0.0) ? none : a.is_open() ? a.unknown : b.unknown, power};
   }
 
   static constexpr estimate_of sum(const estimate_of& a, const estimate_of& b) {
     if (a.is_known() && b.is_known()) return of_size(a.factor > b.factor ? a.factor : b.factor);
-    if (a.is_known() && a.factor != 0) return a;
-    if (b.is_known() && b.factor != 0) return b;
-    return a.is_open() && b.is_open() && a.unknown == b.unknown && a.power == b.power ? a : estimate_of{};
+    if (a.is_known() && !numeric::equal(a.factor, 0.0)) return a;
+    if (b.is_known() && !numeric::equal(b.factor, 0.0)) return b;
+    return a.is_open() && b.is_open() && a.unknown == b.unknown && numeric::equal(a.power, b.power)
+               ? a
+               : estimate_of{};
   }
 
   /// What the operands of a node should be as large as, if something says it: first that they are in the
   /// argument of a function, which is a number, then the terms beside them.
   constexpr void hand_down(int id, sequence<double>& wanted, bool by_terms) {
-    const node& n = (*g_)[id];
+    const node& n = g_[id];
     const estimate_of& own = known_[id];
     if (is_leaf(n.op)) return take(own, wanted[id]);
     if (own.is_open()) take(own, wanted[id]);
     const double size = by_terms && own.is_known() ? own.factor : wanted[id];
     const auto want = [&](int operand, double as_large) {
-      if (!known_[operand].is_known() && wanted[operand] == 0) wanted[operand] = as_large;
+      if (!known_[operand].is_known() && numeric::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
     };
     switch (n.op) {
     case operation::negate:
@@ -107,8 +110,10 @@ private:
     case operation::add:
     case operation::subtract: return want(n.a, size), want(n.b, size);
     case operation::multiply:
-      if (known_[n.a].is_known() && known_[n.a].factor != 0) want(n.b, size / known_[n.a].factor);
-      if (known_[n.b].is_known() && known_[n.b].factor != 0) want(n.a, size / known_[n.b].factor);
+      if (known_[n.a].is_known() && !numeric::equal(known_[n.a].factor, 0.0))
+        want(n.b, size / known_[n.a].factor);
+      if (known_[n.b].is_known() && !numeric::equal(known_[n.b].factor, 0.0))
+        want(n.a, size / known_[n.b].factor);
       return;
     case operation::divide:
       if (known_[n.b].is_known()) want(n.a, size * known_[n.b].factor);
@@ -120,17 +125,19 @@ private:
     }
   }
   constexpr void take(const estimate_of& open, double size) {
-    if (!open.is_open() || open.factor == 0 || size == 0 || symbols_.contains(open.unknown)) return;
+    if (!open.is_open() || numeric::equal(open.factor, 0.0) || numeric::equal(size, 0.0) ||
+        symbols_.contains(open.unknown))
+      return;
     const double ratio = size / open.factor;
     symbols_.push(open.unknown);
-    sizes_.push(open.power == 1 ? ratio : elementary::pow(ratio, 1 / open.power));
+    sizes_.push(numeric::equal(open.power, 1.0) ? ratio : elementary::pow(ratio, 1 / open.power));
     found_ = true;
   }
 
-  const graph* g_;
-  sequence<estimate_of> known_;
-  sequence<int> symbols_;
-  sequence<double> sizes_;
+  const graph& g_;
+  sequence<estimate_of> known_{};
+  sequence<int> symbols_{};
+  sequence<double> sizes_{};
   bool found_ = false;
 };
 

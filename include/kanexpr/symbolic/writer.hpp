@@ -21,7 +21,7 @@ public:
   std::string text() const { return text_.empty() ? "0" : text_; }
 
 private:
-  std::string text_;
+  std::string text_{};
 };
 
 /// The shortest decimal text that reads back as the same number; fractions only occur as quotients of
@@ -39,7 +39,7 @@ inline std::string decimal(const number& n) {
 template <class Form>
 class writer {
 public:
-  explicit writer(const graph& g) : graph_(&g), reader_(g) {}
+  explicit writer(const graph& g) : graph_(g), reader_(g) {}
 
   std::string write(int id) const { return sum(reader_.terms_of(id)); }
 
@@ -69,9 +69,9 @@ protected:
   /// The text of a node that stays whole under an exponent.
   std::string operand(int id) const {
     const node& n = at(id);
-    if (n.op == operation::symbol) return form().name_of(graph_->symbol_at(id));
+    if (n.op == operation::symbol) return form().name_of(graph_.symbol_at(id));
     if (n.op == operation::constant) {
-      const number& value = graph_->number_at(id);
+      const number& value = graph_.number_at(id);
       const bool whole = !value.negative() && (!value.exact() || value.integer());
       if (whole) return form().number_of(value);
     }
@@ -91,8 +91,8 @@ protected:
 
   /// The rows of a factorized matrix, or their transpose, as nodes.
   std::vector<std::vector<int>> rows_of(int factorization, bool transposed) const {
-    const sequence<int> entries = entries_of(*graph_, factorization);
-    const int order = order_of(*graph_, factorization);
+    const sequence<int> entries = entries_of(graph_, factorization);
+    const int order = order_of(graph_, factorization);
     std::vector<std::vector<int>> rows(static_cast<std::size_t>(order));
     for (int i = 0; i < order; ++i)
       for (int j = 0; j < order; ++j)
@@ -100,17 +100,17 @@ protected:
     return rows;
   }
   std::vector<int> elements(int list) const {
-    const sequence<int> all = elements_of(*graph_, list);
+    const sequence<int> all = elements_of(graph_, list);
     return {all.begin(), all.end()};
   }
 
-  const graph& owner() const { return *graph_; }
-  const node& at(int id) const { return (*graph_)[id]; }
+  const graph& owner() const { return graph_; }
+  const node& at(int id) const { return graph_[id]; }
 
 private:
   const Form& form() const { return static_cast<const Form&>(*this); }
 
-  const graph* graph_;
+  const graph& graph_;
   mutable term_reader reader_; // remembers
 };
 

@@ -89,7 +89,7 @@ protected:
   }
 
   bool is_at(double target) const {
-    const double latest = std::max(std::abs(t_), std::abs(target));
+    const double latest = (std::max)(std::abs(t_), std::abs(target));
     return target - t_ <= 8 * std::numeric_limits<double>::epsilon() * latest;
   }
 
@@ -153,7 +153,7 @@ protected:
     double last = 0, next = 0;
     Calls::last_step(memory_, &last);
     Calls::next_step(memory_, &next);
-    const double way = steps_of_return * std::max(last, next);
+    const double way = steps_of_return * (std::max)(last, next);
     way_back_.assign(y_.size(), 0);
     for (std::size_t i = 0; i < y_.size(); ++i) {
       y_[i] += correction_[i];
@@ -167,13 +167,13 @@ protected:
 
   watched_problem& watched_;
   stepper_options options_;
-  ::sundials::Context context_;
-  vector_handle at_, tolerances_, weights_;
-  matrix_handle matrix_;
-  linear_solver_handle solver_;
+  ::sundials::Context context_{};
+  vector_handle at_{}, tolerances_{}, weights_{};
+  matrix_handle matrix_{};
+  linear_solver_handle solver_{};
   void* memory_ = nullptr;
-  std::vector<double> correction_;
-  std::vector<double> way_back_; ///< to the manifold, a part of the rates
+  std::vector<double> correction_{};
+  std::vector<double> way_back_{}; ///< to the manifold, a part of the rates
 
 private:
   bool set_watched() {
@@ -211,8 +211,8 @@ private:
     return {"SUNDIALS gave up: " + error_.message};
   }
 
-  last_error error_;
-  integration_statistics before_restart_;
+  last_error error_{};
+  integration_statistics before_restart_{};
 };
 
 } // namespace kanexpr::solvers

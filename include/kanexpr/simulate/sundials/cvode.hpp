@@ -116,7 +116,7 @@ private:
 
   formulas formulas_;
   explicit_problem& problem_;
-  nonlinear_solver_handle iteration_;
+  nonlinear_solver_handle iteration_{};
 };
 
 } // namespace kanexpr::solvers

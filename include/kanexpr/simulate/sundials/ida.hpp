@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/simulate/sundials/adaptive.hpp>
 
 #include <ida/ida.h>
@@ -50,7 +51,7 @@ public:
       stepper_options options)
       : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem),
         ydot_(std::move(start_rates)) {
-    if (options_.first_step == 0) options_.first_step = first_step();
+    if (numeric::equal(options_.first_step, 0.0)) options_.first_step = first_step();
     rates_at_ = vector_on(ydot_.data(), size(), context_);
     kinds_ = new_vector(size(), context_);
     memory_ = IDACreate(context_);
@@ -112,7 +113,7 @@ private:
       size_of_rates += (ydot_[i] / unit) * (ydot_[i] / unit);
     }
     const double guess = 0.01 * std::sqrt(size_of_state / size_of_rates);
-    return std::isfinite(guess) && guess > 0 ? std::min(guess, 1e-3 * (options_.end - t_)) : 0;
+    return std::isfinite(guess) && guess > 0 ? (std::min)(guess, 1e-3 * (options_.end - t_)) : 0;
   }
 
   int solve(double target) override {
@@ -133,8 +134,8 @@ private:
   }
 
   implicit_problem& problem_;
-  std::vector<double> ydot_, plain_rates_;
-  vector_handle rates_at_, kinds_;
+  std::vector<double> ydot_, plain_rates_{};
+  vector_handle rates_at_{}, kinds_{};
 };
 
 } // namespace kanexpr::solvers

@@ -36,7 +36,7 @@ class kinsol {
 public:
   kinsol(nonlinear_equations& of, const magnitudes& sizes, double tolerance, int most_iterations)
       : of_(of), step_(sizes, of.stiff_unknowns()), unknowns_(sizes.unknowns.size()),
-        size_(std::max(unknowns_, sizes.equations.size())), most_iterations_(most_iterations),
+        size_((std::max)(unknowns_, sizes.equations.size())), most_iterations_(most_iterations),
         at_(Eigen::VectorXd::Zero(size_)), unknown_scale_(Eigen::VectorXd::Ones(size_)),
         equation_scale_(Eigen::VectorXd::Ones(size_)) {
     unknown_scale_.head(unknowns_) = sizes.unknowns.cwiseInverse();
@@ -140,12 +140,12 @@ private:
   Eigen::Index unknowns_, size_;
   int most_iterations_;
   Eigen::VectorXd at_, unknown_scale_, equation_scale_;
-  last_error error_;
-  failure refused_;
-  ::sundials::Context context_;
-  vector_handle z_, unknown_scale_on_, equation_scale_on_;
-  matrix_handle matrix_;
-  linear_solver_handle solver_;
+  last_error error_{};
+  failure refused_{};
+  ::sundials::Context context_{};
+  vector_handle z_{}, unknown_scale_on_{}, equation_scale_on_{};
+  matrix_handle matrix_{};
+  linear_solver_handle solver_{};
   void* memory_ = nullptr;
 };
 

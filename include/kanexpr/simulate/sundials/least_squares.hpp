@@ -45,7 +45,7 @@ public:
     step.array() *= sizes_.unknowns.array();
     double longest = 1;
     for (Eigen::Index i = 0; i < step.size(); ++i)
-      longest = std::max(longest, std::abs(step(i)) / limits_(i));
+      longest = (std::max)(longest, std::abs(step(i)) / limits_(i));
     return step / longest;
   }
 
@@ -54,9 +54,9 @@ public:
 private:
   magnitudes sizes_;
   Eigen::Index stiff_;
-  Eigen::MatrixXd slope_, by_stiff_;
-  Eigen::VectorXd limits_;
-  std::optional<numeric::complete_orthogonal> first_, others_;
+  Eigen::MatrixXd slope_{}, by_stiff_{};
+  Eigen::VectorXd limits_{};
+  std::optional<numeric::complete_orthogonal> first_{}, others_{};
 };
 
 /// The step as a linear solver of SUNDIALS. Its matrix is square; rows and columns that are too many are
@@ -72,7 +72,7 @@ inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContex
   solver->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, realtype) {
     const auto& step_of = *static_cast<const least_squares_step*>(s->content);
     const Eigen::MatrixXd& slope = step_of.slope();
-    const auto size = static_cast<Eigen::Index>(N_VGetLength(b));
+    const Eigen::Index size = N_VGetLength(b);
     Eigen::Map<Eigen::VectorXd> left(numbers_of(x), size), right(numbers_of(b), size);
     const Eigen::VectorXd found = step_of(right.head(slope.rows()));
     left.setZero();

@@ -10,8 +10,8 @@ namespace kanexpr::solvers {
 struct stepper_options {
   double end = 0; ///< nothing is evaluated beyond it
   double relative_tolerance = 1e-8;
-  std::vector<double> absolute_tolerances; ///< one for each entry
-  double first_step = 0;                   ///< 0: the integrator chooses
+  std::vector<double> absolute_tolerances{}; ///< one for each entry
+  double first_step = 0;                     ///< 0: the integrator chooses
   double least_step = 0;
   double greatest_step = 0; ///< 0: any
   bool analytic_jacobian = true;
@@ -61,9 +61,9 @@ public:
   virtual long steps() const = 0;
 
 protected:
-  failure failed_;
+  failure failed_{};
   double t_ = 0;
-  std::vector<double> y_;
+  std::vector<double> y_{};
 };
 
 } // namespace kanexpr::solvers

@@ -95,8 +95,8 @@ private:
   }
 
   graph& g_;
-  std::map<int, monomial> factors_;
-  std::map<monomial, functions, descending> functions_;
+  std::map<int, monomial> factors_{};
+  std::map<monomial, functions, descending> functions_{};
 };
 
 } // namespace kanexpr::symbolic::algebra

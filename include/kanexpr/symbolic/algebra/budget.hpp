@@ -44,7 +44,7 @@ public:
 private:
   std::size_t most_terms_;
   std::size_t products_left_;
-  std::string cause_;
+  std::string cause_{};
 };
 
 } // namespace algebra

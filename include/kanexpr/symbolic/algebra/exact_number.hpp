@@ -41,8 +41,8 @@ public:
     if (is_zero()) return 0;
     const integer magnitude = abs(above_);
     const int shift = 63 - static_cast<int>(msb(magnitude)) + static_cast<int>(msb(below_));
-    const integer divided = shift < 0 ? magnitude : integer(magnitude << shift);
-    const integer by = shift < 0 ? integer(below_ << -shift) : below_;
+    const integer divided = shift < 0 ? magnitude : magnitude << shift;
+    const integer by = shift < 0 ? below_ << -shift : below_;
     integer quotient, rest;
     divide_qr(divided, by, quotient, rest);
     const auto digits = quotient.convert_to<std::uint64_t>() | (rest.is_zero() ? 0u : 1u); // 63 bits or 64
@@ -54,7 +54,7 @@ public:
     if (is_whole() && b.is_whole())
       above_ += b.above_;
     else
-      *this = {integer(above_ * b.below_ + b.above_ * below_), integer(below_ * b.below_)};
+      *this = {above_ * b.below_ + b.above_ * below_, below_ * b.below_};
     return *this;
   }
   friend rational operator-(rational a) {
@@ -64,11 +64,11 @@ public:
   friend rational operator+(rational a, const rational& b) { return a += b; }
   friend rational operator-(rational a, const rational& b) { return a += -b; }
   friend rational operator*(const rational& a, const rational& b) {
-    if (a.is_whole() && b.is_whole()) return rational(integer(a.above_ * b.above_));
-    return {integer(a.above_ * b.above_), integer(a.below_ * b.below_)};
+    if (a.is_whole() && b.is_whole()) return rational(a.above_ * b.above_);
+    return {a.above_ * b.above_, a.below_ * b.below_};
   }
   friend rational operator/(const rational& a, const rational& b) {
-    return {integer(a.above_ * b.below_), integer(a.below_ * b.above_)};
+    return {a.above_ * b.below_, a.below_ * b.above_};
   }
 
 private:
@@ -81,7 +81,7 @@ private:
     below_ /= common;
   }
 
-  integer above_;
+  integer above_{};
   integer below_ = 1;
 };
 
@@ -97,19 +97,19 @@ inline bool is_decimal(const rational& r) { return lsb(r.below()) >= 20 || msb(r
 
 /// Fractions stay exact where they fit into 64 bits; decimals, and what does not fit, are the nearest double.
 inline number number_of(const rational& r) {
-  if (is_decimal(r) || abs(r.above()) > std::numeric_limits<std::int64_t>::max()) return real(r.value());
+  if (is_decimal(r) || abs(r.above()) > (std::numeric_limits<std::int64_t>::max)()) return real(r.value());
   return exactly(r.above().convert_to<std::int64_t>(), r.below().convert_to<std::int64_t>());
 }
 
 /// The positive fraction of which both are whole multiples, as large as can be; zero is a multiple of all.
 inline rational common_measure(const rational& a, const rational& b) {
-  return {integer(gcd(a.above(), b.above())), integer(lcm(a.below(), b.below()))};
+  return {gcd(a.above(), b.above()), lcm(a.below(), b.below())};
 }
 
 /// a + i b with fractions.
 struct gaussian {
   rational real;
-  rational imaginary;
+  rational imaginary{};
 
   gaussian() = default;
   gaussian(rational r, rational i = 0) : real(std::move(r)), imaginary(std::move(i)) {}
@@ -145,7 +145,7 @@ inline rational measure_of(const rational& a) { return a.is_negative() ? -a : a;
 inline rational measure_of(const gaussian& a) { return common_measure(a.real, a.imaginary); }
 
 inline std::size_t bits_of(const rational& a) {
-  return a.is_zero() ? 0 : msb(integer(abs(a.above()))) + msb(a.below());
+  return a.is_zero() ? 0 : msb(abs(a.above())) + msb(a.below());
 }
 inline std::size_t bits_of(const gaussian& a) { return bits_of(a.real) + bits_of(a.imaginary); }
 

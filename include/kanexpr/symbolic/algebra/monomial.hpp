@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace kanexpr::symbolic::algebra {
@@ -55,7 +56,7 @@ inline monomial over(const monomial& a, const monomial& b) { return times(a, b, 
 inline monomial common_part(const monomial& a, const monomial& b) {
   monomial common;
   visit_both(a, b, [&](int base, std::int64_t i, std::int64_t j) {
-    if (std::min(i, j) != 0) common.push_back({base, std::min(i, j)});
+    if ((std::min)(i, j) != 0) common.push_back({base, (std::min)(i, j)});
   });
   return common;
 }
@@ -74,7 +75,7 @@ inline monomial without(const monomial& m, int base) {
 
 /// The lexicographic order of exponents, which products keep.
 inline std::strong_ordering compare(const monomial& a, const monomial& b) {
-  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+  for (std::size_t i = 0; i < (std::max)(a.size(), b.size()); ++i) {
     if (i == a.size()) return 0 <=> b[i].exponent;
     if (i == b.size()) return a[i].exponent <=> 0;
     if (a[i].base < b[i].base) return a[i].exponent <=> 0;
@@ -96,7 +97,7 @@ struct monomial_hash {
       mixed = (mixed ^ static_cast<std::uint64_t>(f.exponent)) * 0xff51afd7ed558ccdu;
       mixed ^= mixed >> 29;
     }
-    return static_cast<std::size_t>(mixed);
+    return std::hash<std::uint64_t>{}(mixed);
   }
 };
 

@@ -20,7 +20,7 @@ struct term {
 /// A sum of terms, the largest monomial first, none of them zero. Exponents may be negative.
 template <class Coefficient>
 struct polynomial {
-  std::vector<term<Coefficient>> terms;
+  std::vector<term<Coefficient>> terms{};
 
   polynomial() = default;
   polynomial(const Coefficient& c) {
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  std::unordered_map<monomial, C, monomial_hash> coefficients_;
+  std::unordered_map<monomial, C, monomial_hash> coefficients_{};
 };
 
 template <class C>
@@ -109,7 +109,7 @@ bool has_large_exponent(const polynomial<C>& p) {
 template <class C>
 std::size_t effort(const polynomial<C>& p) {
   std::size_t most = 0;
-  for (const term<C>& t : p.terms) most = std::max(most, bits_of(t.coefficient));
+  for (const term<C>& t : p.terms) most = (std::max)(most, bits_of(t.coefficient));
   return 1 + (most / 128) * (most / 128);
 }
 

@@ -7,8 +7,8 @@ namespace kanexpr::symbolic::algebra {
 /// A polynomial over a product of powers of others, which are known by their places in a list.
 template <class C>
 struct fraction {
-  polynomial<C> above;
-  std::map<std::size_t, std::int64_t> below; ///< positive exponents
+  polynomial<C> above{};
+  std::map<std::size_t, std::int64_t> below{}; ///< positive exponents
 };
 
 /// Arithmetic of fractions. What is below stays in factors, and each is taken out of what is above as often
@@ -28,7 +28,7 @@ public:
     fraction<C> all;
     for (const fraction<C>* each : {&a, &b})
       for (const auto& [place, exponent] : each->below)
-        all.below[place] = std::max(all.below[place], exponent);
+        all.below[place] = (std::max)(all.below[place], exponent);
     fraction<C> result = without_squares(brought_to(a, all) + brought_to(b, all));
     for (const auto& [place, exponent] : all.below) result.below[place] += exponent;
     return simplified(std::move(result));
@@ -143,8 +143,8 @@ private:
   static constexpr int none = -1;
 
   budget& left_;
-  std::vector<polynomial<C>> divisors_;
-  std::map<int, fraction<C>> squares_;
+  std::vector<polynomial<C>> divisors_{};
+  std::map<int, fraction<C>> squares_{};
 };
 
 } // namespace kanexpr::symbolic::algebra

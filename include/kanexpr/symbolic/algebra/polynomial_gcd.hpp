@@ -31,7 +31,7 @@ private:
   static real_polynomial one() { return {rational(1)}; }
   static std::int64_t degree(const real_polynomial& p, int base) {
     std::int64_t most = 0;
-    for (const term<rational>& t : p.terms) most = std::max(most, exponent_of(t.factors, base));
+    for (const term<rational>& t : p.terms) most = (std::max)(most, exponent_of(t.factors, base));
     return most;
   }
 
@@ -57,7 +57,7 @@ private:
       if (may_divide && exact_quotient(*other, *divisor, left_)) return *divisor;
     }
     const int main = std::ranges::min_element(bounds, {}, [&](const auto& each) {
-                       return std::max(degree(a, each.first), degree(b, each.first));
+                       return (std::max)(degree(a, each.first), degree(b, each.first));
                      })->first;
     return by_main_variable(a, b, main, bounds);
   }
@@ -106,7 +106,7 @@ private:
       for (const auto& [base, range] : exponent_ranges(*p))
         point[base] = std::uniform_int_distribution<residue>(1, field.prime() - 1)(random_);
     for (const auto& [base, value] : point) {
-      const std::int64_t least = std::min(degree(a, base), degree(b, base));
+      const std::int64_t least = (std::min)(degree(a, base), degree(b, base));
       if (least == 0) continue;
       bounds[base] = least;
       const modular_image x(field, a, base), y(field, b, base);
@@ -181,8 +181,7 @@ private:
                              int main) {
     real_polynomial sum;
     for (const auto& [m, value] : lifted)
-      if (value != 0)
-        sum.terms.push_back({m, rational(2 * value > modulus ? integer(value - modulus) : value)});
+      if (value != 0) sum.terms.push_back({m, rational(2 * value > modulus ? value - modulus : value)});
     const auto quotient = exact_quotient(sum, content(sum, main), left_);
     return quotient ? primitive_part(*quotient) : one();
   }

@@ -23,14 +23,14 @@ std::map<int, exponent_range> exponent_ranges(const polynomial<C>& p) {
   for (const term<C>& t : p.terms)
     for (const factor& f : t.factors) {
       const auto place = ranges.try_emplace(f.base, exponent_range{f.exponent, f.exponent}).first;
-      place->second.least = std::min(place->second.least, f.exponent);
-      place->second.largest = std::max(place->second.largest, f.exponent);
+      place->second.least = (std::min)(place->second.least, f.exponent);
+      place->second.largest = (std::max)(place->second.largest, f.exponent);
       ++occurrences[f.base];
     }
   for (auto& [base, range] : ranges)
     if (occurrences[base] < p.size()) {
-      range.least = std::min(range.least, std::int64_t{0});
-      range.largest = std::max(range.largest, std::int64_t{0});
+      range.least = (std::min)(range.least, std::int64_t{0});
+      range.largest = (std::max)(range.largest, std::int64_t{0});
     }
   return ranges;
 }

@@ -12,10 +12,10 @@ namespace kanexpr::symbolic::algebra {
 /// variables.
 class modular_image {
 public:
-  modular_image(const prime_field& f, const polynomial<rational>& p, int main) : field_(&f) {
+  modular_image(const prime_field& f, const polynomial<rational>& p, int main) : field_(f) {
     for (const term<rational>& t : p.terms) {
       const auto degree = static_cast<std::size_t>(exponent_of(t.factors, main));
-      degree_ = std::max(degree_, degree);
+      degree_ = (std::max)(degree_, degree);
       terms_.push_back({without(t.factors, main), degree, f.of(t.coefficient.above())});
     }
   }
@@ -28,9 +28,9 @@ public:
     for (const piece& t : terms_) {
       residue value = t.coefficient;
       for (const factor& f : t.factors)
-        value = field_->multiply(
-            value, field_->power(point.find(f.base)->second, static_cast<std::uint64_t>(f.exponent)));
-      sum[t.degree] = field_->add(sum[t.degree], value);
+        value = field_.multiply(
+            value, field_.power(point.find(f.base)->second, static_cast<std::uint64_t>(f.exponent)));
+      sum[t.degree] = field_.add(sum[t.degree], value);
     }
     while (!sum.empty() && sum.back() == 0) sum.pop_back();
     return sum;
@@ -43,9 +43,9 @@ private:
     residue coefficient;
   };
 
-  const prime_field* field_;
+  const prime_field& field_;
   std::size_t degree_ = 0;
-  std::vector<piece> terms_;
+  std::vector<piece> terms_{};
 };
 
 /// The greatest common divisor of two polynomials modulo a prime, with a given leading coefficient in the
@@ -99,7 +99,7 @@ private:
     const residues a = a_.at(point), b = b_.at(point), leading = leading_.at(point);
     if (a.size() <= a_.degree() || b.size() <= b_.degree() || leading.empty()) return {};
     const residues divisor = field_.greatest_common_divisor(a, b);
-    degree_seen_ = std::min(degree_seen_, divisor.size() - 1);
+    degree_seen_ = (std::min)(degree_seen_, divisor.size() - 1);
     if (divisor.size() - 1 != given_.degree) return {};
     return field_.scaled(divisor, leading.front());
   }
@@ -141,7 +141,7 @@ private:
   /// The coefficients of the known terms, at a point of which the first variables are free.
   residues_by_degree values_at(std::map<int, residue> point, std::size_t free) {
     std::size_t most = 1;
-    for (const std::vector<monomial>& support : supports_) most = std::max(most, support.size());
+    for (const std::vector<monomial>& support : supports_) most = (std::max)(most, support.size());
     if (!left_.allows(most)) return {};
     std::map<int, residue> steps;
     for (std::size_t i = 0; i < free; ++i) steps[given_.bounds[i].first] = any();
@@ -172,10 +172,10 @@ private:
   modular_image a_, b_, leading_;
   std::mt19937_64& random_;
   budget& left_;
-  std::size_t degree_seen_ = std::numeric_limits<std::size_t>::max();
-  std::map<int, residue> point_;
-  std::vector<std::vector<monomial>> supports_; ///< by the power of the main variable
-  residues_by_degree values_;
+  std::size_t degree_seen_ = (std::numeric_limits<std::size_t>::max)();
+  std::map<int, residue> point_{};
+  std::vector<std::vector<monomial>> supports_{}; ///< by the power of the main variable
+  residues_by_degree values_{};
 };
 
 } // namespace kanexpr::symbolic::algebra

@@ -36,7 +36,7 @@ public:
 
 private:
   struct appraised {
-    generic_values values;
+    generic_values values{};
     bool moved = false;
     bool singular = false;
   };
@@ -102,11 +102,11 @@ private:
   std::size_t component_of(const node& n) const { return static_cast<std::size_t>(integer_at(g_, n.b)); }
 
   const graph& g_;
-  sequence<int> place_;          ///< by node; -1: not needed
-  std::vector<appraised> known_; ///< by place
-  std::map<int, const replacement*> by_symbol_;
-  std::map<int, std::vector<generic_values>> solutions_;
-  appraised none_;
+  sequence<int> place_;            ///< by node; -1: not needed
+  std::vector<appraised> known_{}; ///< by place
+  std::map<int, const replacement*> by_symbol_{};
+  std::map<int, std::vector<generic_values>> solutions_{};
+  appraised none_{};
   generic_values undefined_{bounded::undefined()};
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/evaluate.hpp>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ struct bounded {
     return is_sure ? bounded{n.value(), 0} : rounded(n.value(), 0);
   }
 
-  bool defined() const { return value == value; }
+  bool defined() const { return numeric::is_number(value); }
   /// Whether it counts as zero: it is, or not a digit of it is sure. `0.1 + 0.2 - 0.3` vanishes, and the
   /// cosine of the double next to π/2; 1e-30 does not. Four times the bound allows for what came before.
   bool vanishes() const { return std::abs(value) <= 4 * error; }
@@ -53,7 +54,7 @@ namespace detail {
 
 /// The part of an error that remains near a square root's branch point.
 inline double past_branch(double error, double slope) {
-  return error == 0 ? 0 : error / std::max(slope, std::sqrt(error));
+  return numeric::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
 }
 
 /// How far errors of the operands move the value of an operation.
@@ -66,21 +67,21 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case operation::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
   case operation::sqrt: return past_branch(a.error, std::abs(value));
   case operation::asin:
-  case operation::acos: return 2 * past_branch(a.error, std::sqrt(std::max(0.0, 1 - x * x)));
+  case operation::acos: return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
   case operation::atan: return a.error / (1 + x * x);
   case operation::atan2: return (y * a.error + x * b.error) / (x * x + y * y);
   case operation::sin:
   case operation::cos: {
     const double slope = op == operation::sin ? elementary::cos(a.value) : elementary::sin(a.value);
-    return a.error == 0 ? 0 : (std::abs(slope) + a.error) * a.error;
+    return numeric::equal(a.error, 0.0) ? 0 : (std::abs(slope) + a.error) * a.error;
   }
   case operation::tan: return (1 + value * value) * a.error;
   case operation::exp: return std::abs(value) * a.error;
   case operation::log: return a.error / (x - a.error);
   case operation::power:
-    if (x == 0) return a.error == 0 ? 0 : std::pow(a.error, b.value);
+    if (numeric::equal(x, 0.0)) return numeric::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
     return std::abs(value) * (y * a.error / x + std::abs(std::log(x)) * b.error);
-  case operation::sign: return a.value != 0 && a.vanishes() ? 1 : 0;
+  case operation::sign: return !numeric::equal(a.value, 0.0) && a.vanishes() ? 1 : 0;
   default: return a.error;
   }
 }
@@ -88,7 +89,9 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
 } // namespace detail
 
 inline bounded apply(operation op, const bounded& a, const bounded& b) {
-  const auto is_nothing = [](const bounded& x) { return x.value == 0 && x.error == 0; };
+  const auto is_nothing = [](const bounded& x) {
+    return numeric::equal(x.value, 0.0) && numeric::equal(x.error, 0.0);
+  };
   if (op == operation::multiply && (is_nothing(a) || is_nothing(b))) return {}; // as in the graph
   if (!a.defined() || !b.defined() || is_singular(op, a, b)) return bounded::undefined();
   const double value = value_of(op, a.value, b.value);

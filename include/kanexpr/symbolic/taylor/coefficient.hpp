@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/expression.hpp>
 #include <kanexpr/symbolic/taylor/generic_values.hpp>
 
@@ -18,7 +19,8 @@ public:
   }
   coefficient(expression e, const generic_values& at) : at_(at) {
     if (e.is_constant())
-      *this = coefficient(e.owner().number_at(e.node()), at.is_number() && at[0].error == 0, at);
+      *this =
+          coefficient(e.owner().number_at(e.node()), at.is_number() && numeric::equal(at[0].error, 0.0), at);
     else if (at.vanish())
       *this = {};
     else
@@ -27,16 +29,16 @@ public:
 
   bool is_number() const { return is_number_; }
   bool is_exact() const { return is_exact_; } ///< an exact number
-  bool is_zero() const { return is_number_ && number_.value() == 0; }
+  bool is_zero() const { return is_number_ && numeric::equal(number_.value(), 0.0); }
   const number& value() const { return number_; }
   const generic_values& at() const { return at_; }
   graph& owner() const { return expression_.owner(); } ///< of an expression
   expression in(graph& g) const { return is_number_ ? constant(g, number_) : expression_; }
 
 private:
-  number number_;
-  expression expression_;
-  generic_values at_;
+  number number_{};
+  expression expression_{};
+  generic_values at_{};
   bool is_number_ = true;
   bool is_exact_ = true;
 };

@@ -38,7 +38,7 @@ public:
 private:
   static constexpr int mixed = 4;
 
-  sequence<int> moved_;
+  sequence<int> moved_{};
   int patterns_ = 0; ///< of signs
 };
 

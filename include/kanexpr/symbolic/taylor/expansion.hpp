@@ -31,7 +31,7 @@ public:
   obstacle trouble() const { return trouble_; }
 
 private:
-  series found_;
+  series found_{};
   obstacle trouble_ = obstacle::none;
 };
 

@@ -64,7 +64,7 @@ inline std::optional<coefficient> first_angle(const series& y, const series& x, 
 /// The angle of (x, y) by (x y' - y x')/(x² + y²); only their ratio counts, so both may vanish.
 inline expansion atan2(const series& y, const series& x) {
   if (y.is_zero() && x.is_zero()) return obstacle::zero_divisor;
-  const int order = std::min(y.order(), x.order());
+  const int order = (std::min)(y.order(), x.order());
   if (y.end() <= order || x.end() <= order) return obstacle::truncated;
   const bool is_positive = x[order].is_number() && !x[order].value().negative();
   if (!y.has_terms() && !y.is_zero() && !is_positive) return obstacle::truncated;

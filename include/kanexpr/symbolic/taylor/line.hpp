@@ -93,9 +93,9 @@ private:
   const appraisal& point_;
   substitution& plain_;
   int most_;
-  std::map<int, expansion> found_;
-  std::map<int, std::vector<series>> solutions_;
-  std::map<int, int> blamed_;
+  std::map<int, expansion> found_{};
+  std::map<int, std::vector<series>> solutions_{};
+  std::map<int, int> blamed_{};
 };
 
 } // namespace kanexpr::symbolic::taylor

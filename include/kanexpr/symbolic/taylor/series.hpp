@@ -21,11 +21,11 @@ public:
   /// The terms from `first` on; nothing is known from `end` on, nor kept beyond the order `most`.
   series(int first, std::vector<coefficient> terms, int end, int most)
       : first_(first), end_(end), most_(most), terms_(std::move(terms)) {
-    const int kept = std::min(end_, most_ + 1) - first_;
+    const int kept = (std::min)(end_, most_ + 1) - first_;
     if (kept < size()) {
-      const auto cut = terms_.begin() + std::max(kept, 0);
+      const auto cut = terms_.begin() + (std::max)(kept, 0);
       if (std::any_of(cut, terms_.end(), [](const coefficient& c) { return !c.is_zero(); }))
-        end_ = std::min(end_, most_ + 1);
+        end_ = (std::min)(end_, most_ + 1);
       terms_.erase(cut, terms_.end());
     }
     while (!terms_.empty() && terms_.back().is_zero()) terms_.pop_back();
@@ -47,7 +47,7 @@ public:
   int end() const { return end_; }
   int most() const { return most_; }
   /// The end of the terms that are worth to be found.
-  int last() const { return std::min(end_, most_ + 1); }
+  int last() const { return (std::min)(end_, most_ + 1); }
   const coefficient& lead() const { return terms_.front(); }
   coefficient operator[](int k) const {
     const int place = k - first_;
@@ -71,7 +71,7 @@ private:
   int first_ = 0;
   int end_ = all_orders;
   int most_ = all_orders;
-  std::vector<coefficient> terms_;
+  std::vector<coefficient> terms_{};
 };
 
 namespace detail {
@@ -79,7 +79,7 @@ namespace detail {
 /// A series whose terms from `first` to `stop` a function gives by their orders.
 template <class Term>
 series series_of(int first, int stop, int end, int most, Term term) {
-  if (stop > most + 1) stop = most + 1, end = std::min(end, stop);
+  if (stop > most + 1) stop = most + 1, end = (std::min)(end, stop);
   std::vector<coefficient> terms;
   for (int k = first; k < stop; ++k) terms.push_back(term(k));
   return {first, std::move(terms), end, most};
@@ -87,9 +87,9 @@ series series_of(int first, int stop, int end, int most, Term term) {
 
 template <class Combine>
 series termwise(const series& a, const series& b, Combine combine) {
-  const int end = std::min(a.end(), b.end());
-  const int stop = std::min(end, std::max(a.has_terms() ? a.stop() : 0, b.has_terms() ? b.stop() : 0));
-  return series_of(std::min({a.order(), b.order(), stop}), stop, end, std::min(a.most(), b.most()),
+  const int end = (std::min)(a.end(), b.end());
+  const int stop = (std::min)(end, (std::max)(a.has_terms() ? a.stop() : 0, b.has_terms() ? b.stop() : 0));
+  return series_of((std::min)({a.order(), b.order(), stop}), stop, end, (std::min)(a.most(), b.most()),
                    [&](int k) { return combine(a[k], b[k]); });
 }
 
@@ -108,9 +108,9 @@ inline series operator*(const series& a, const series& b) {
   const auto reach = [](const series& known, const series& other) {
     return known.end() == series::all_orders ? series::all_orders : known.end() + other.order();
   };
-  const int end = std::min(reach(a, b), reach(b, a)), first = a.order() + b.order();
-  const int stop = a.has_terms() && b.has_terms() ? std::min(end, a.stop() + b.stop() - 1) : first;
-  return detail::series_of(first, stop, end, std::min(a.most(), b.most()), [&](int k) {
+  const int end = (std::min)(reach(a, b), reach(b, a)), first = a.order() + b.order();
+  const int stop = a.has_terms() && b.has_terms() ? (std::min)(end, a.stop() + b.stop() - 1) : first;
+  return detail::series_of(first, stop, end, (std::min)(a.most(), b.most()), [&](int k) {
     coefficient sum;
     for (int j = a.order(); j <= k - b.order() && j < a.stop(); ++j) sum = sum + a[j] * b[k - j];
     return sum;
@@ -120,12 +120,12 @@ inline series operator*(const series& a, const series& b) {
 /// The caller has made sure that `b` has terms.
 inline series operator/(const series& a, const series& b) {
   if (a.is_zero()) return {};
-  const int most = std::min(a.most(), b.most()), first = a.order() - b.order();
+  const int most = (std::min)(a.most(), b.most()), first = a.order() - b.order();
   const bool is_single = b.end() == series::all_orders && b.stop() == b.order() + 1;
   int end = a.end() == series::all_orders ? series::all_orders : a.end() - b.order();
-  if (b.end() != series::all_orders) end = std::min(end, b.end() - b.order() + first);
-  if (!is_single) end = std::min(end, most + 1);
-  const int stop = !a.has_terms() ? first : is_single ? std::min(end, a.stop() - b.order()) : end;
+  if (b.end() != series::all_orders) end = (std::min)(end, b.end() - b.order() + first);
+  if (!is_single) end = (std::min)(end, most + 1);
+  const int stop = !a.has_terms() ? first : is_single ? (std::min)(end, a.stop() - b.order()) : end;
   std::vector<coefficient> terms;
   for (int k = first; k < stop; ++k) {
     coefficient rest = a[k + b.order()];
@@ -148,7 +148,7 @@ inline series derivative(const series& a) {
 inline series integral(const series& a, const coefficient& constant) {
   const int end = a.end() == series::all_orders ? series::all_orders : a.end() + 1;
   return series(0, {constant}, end, a.most()) +
-         detail::series_of(std::min(a.order() + 1, end), a.has_terms() ? a.stop() + 1 : 0, end, a.most(),
+         detail::series_of((std::min)(a.order() + 1, end), a.has_terms() ? a.stop() + 1 : 0, end, a.most(),
                            [&](int k) { return k == 0 ? coefficient{} : a[k - 1] / coefficient(k); });
 }
 

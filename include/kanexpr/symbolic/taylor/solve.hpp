@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/linear_system.hpp>
 #include <kanexpr/symbolic/taylor/operation.hpp>
 
@@ -46,12 +47,12 @@ private:
     bool is_constant = true;
     for (const auto* all : {&a_, &b_})
       for (const series& s : *all) {
-        most = std::min(most, s.most()), is_constant = is_constant && s.is_constant();
-        if (all == &b_) first = std::min(first, s.order()), end = std::min(end, s.end());
+        most = (std::min)(most, s.most()), is_constant = is_constant && s.is_constant();
+        if (all == &b_) first = (std::min)(first, s.order()), end = (std::min)(end, s.end());
       }
     for (const series& s : a_)
-      if (s.end() != series::all_orders) end = std::min(end, s.end() + first);
-    end = std::min({end, most + 1, is_constant ? 1 : end});
+      if (s.end() != series::all_orders) end = (std::min)(end, s.end() + first);
+    end = (std::min)({end, most + 1, is_constant ? 1 : end});
     std::vector<std::vector<coefficient>> terms; // by order
     for (int k = first; k < end; ++k) {
       std::vector<coefficient> rest;
@@ -118,7 +119,7 @@ private:
       is_known = is_known && (s.has_terms() || s.is_zero());
       if (!s.has_terms()) return std::nullopt;
       const double size = std::abs(s.lead().at()[0].value);
-      return std::pair(-s.order(), size == size ? size : 0);
+      return std::pair(-s.order(), numeric::is_number(size) ? size : 0);
     };
     if (eliminate(entries, x, worth)) return obstacle::none;
     return is_known ? obstacle::singular_system : obstacle::truncated;

@@ -1,0 +1,28 @@
+# All headers and a model with every warning, where the headers are no system's, and behind macros of other libraries.
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/unfriendly)
+file(GLOB headers RELATIVE ${KANEXPR_SOURCE}/include ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
+list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
+list(JOIN headers "" headers)
+file(WRITE ${folder}/every_header.hpp "${headers}")
+
+# The macros are the others' business only behind their headers.
+file(GLOB_RECURSE files ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
+set(others)
+foreach(file IN LISTS files)
+  file(STRINGS ${file} lines REGEX "^#include <")
+  list(APPEND others ${lines})
+endforeach()
+list(FILTER others EXCLUDE REGEX "<kanexpr/")
+list(REMOVE_DUPLICATES others)
+list(JOIN others "\n" others)
+file(WRITE ${folder}/others_headers.hpp "${others}\n")
+
+# Of the warnings of -Weffc++ the test of this build takes all for failures but those of operators that models do not
+# have, such as && and ++, which are there to say so: g++ warns of every one that does not return what its own does.
+add_library(consumer OBJECT unfriendly.cpp)
+target_include_directories(consumer PRIVATE ${folder})
+target_link_libraries(consumer PRIVATE kanexpr::simulate kanexpr::animate)
+set_target_properties(consumer PROPERTIES CXX_STANDARD 20 CXX_EXTENSIONS OFF)
+target_compile_options(consumer PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wsign-conversion
+  -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror -Wno-error=effc++
+  $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast> -fsyntax-only)

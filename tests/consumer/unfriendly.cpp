@@ -1,0 +1,40 @@
+#include <others_headers.hpp>
+
+#include "macros.hpp"
+
+#include <every_header.hpp>
+
+#include "pendulum.hpp"
+
+// Something of everything, so that the warnings reach what is inside templates. It is compiled, and never
+// run.
+int main() {
+  using namespace pendulum;
+  using eom = kanexpr::equations_of_motion<System>;
+  using picture = kanexpr::picture<System, up<-1 * N::x>, show<rod<O, P, 0.02>>, show<sphere<P, 0.07>>>;
+
+  eom::state x;
+  x[q] = 0.5, x[u] = 0;
+  eom::parameters p;
+  p[l] = 2;
+  bool is_good = eom::udot(x, p)(0) < 0 && eom::mass_matrix(x, p)(0) > 0;
+  is_good = is_good && kanexpr::function<System, velocity_of<P>>{}(x, p).allFinite();
+  const auto [A, B] = kanexpr::linearization<System>::explicit_form(x, p);
+  is_good = is_good && A(0, 1) > 0 && B.size() == 0;
+
+  double t = 0;
+  kanexpr::runge_kutta_4<System> step;
+  is_good = is_good && step(t, x, 1e-3, p) && kanexpr::check_consistency<System>(x, p);
+
+  const auto run = kanexpr::simulate<System>({{q, 0.1}, {u, 0}}, {{l, 1}}, {0, 1},
+                                             {.events = {kanexpr::when<System, q>("passes")}});
+  const kanexpr::operating_point<System> rest({{q, 0.1}}, {{l, 1}});
+  is_good = is_good && run && rest && run.trajectory[q].size() > 1;
+  is_good = is_good && !kanexpr::write_page<picture>("no page", run.trajectory, {.empty_page = ""});
+
+  auto model = kanexpr::derive<System>();
+  auto linear = model.linearize({{q, 0}, {u, 0}});
+  const auto simple = kanexpr::symbolic::simplify(linear.explicit_form().A);
+  is_good = is_good && kanexpr::symbolic::print(simple) != kanexpr::symbolic::latex(simple);
+  return is_good ? 0 : 1;
+}
