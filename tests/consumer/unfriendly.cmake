@@ -17,8 +17,8 @@ list(REMOVE_DUPLICATES others)
 list(JOIN others "\n" others)
 file(WRITE ${folder}/others_headers.hpp "${others}\n")
 
-# Of the warnings of -Weffc++ the test of this build takes all for failures but those of operators that models do not
-# have, such as && and ++, which are there to say so: g++ warns of every one that does not return what its own does.
+# The warnings of -Weffc++ are failures by their words (ways.cmake), all but those of operators that models do not have,
+# such as && and ++: these are there to say so, and g++ warns of them however they are written.
 add_library(consumer OBJECT unfriendly.cpp)
 target_include_directories(consumer PRIVATE ${folder})
 target_link_libraries(consumer PRIVATE kanexpr::simulate kanexpr::animate)
