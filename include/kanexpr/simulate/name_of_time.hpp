@@ -9,7 +9,11 @@ namespace kanexpr::simulated {
 template <class IsTaken>
 std::string name_of_time(const IsTaken& is_taken) {
   std::string name = "t";
-  while (is_taken(name)) name = name == "t" ? "time" : name + '_';
+  while (is_taken(name))
+    if (name == "t")
+      name = "time";
+    else
+      name += '_';
   return name;
 }
 
