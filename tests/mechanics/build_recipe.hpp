@@ -103,7 +103,11 @@ private:
       frames.push_back(b_.quaternion(called, parent, now_.q[e], now_.q[e + 1], now_.q[e + 2], now_.q[e + 3]));
       break;
     }
-    if (f.reference >= 0)
+    if (f.reference < 0) return;
+    if (f.turns_apart)
+      b_.angular_velocity_apart_from_orientation(frames.back(), frames[at(f.reference)],
+                                                 vector(f.angular_velocity));
+    else
       b_.angular_velocity(frames.back(), frames[at(f.reference)], vector(f.angular_velocity));
   }
 

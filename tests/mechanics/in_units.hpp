@@ -5,9 +5,7 @@
 #include "recipe.hpp"
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
-#include <utility>
 
 namespace recipe {
 
@@ -118,8 +116,11 @@ public:
     for (std::size_t i = 0; i < u_.size(); ++i) to_.u[i] *= u_[i];
     to_.t *= in_.time;
     for_each_formula(to_, in_, u_, qdot_, [&](formula& f, double unit) { convert(f, unit); });
-    for (frame& f : to_.frames)
+    for (frame& f : to_.frames) {
       for (constant& c : f.direction) convert(c, 1);
+      f.turns_apart =
+          how == constants::symbols; // numbers agree with kinematic equations, their symbols need not
+    }
     for (body& b : to_.bodies) {
       convert(b.mass, in_.mass);
       for (inertia& i : b.dyadic)
@@ -187,10 +188,12 @@ private:
   }
   // One for equal numbers of one unit: what agrees with an orientation, or is round, remains so.
   int symbol_for(const constant& c, double unit) {
-    const auto [found, is_new] =
-        symbols_.try_emplace({c.value, unit}, static_cast<int>(to_.parameters.size()));
-    if (is_new) to_.parameters.push_back(0), given_.push_back(0);
-    return found->second;
+    const auto equal = [](double x, double y) { return std::abs(x / y - 1) < 1e-12; };
+    for (const symbol& s : symbols_)
+      if (equal(s.value, c.value) && equal(s.unit, unit)) return s.parameter;
+    symbols_.push_back({c.value, unit, static_cast<int>(to_.parameters.size())});
+    to_.parameters.push_back(0), given_.push_back(0);
+    return symbols_.back().parameter;
   }
 
   // A parameter that stands in several places has one unit in all of them.
@@ -210,8 +213,12 @@ private:
   units in_;
   constants how_;
   std::vector<double> q_, qdot_, u_;
-  std::map<std::pair<double, double>, int> symbols_; // by value and unit
-  std::vector<double> given_;                        // units of parameters
+  struct symbol {
+    double value, unit;
+    int parameter;
+  };
+  std::vector<symbol> symbols_; // that stand for numbers
+  std::vector<double> given_;   // units of parameters
   mechanism to_;
 };
 

@@ -52,6 +52,7 @@ struct frame {
   int quaternion = 0;           // its first coordinate
   int reference = -1;           // of a declared angular velocity
   sum angular_velocity;
+  bool turns_apart = false; // from the orientation, as far as symbols say
 };
 
 struct point {

@@ -37,7 +37,7 @@ private:
     const expression left = abs(a), right = abs(b);
     if (of(a).node() == left.node()) return left * of(b);
     if (of(b).node() == right.node()) return of(a) * right;
-    return of(a) * right + left * of(b);
+    return of(a) * right + left * (of(b) - right);
   }
 
   graph& g_;
