@@ -41,7 +41,7 @@ private:
     };
     for (Eigen::Index i = 0; i < sizes_.size(); ++i) {
       const double acceleration = std::abs(accelerations(i));
-      const double farthest = std::max(std::abs(rates(i)) * span, acceleration * span * span / 2);
+      const double farthest = (std::max)(std::abs(rates(i)) * span, acceleration * span * span / 2);
       add(std::abs(rates(i)) / acceleration);
       if (sizes_(i) <= std::numeric_limits<double>::epsilon() * farthest) continue; // it begins at zero
       add(sizes_(i) / std::abs(rates(i)));
