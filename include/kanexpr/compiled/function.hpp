@@ -192,11 +192,11 @@ private:
   template <class T, int... i>
   [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
-    const char* cause = nullptr;
-    const int order[]{
-        (cause = is_regular<T, guards - 1 - i>(done) ? cause : code::causes[guards - 1 - i], 0)...};
+    int first = -1;
+    const int order[]{(first = is_regular<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
     static_cast<void>(order);
-    return status(cause);
+    const char* const cause = code::causes[first < 0 ? 0 : first];
+    return first < 0 ? status() : status(cause);
   }
 
   template <class T, int i>
