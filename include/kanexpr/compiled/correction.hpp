@@ -97,7 +97,7 @@ private:
     const T regularity = symbolic::regularity_of<math>(unknowns, f, scales);
     if (!lower::scalar_math<T>::exceeds(regularity,
                                         lower::scalar_math<T>::from(mechanics::least_regularity<T>())))
-      return kanexpr::status(singular.letters);
+      return kanexpr::status(singular[0]);
     symbolic::solve_factorized<math>(unknowns, f, change);
     for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) - change[i]);
     return {};
@@ -116,7 +116,7 @@ private:
     return found;
   }();
 
-  static constexpr mechanics::problem singular = [] {
+  static constexpr auto singular = derivation::only_cause([] {
     mechanics::problem p = mechanics::sentence(
         {"the constraints cannot be solved for the dependent coordinate", unknowns == 1 ? " " : "s "});
     for (int i = 0; i < unknowns; ++i)
@@ -126,7 +126,7 @@ private:
                                                   : " and ",
                                known.names[place(i)].view()});
     return mechanics::sentence({p.view(), " at this state"});
-  }();
+  });
 };
 
 } // namespace kanexpr::compiled

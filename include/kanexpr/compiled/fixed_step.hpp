@@ -37,20 +37,16 @@ template <int first, int count, class X, class Rate>
   for (int i = 0; i < count; ++i) to(first + i) = T(x(first + i) + T(h * rate(i)));
 }
 
-inline constexpr mechanics::problem not_finite =
-    mechanics::sentence({"the state after the step is not finite"});
-
 /// Ends a step: `next` is corrected and looked at, and becomes the state.
 template <class System, int corrections, class Time, class T, class P, class R>
 status conclude(Time& t, state<System, T>& x, const Time& after, state<System, T>& next, const P& p,
                 const R& r) {
   using correct = correction<System, corrections>;
   if constexpr (correct::is_needed)
-    if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s)
-      return never_set<System>::blamed_for(s, p, r);
+    if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i) // of what is not finite the difference is no number
     if (!lower::scalar_math<T>::exceeds(T(next(i) - next(i)), lower::scalar_math<T>::from(-1)))
-      return never_set<System>::blamed_for(status(not_finite.letters), p, r);
+      return status("the state after the step is not finite");
   t = after;
   x = next;
   return {};
@@ -68,24 +64,28 @@ struct semi_implicit_euler {
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
-    const T length = lower::scalar_math<T>::from(h);
-    const auto& given = compiled::inputs_at(r, t, x);
-    state<System, T> next = x;
-    const auto udot = eom::udot(t, x, p, given);
-    if (const status s = compiled::status_of(udot); !s)
-      return compiled::never_set<System>::blamed_for(s, p, r);
-    compiled::advance<eom::coordinates, eom::speeds>(next, x, length, udot);
-    const auto qdot = eom::qdot(t, next, p, given); // at the coordinates before
-    if (const status s = compiled::status_of(qdot); !s)
-      return compiled::never_set<System>::blamed_for(s, p, r);
-    compiled::advance<0, eom::coordinates>(next, x, length, qdot);
-    return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
+    return compiled::never_set<System>::blamed_for(attempted(t, x, h, p, r), p, r);
   }
 
   /// Operations of one step, beside the sums of the method itself.
   static constexpr symbolic::cost cost() {
     return compiled::added(compiled::added(eom::udot.cost(), eom::qdot.cost()),
                            compiled::correction<System, corrections>::cost());
+  }
+
+private:
+  template <class Time, class T, class P, class R>
+  static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
+    const T length = lower::scalar_math<T>::from(h);
+    const auto& given = compiled::inputs_at(r, t, x);
+    state<System, T> next = x;
+    const auto udot = eom::udot(t, x, p, given);
+    if (const status s = compiled::status_of(udot); !s) return s;
+    compiled::advance<eom::coordinates, eom::speeds>(next, x, length, udot);
+    const auto qdot = eom::qdot(t, next, p, given); // at the coordinates before
+    if (const status s = compiled::status_of(qdot); !s) return s;
+    compiled::advance<0, eom::coordinates>(next, x, length, qdot);
+    return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
   }
 };
 
@@ -99,6 +99,17 @@ struct runge_kutta_4 {
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
+    return compiled::never_set<System>::blamed_for(attempted(t, x, h, p, r), p, r);
+  }
+
+  /// Operations of one step, beside the sums of the method itself.
+  static constexpr symbolic::cost cost() {
+    return compiled::added(compiled::correction<System, corrections>::cost(), eom::rhs.cost(), stages);
+  }
+
+private:
+  template <class Time, class T, class P, class R>
+  static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
     constexpr int size = eom::coordinates + eom::speeds;
     constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
     constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};
@@ -106,17 +117,11 @@ struct runge_kutta_4 {
     for (int stage = 0; stage < stages; ++stage) {
       const Time when = static_cast<Time>(t + reach[stage] * h);
       const auto rate = eom::rhs(when, at, p, compiled::inputs_at(r, when, at));
-      if (const status s = compiled::status_of(rate); !s)
-        return compiled::never_set<System>::blamed_for(s, p, r);
+      if (const status s = compiled::status_of(rate); !s) return s;
       compiled::advance<0, size>(at, x, lower::scalar_math<T>::from(reach[stage + 1] * h), rate);
       compiled::advance<0, size>(next, next, lower::scalar_math<T>::from(weight[stage] * h), rate);
     }
     return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
-  }
-
-  /// Operations of one step, beside the sums of the method itself.
-  static constexpr symbolic::cost cost() {
-    return compiled::added(compiled::correction<System, corrections>::cost(), eom::rhs.cost(), stages);
   }
 };
 

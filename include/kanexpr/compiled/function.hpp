@@ -195,7 +195,7 @@ private:
     int first = -1;
     const int order[]{(first = is_regular<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
     static_cast<void>(order);
-    const char* const cause = code::causes[first < 0 ? 0 : first];
+    const std::string_view cause = code::causes[first < 0 ? 0 : first];
     return first < 0 ? status() : status(cause);
   }
 

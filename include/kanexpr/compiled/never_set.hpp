@@ -26,7 +26,7 @@ template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const derivation::survey& known = survey_of<System>;
   constexpr int count = known.parameters + known.inputs;
-  derivation::cause_list<derivation::cause_sizes{count, count * (mechanics::problem::capacity + 1)}> all{};
+  derivation::cause_list<derivation::cause_sizes{count, count * mechanics::problem::capacity}> all{};
   for (int i = 0; i < count; ++i)
     all.push(told_of(gap::never_set, known, known.first_of(symbolic::symbol_kind::parameter) + i,
                      type_name<System>()));
@@ -40,20 +40,25 @@ struct never_set {
   static constexpr auto causes =
       derivation::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
-  /// A failure, whose cause is what was never set if something was.
+  /// The same status; of a failure the cause is what was never set, if something was.
   template <class P, class R>
-  static status blamed_for(const status& failure, const P& p, const R& r) {
+  static status blamed_for(const status& found, const P& p, const R& r) {
+    return found ? found : cause_of(found, p, r);
+  }
+
+private:
+  template <class P, class R>
+  [[gnu::cold, gnu::noinline]] static status cause_of(const status& failure, const P& p, const R& r) {
     if (const int i = first_in(p, parameters); i < parameters) return status(causes[i]);
     if (const int i = first_in(r, inputs); i < inputs) return status(causes[parameters + i]);
     return failure;
   }
 
-private:
   template <class Vector>
   static int first_in(const Vector& values, int size) {
     if constexpr (requires { Vector::SizeAtCompileTime; })
       for (int i = 0; i < size; ++i)
-        if (gap_in(values[i]) == gap::never_set) return i;
+        if (was_never_set(values[i])) return i;
     return size;
   }
 };

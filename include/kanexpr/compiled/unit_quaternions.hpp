@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/derivation/causes.hpp>
 #include <kanexpr/numeric/unit_quaternion.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
@@ -96,7 +97,7 @@ private:
   }();
 
   template <int k>
-  static constexpr mechanics::problem far_from_one = [] {
+  static constexpr auto far_from_one = derivation::only_cause([] {
     mechanics::problem p = mechanics::sentence({"the norm of the quaternion "});
     for (std::size_t i = 0; i < size<k>; ++i)
       p = mechanics::sentence({p.view(),
@@ -105,14 +106,14 @@ private:
                                                  : " and ",
                                known.names[places<k>[i]].view()});
     return mechanics::sentence({p.view(), " is far from 1"});
-  }();
+  });
 
   template <class X, int... k>
   [[gnu::always_inline]] static kanexpr::status for_each(X& x, const numeric::norm_range& from,
                                                          std::integer_sequence<int, k...>) {
     kanexpr::status s;
-    static_cast<void>((... && (numeric::normalize(x, places<k>, from) ||
-                               (s = kanexpr::status(far_from_one<k>.letters), false))));
+    static_cast<void>((
+        ... && (numeric::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
     return s;
   }
 

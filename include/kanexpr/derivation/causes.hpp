@@ -9,22 +9,24 @@ struct cause_sizes {
   int letters = 0;
 };
 
-/// Why results may have no value at a state: sentences one behind another, each ended by a zero; what is
-/// behind the sizes is unused.
+/// Why results may have no value at a state: sentences one behind another; what is behind the sizes is
+/// unused.
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
-  int begin[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
+  int end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
 
-  constexpr const char* operator[](int i) const { return letters + begin[i]; }
+  constexpr std::string_view operator[](int i) const {
+    const int begin = i > 0 ? end[i - 1] : 0;
+    return {letters + begin, static_cast<std::size_t>(end[i] - begin)};
+  }
   constexpr bool has_room_for(const mechanics::problem& p) const {
-    return sizes.count < room.count && sizes.letters + p.length < room.letters;
+    return sizes.count < room.count && sizes.letters + p.length <= room.letters;
   }
   constexpr void push(const mechanics::problem& p) {
-    begin[sizes.count++] = sizes.letters;
     for (char letter : p.view()) letters[sizes.letters++] = letter;
-    letters[sizes.letters++] = '\0';
+    end[sizes.count++] = sizes.letters;
   }
 };
 
@@ -37,9 +39,18 @@ template <cause_sizes sizes, cause_sizes room>
 constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};
   out.sizes = sizes;
-  for (int i = 0; i < sizes.count; ++i) out.begin[i] = from.begin[i];
+  for (int i = 0; i < sizes.count; ++i) out.end[i] = from.end[i];
   for (int i = 0; i < sizes.letters; ++i) out.letters[i] = from.letters[i];
   return out;
+}
+
+/// The sentence that a function without captures makes, alone in a list of its size.
+template <class Make>
+constexpr auto only_cause(Make make) {
+  constexpr mechanics::problem p = make();
+  cause_list<cause_sizes{1, p.length}> one{};
+  one.push(p);
+  return one;
 }
 
 } // namespace kanexpr::derivation

@@ -11,19 +11,17 @@ namespace kanexpr {
 class status {
 public:
   constexpr status() = default;
-  /// The first of what could not be solved, as a sentence ended by a zero that outlives the status.
-  constexpr explicit status(const char* cause) : cause_(cause) {}
+  /// The first of what could not be solved, as a sentence that outlives the status.
+  constexpr explicit status(std::string_view cause) : cause_(cause) {}
 
   /// Whether the results can be used.
-  constexpr explicit operator bool() const { return cause_ == nullptr; }
+  constexpr explicit operator bool() const { return cause_.empty(); }
 
   /// What could not be solved, as a sentence; empty: nothing.
-  constexpr std::string_view cause() const {
-    return cause_ != nullptr ? std::string_view(cause_) : std::string_view();
-  }
+  constexpr std::string_view cause() const { return cause_; }
 
 private:
-  const char* cause_ = nullptr;
+  std::string_view cause_;
 };
 
 namespace mechanics {

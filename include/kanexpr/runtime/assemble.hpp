@@ -56,7 +56,7 @@ public:
         far_from_one_ = mechanics::sentence(
             {"the norm of the quaternion ",
              mechanics::enumerated(mechanism_, mechanism_.coordinates, places).view(), " is far from 1"});
-        return kanexpr::status(far_from_one_.letters);
+        return kanexpr::status(far_from_one_.view());
       }
     return {};
   }

@@ -36,7 +36,7 @@ public:
       const Eigen::Index measure = result_.size() + 2 * i;
       if (!lower::is_regular<Scalar>(found_[measure], found_[measure + 1],
                                      mechanics::least_regularity<Scalar>()))
-        return kanexpr::status(causes_[i].letters);
+        return kanexpr::status(causes_[i].view());
     }
     return {};
   }
