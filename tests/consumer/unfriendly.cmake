@@ -17,12 +17,10 @@ list(REMOVE_DUPLICATES others)
 list(JOIN others "\n" others)
 file(WRITE ${folder}/others_headers.hpp "${others}\n")
 
-# The warnings of -Weffc++ are failures by their words (ways.cmake), all but those of operators that models do not have,
-# such as && and ++: these are there to say so, and g++ warns of them however they are written.
 add_library(consumer OBJECT unfriendly.cpp)
 target_include_directories(consumer PRIVATE ${folder})
 target_link_libraries(consumer PRIVATE kanexpr::simulate kanexpr::animate)
 set_target_properties(consumer PROPERTIES CXX_STANDARD 20 CXX_EXTENSIONS OFF)
 target_compile_options(consumer PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wsign-conversion
-  -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror -Wno-error=effc++
+  -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror
   $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast> -fsyntax-only)

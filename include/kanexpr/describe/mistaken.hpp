@@ -56,16 +56,6 @@ constexpr auto operator>=(const X& x, const Y& y) {
 }
 template <class X, class Y>
   requires describe::operands_of_a_model<X, Y>
-constexpr auto operator&&(const X& x, const Y& y) {
-  return describe::misused<equation>(x, y, describe::misuse::junction);
-}
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator||(const X& x, const Y& y) {
-  return describe::misused<equation>(x, y, describe::misuse::junction);
-}
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
 constexpr auto operator^(const X& x, const Y& y) {
   return describe::misused<scalar>(x, y, describe::misuse::caret);
 }
@@ -126,6 +116,21 @@ template <class X, class Y>
 constexpr auto operator/=(const X& x, const Y& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
+
+// To g++'s -Weffc++ each of these is a mistake by its mere existence, and no other form of them says a
+// sentence.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Weffc++"
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator&&(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::junction);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator||(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::junction);
+}
 template <describe::expression_of_a_model X>
 constexpr auto operator++(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::change);
@@ -142,6 +147,7 @@ template <describe::expression_of_a_model X>
 constexpr auto operator--(const X& x, int) {
   return describe::misused<scalar>(x, describe::misuse::change);
 }
+#pragma GCC diagnostic pop
 
 template <describe::expression_of_a_model X>
 constexpr auto dot(const X& x) {

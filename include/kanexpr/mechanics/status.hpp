@@ -21,7 +21,7 @@ public:
   constexpr std::string_view cause() const { return cause_; }
 
 private:
-  std::string_view cause_;
+  std::string_view cause_{};
 };
 
 namespace mechanics {
