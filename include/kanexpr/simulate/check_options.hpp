@@ -22,9 +22,13 @@ inline std::string digits(double number) {
   return text;
 }
 
-/// In bytes.
+/// In bytes; unlimited where the system does not tell.
 inline double memory_of_machine() {
+#ifdef _SC_PHYS_PAGES
   return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+#else
+  return std::numeric_limits<double>::infinity();
+#endif
 }
 
 inline std::string check_span(const time_span& span) {
