@@ -208,6 +208,23 @@ TEST(lagrange, names_what_it_cannot_take) {
               "the declared angular velocity of frame A is not that of its orientation, which Lagrange's "
               "method differentiates");
   }
+  for (const double factor : {2.0, 1.0}) { // 2 ē ∘ ė is the angular velocity of a unit quaternion
+    system_of_rates p(4, true);
+    const auto& [e0, e1, e2, e3] = std::tie(p.q[0], p.q[1], p.q[2], p.q[3]);
+    const auto& [v0, v1, v2, v3] = std::tie(p.u[0], p.u[1], p.u[2], p.u[3]);
+    const frame_id a = p.quaternion("A", p.inertial_frame(), e0, e1, e2, e3);
+    const expression k = p.number(factor);
+    p.angular_velocity(a, p.inertial_frame(),
+                       p.along(a, k * (e0 * v1 - e1 * v0 - e2 * v3 + e3 * v2),
+                               k * (e0 * v2 - e2 * v0 - e3 * v1 + e1 * v3),
+                               k * (e0 * v3 - e3 * v0 - e1 * v2 + e2 * v1)));
+    p.configuration_constraint(e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3 - 1);
+    p.rigid_body("B", p.origin("O"), a, p.number(1), p.inertia(a, p.number(1), p.number(2), p.number(2.5)));
+    EXPECT_EQ(p.mistake_of_derivation(),
+              factor > 1.5 ? ""
+                           : "the declared angular velocity of frame A is not that of its orientation, which "
+                             "Lagrange's method differentiates");
+  }
 }
 
 } // namespace

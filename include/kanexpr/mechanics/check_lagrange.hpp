@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/lagrange.hpp>
 #include <kanexpr/mechanics/turning.hpp>
 #include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/symbolic/substitute.hpp>
 
 /// Mistakes that Lagrange's method alone minds.
 namespace kanexpr::mechanics {
@@ -59,20 +60,34 @@ private:
                      " is not known"});
   }
 
-  /// A declared angular velocity against that of the orientation. A quaternion's holds only where its norm
-  /// is 1, so that it is not looked into.
+  /// A declared angular velocity against that of the orientation.
   constexpr void check_turning(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
     symbolic::derivation along_time = time_derivative(m_, m_.speeds);
+    symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
     for (int f = place; f != mechanism::inertial; f = m_.frames[f].parent) {
-      if (!m_.frames[f].quaternion.empty()) return;
       w -= express(m_, turning_of_orientation(m_, f, along_time), mechanism::inertial);
+      normalize(m_.frames[f].quaternion, at_norm_one, along_time);
     }
-    if (!vanish(m_, {w.x, w.y, w.z}))
+    if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
       fail({"the declared angular velocity of frame ", m_.frames[place].called.view(),
             " is not that of its orientation, which Lagrange's method differentiates"});
+  }
+
+  /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
+  constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
+                           symbolic::derivation& along_time) const {
+    expression squares = m_.zero();
+    for (const expression& e : quaternion) squares += e * e;
+    for (const expression& e : quaternion)
+      for (int i = 0; i < m_.coordinates.size(); ++i)
+        if (m_.coordinates[i].node() == e.node()) {
+          const expression of_norm_one = e / sqrt(squares);
+          at_norm_one.replace(e, of_norm_one);
+          at_norm_one.replace(m_.speeds[i], along_time.of(of_norm_one));
+        }
   }
 
   constexpr void check_velocity(const body& b) {
