@@ -10,10 +10,13 @@ constexpr bool equal(const T& x, const T& y) {
   return std::equal_to<T>{}(x, y);
 }
 
+constexpr bool equal(double x, double y) { return x <= y && x >= y; } // which compilers interpret sooner
+
 /// Not NaN.
 template <class T>
 constexpr bool is_number(const T& x) {
   return equal(x, x);
 }
+constexpr bool is_number(double x) { return !__builtin_isnan(x); }
 
 } // namespace kanexpr::numeric

@@ -48,7 +48,7 @@ constexpr bool is_finite(double x) noexcept { return magnitude(x) < bits(infinit
 constexpr bool is_nan(double x) noexcept { return magnitude(x) > bits(infinity); }
 
 constexpr double copy_sign(double x, double sign) noexcept {
-  return std::bit_cast<double>(magnitude(x) | (bits(sign) & sign_bit));
+  return __builtin_copysign(x, sign);
 }
 
 // The m and k of |x| = m * 2^k with 2^52 <= m < 2^53, for finite x != 0.
@@ -218,7 +218,7 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 } // namespace detail
 
-[[nodiscard]] constexpr double abs(double x) noexcept { return detail::copy_sign(x, 0.0); }
+[[nodiscard]] constexpr double abs(double x) noexcept { return __builtin_fabs(x); }
 
 // -1 or 1; zeros and NaN are returned as they are.
 [[nodiscard]] constexpr double sign(double x) noexcept {
