@@ -30,11 +30,10 @@ namespace detail {
 /// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
 class generic_values {
 public:
-  constexpr generic_values(const graph& g, const sequence<int>& outputs, const mechanism* of)
+  constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of)
       : g_(g), of_(of), sizes_(g) {
-    const sequence<char> live = symbolic::live_nodes(g, outputs);
-    for (int id = 0; id < g.size(); ++id)
-      if (live[id] != 0 && g[id].op == symbolic::operation::symbol) symbols_.push(id);
+    for (int id : live)
+      if (g[id].op == symbolic::operation::symbol) symbols_.push(id);
     value_.resize(symbols_.size(), 0.0);
   }
   generic_values(const generic_values&) = delete;
@@ -81,7 +80,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
   sequence<bool> is_nothing;
-  detail::generic_values generic(g, outputs, of);
+  detail::generic_values generic(g, evaluate.live(), of);
   for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
     generic.draw();
     evaluate.at([&](int id) { return generic[id]; });
@@ -89,8 +88,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     for (int id : outputs) found.entries.push(evaluate[id]);
     if (!found.finite()) continue;
     if (values.empty()) { // what is zero at one of them is zero at all
-      symbolic::magnitudes terms(g, outputs);
-      terms.at(evaluate);
+      const symbolic::magnitudes terms(g, evaluate);
       for (int i = 0; i < outputs.size(); ++i)
         is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
     }

@@ -53,33 +53,33 @@ struct constant_elimination {
 /// not defined there (0/0, the solution of a singular system) is not-a-number and all that rests on it.
 class evaluation {
 public:
-  constexpr evaluation(const graph& g, const sequence<int>& outputs) : g_(g), value_(g.size(), 0.0) {
-    const sequence<char> live = live_nodes(g, outputs);
-    for (int id = 0; id < g.size(); ++id) {
-      if (live[id] == 0 || g[id].op == operation::pair) continue;
-      live_.push(id);
-      if (g[id].op >= operation::pair && place_.empty()) place_.resize(g.size(), 0);
-    }
+  constexpr evaluation(const graph& g, const sequence<int>& outputs)
+      : g_(g), live_(live_values(g, outputs)), value_(live_.empty() ? 0 : live_.back() + 1, 0.0) {
+    if (g.holds_lists()) place_.resize(value_.size(), 0);
   }
 
   /// `value_of_symbol(id)` gives the value of a symbol by its node.
   template <class ValueOfSymbol>
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
+    const node* const nodes = g_.begin(); // the compiler interprets calls of []
+    double* const value = value_.begin();
     for (int id : live_) {
-      const node& n = g_[id];
+      const node& n = nodes[id];
       if (n.op == operation::constant)
-        value_[id] = g_.number_at(id).value();
+        value[id] = g_.number_at(id).value();
       else if (n.op == operation::symbol)
-        value_[id] = value_of_symbol(id);
+        value[id] = value_of_symbol(id);
       else if (n.op < operation::pair)
-        value_[id] = defined(n.op, value_[n.a], is_binary(n.op) ? value_[n.b] : 0.0);
+        value[id] = defined(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
       else
-        value_[id] = solving(id, n);
+        value[id] = solving(id, n);
     }
   }
 
   constexpr double operator[](int id) const { return value_[id]; }
+  /// The nodes that have a value, in the order of their numbers.
+  constexpr const sequence<int>& live() const { return live_; }
 
 private:
   static constexpr double undefined = elementary::detail::not_a_number;
@@ -142,7 +142,7 @@ private:
   }
 
   const graph& g_;
-  sequence<int> live_{}; ///< in the order of their numbers
+  sequence<int> live_;
   sequence<double> value_;
   sequence<double> more_{}; ///< factors and solutions
   sequence<int> place_{};   ///< of them, by node

@@ -36,11 +36,14 @@ public:
   /// Whether there is anything of a linear system, live or not.
   constexpr bool holds_lists() const { return holds_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
+  constexpr const node* begin() const { return nodes_.begin(); }
+  constexpr const node* end() const { return nodes_.end(); }
 
   constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
   constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
   constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
+  constexpr const sequence<number>& numbers() const { return numbers_; }
 
   constexpr int constant(const number& value) {
     const int place = slot(place_of(value));

@@ -10,16 +10,11 @@ namespace kanexpr::symbolic {
 /// whatever units.
 class magnitudes {
 public:
-  constexpr magnitudes(const graph& g, const sequence<int>& outputs) : g_(g), size_(g.size(), 0.0) {
-    const sequence<char> live = live_nodes(g, outputs);
-    for (int id = 0; id < g.size(); ++id)
-      if (live[id] != 0) live_.push(id);
-  }
-
   /// Of what was evaluated last.
-  constexpr void at(const evaluation& value) {
-    solutions_.clear();
-    for (int id : live_) size_[id] = size_of(id, value);
+  constexpr magnitudes(const graph& g, const evaluation& value) : g_(g) {
+    if (value.live().empty()) return;
+    size_.resize(value.live().back() + 1, 0.0);
+    for (int id : value.live()) size_[id] = size_of(id, value);
   }
 
   constexpr double operator[](int id) const { return size_[id]; }
@@ -100,8 +95,7 @@ private:
   }
 
   const graph& g_;
-  sequence<int> live_{}; ///< in the order of their numbers
-  sequence<double> size_, solutions_{};
+  sequence<double> size_{}, solutions_{};
   sequence<int> solved_{}, places_{}; ///< solve nodes, and where their solutions begin
 };
 

@@ -36,11 +36,10 @@ private:
   /// As the numbers of a machine in metres and kilograms: there is nothing to find out.
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
-    for (int id = 0; id < g_.size(); ++id)
-      if (g_[id].op == operation::constant) {
-        const double size = elementary::abs(g_.number_at(id).value());
-        if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
-      }
+    for (const number& n : g_.numbers()) {
+      const double size = elementary::abs(n.value());
+      if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
+    }
     return false;
   }
 
