@@ -14,6 +14,7 @@ public:
   constexpr sequence() = default;
   constexpr explicit sequence(int size, const T& value = T{}) { resize(size, value); }
   constexpr sequence(std::initializer_list<T> values) {
+    reserve(static_cast<int>(values.size()));
     for (const T& value : values) push(value);
   }
   constexpr sequence(const sequence& other) {
@@ -45,9 +46,8 @@ public:
   constexpr const T* end() const { return data_ + size_; }
 
   constexpr int push(const T& value) {
-    const T kept = value; // may live in this very array
-    if (size_ == capacity_) reserve(capacity_ < 8 ? 8 : 2 * capacity_);
-    data_[size_] = kept;
+    if (size_ == capacity_) return push_and_grow(value);
+    data_[size_] = value;
     return size_++;
   }
   constexpr void pop() { --size_; }
@@ -60,7 +60,7 @@ public:
   constexpr void reserve(int capacity) {
     if (capacity <= capacity_) return;
     T* const grown = new T[static_cast<unsigned>(capacity)];
-    for (int i = 0; i < size_; ++i) grown[i] = data_[i];
+    for (int i = 0; i < size_; ++i) grown[i] = static_cast<T&&>(data_[i]);
     delete[] data_;
     data_ = grown;
     capacity_ = capacity;
@@ -74,6 +74,15 @@ public:
   }
 
 private:
+  /// Large elements are few in most arrays, and each that there is room for is initialized.
+  static constexpr int first_capacity = sizeof(T) > 40 ? 2 : 8;
+
+  constexpr int push_and_grow(const T& value) {
+    const T kept = value; // may live in this very array
+    reserve(capacity_ < first_capacity ? first_capacity : 2 * capacity_);
+    data_[size_] = kept;
+    return size_++;
+  }
   constexpr void swap(sequence& other) noexcept {
     T* const data = data_;
     const int size = size_, capacity = capacity_;
