@@ -116,17 +116,25 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
 namespace detail {
 
 /// Whether rows can be solved for some columns in any configuration at all.
-constexpr bool can_be_solved(const mechanism& m, const symbolic::matrix& a, const sequence<int>& columns) {
-  for (char independent : independent_rows(columns_of(*m.g, a, columns), &m))
+constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int>& columns) {
+  sequence<numbers> chosen;
+  for (const numbers& state : states) {
+    numbers part{state.rows, columns.size(), {}};
+    for (int i = 0; i < state.rows; ++i)
+      for (int j : columns) part.entries.push(state(i, j));
+    chosen.push(part);
+  }
+  for (char independent : independent_rows(equilibrated(chosen), columns.size()))
     if (independent == 0) return false;
   return true;
 }
 
 } // namespace detail
 
-/// The dependent speeds and coordinates that the user chose.
+/// The dependent speeds and coordinates that the user chose; both Jacobians are given as above.
 constexpr problem check_choice(const mechanism& m, const constraints& c,
-                               const symbolic::matrix& configuration) {
+                               const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                               const sequence<numbers>& by_u) {
   for (int j : m.dependent_speeds) {
     bool appears = false;
     for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();
@@ -150,10 +158,10 @@ constexpr problem check_choice(const mechanism& m, const constraints& c,
     return sentence({several(placed, "dependent coordinate").view(), " for ",
                      several(configuration.rows, "configuration constraint").view(),
                      ": there must be as many"});
-  if (bound != 0 && !detail::can_be_solved(m, c.jacobian, m.dependent_speeds))
+  if (bound != 0 && !detail::can_be_solved(by_u, m.dependent_speeds))
     return sentence({"the constraints cannot be solved for the dependent ",
                      speeds_called(m, m.dependent_speeds).view(), " in any configuration"});
-  if (placed != 0 && !detail::can_be_solved(m, configuration, m.dependent_coordinates))
+  if (placed != 0 && !detail::can_be_solved(by_q, m.dependent_coordinates))
     return sentence({"the configuration constraints cannot be solved for the dependent ",
                      enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),
                      " in any configuration"});
