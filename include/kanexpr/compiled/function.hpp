@@ -32,6 +32,7 @@ public:
   static constexpr auto causes = derivation::trimmed<outcome.causes.sizes>(outcome.causes);
   static constexpr mechanics::problem mistake = outcome.mistake;
   static constexpr bool follows_from_unparsed = outcome.follows_from_unparsed;
+  static constexpr bool tells_finiteness = outcome.tells_finiteness;
   static_assert(derivation::tell<code>());
 };
 
@@ -193,17 +194,17 @@ private:
   [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
     int first = -1;
-    const int order[]{(first = is_regular<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
+    const int order[]{(first = passes<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
     static_cast<void>(order);
     const std::string_view cause = code::causes[first < 0 ? 0 : first];
     return first < 0 ? status() : status(cause);
   }
 
   template <class T, int i>
-  [[gnu::always_inline]] static bool is_regular(const lower::evaluation<code, T>& done) noexcept {
-    return lower::is_regular<T>(done.template result<first_guard + 2 * i>(),
-                                done.template result<first_guard + 2 * i + 1>(),
-                                mechanics::least_regularity<T>());
+  [[gnu::always_inline]] static bool passes(const lower::evaluation<code, T>& done) noexcept {
+    return lower::passes<code::tells_finiteness && i == guards - 1, T>(
+        done.template result<first_guard + 2 * i>(), done.template result<first_guard + 2 * i + 1>(),
+        mechanics::least_regularity<T>());
   }
 
   template <class T, int first, auto one>

@@ -130,6 +130,7 @@ struct outcome {
   roomy_causes causes;
   lower::roomy_tape tape;
   bool follows_from_unparsed = false; ///< the mistake, from something that did not parse
+  bool tells_finiteness = false;      ///< the last pair
 };
 
 constexpr outcome none_for(const problem& mistake) { return {mistake, {}, lower::roomy_tape{}}; }
@@ -160,19 +161,21 @@ constexpr outcome derived() {
       ...);
   if (system.mistake()) return none_for(system.mistake());
   roomy_causes causes;
+  bool tells_finiteness = false;
   for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
     if (!causes.has_room_for(g.cause))
       return none_for(
           sentence({"what is asked of ", type_name<System>(),
                     " at once may be singular in more ways than there is room for; ask for it in parts"}));
     causes.push(g.cause);
+    tells_finiteness = g.of_finiteness;
     outputs.push(g.measure.node());
     outputs.push(g.scale.node());
   }
   const lower::tape tape = lower::tape_of(system.graph(), outputs);
   if (const problem lacking = check_room(type_name<System>(), lower::sizes_of(tape)))
     return none_for(lacking);
-  return {{}, causes, lower::fixed(tape)};
+  return {{}, causes, lower::fixed(tape), false, tells_finiteness};
 }
 
 } // namespace kanexpr::derivation

@@ -17,6 +17,9 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
   static bool exceeds(const number& x, const number& bound) {
     return scalar_math<Real>::exceeds(x.real(), bound.real());
   }
+  static bool is_finite(const number& x) {
+    return scalar_math<Real>::is_finite(x.real()) && scalar_math<Real>::is_finite(x.imag());
+  }
   static void exchange_if_positive(const number& d, number& a, number& b) {
     if (d.real() > Real(0)) std::swap(a, b);
   }

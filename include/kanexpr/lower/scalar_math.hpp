@@ -3,8 +3,10 @@
 #include <kanexpr/symbolic/number.hpp>
 #include <kanexpr/symbolic/operation.hpp>
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -81,6 +83,16 @@ struct default_scalar_math {
 
   /// Not-a-number exceeds nothing.
   static bool exceeds(const T& x, const T& bound) { return x > bound; }
+
+  /// By its bits where these are known, which -ffast-math cannot take for granted.
+  static bool is_finite(const T& x) {
+    if constexpr (std::is_same_v<T, double>)
+      return symbolic::is_finite(x);
+    else if constexpr (std::is_same_v<T, float>)
+      return (std::bit_cast<std::uint32_t>(x) & 0x7fff'ffffU) < 0x7f80'0000U;
+    else
+      return exceeds(T(x - x), T(-1)); // of what is not finite the difference is no number
+  }
 
   static T sign(const T& x) {
     if constexpr (std::is_arithmetic_v<T>)

@@ -173,7 +173,7 @@ public:
     return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
   }
 
-  /// What may be singular at a state in the way to some results.
+  /// What may be singular at a state in the way to some results; last, whether they are finite.
   constexpr sequence<guard> guards_of(const sequence<int>& outputs) {
     sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
@@ -182,8 +182,14 @@ public:
     if (any)
       for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
-    for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
-    return live_guards(*m_->g, all, outputs);
+    sequence<int> sure_divisors;
+    if (is_mass_regular_)
+      for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
+    else
+      for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
+    sequence<guard> live = live_guards(*m_->g, all, outputs);
+    for (const guard& g : guards_of_finiteness(*m_->g, outputs, sure_divisors)) live.push(g);
+    return live;
   }
 
   /// Velocities and accelerations as they are, with the symbols u̇.
@@ -244,13 +250,14 @@ private:
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
-    is_mass_positive_ = !m_->has_lagrangian && energy_of_motion(s_).is_positive();
-    if (!mistake_ && !is_mass_positive_) mistake_ = check_same_mass(*m_, speeds_, formed);
+    const bool is_positive = !m_->has_lagrangian && energy_of_motion(s_).is_positive();
+    if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
+    // where lengths have no bounds rounding may take all of a pivot
+    is_mass_regular_ =
+        is_positive && symbolic::rest_on_angles_only(*m_->g, symbolic::nodes_of(formed.entries));
     return formed;
   }
-  /// Those of the mass matrix that may vanish.
   constexpr sequence<symbolic::pivot> pivots() const {
-    if (is_mass_positive_) return {};
     sequence<symbolic::pivot> all = dynamics_.pivots();
     for (const auto* any : {&linearizer_, &free_linearizer_})
       if (*any)
@@ -311,7 +318,7 @@ private:
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};
   dynamics dynamics_{s_, constraints_, speeds_};
-  bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_positive_ = false;
+  bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   motion motion_{};
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
 };

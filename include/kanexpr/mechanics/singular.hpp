@@ -2,10 +2,12 @@
 
 #include <kanexpr/mechanics/partition.hpp>
 #include <kanexpr/mechanics/wording.hpp>
+#include <kanexpr/symbolic/finiteness.hpp>
 #include <kanexpr/symbolic/live_nodes.hpp>
 #include <kanexpr/symbolic/solve.hpp>
 
-/// Where a system of linear equations on the way to a result may have no solution at some states.
+/// Where a system of linear equations on the way to a result may have no solution at some states, or a result
+/// no finite value.
 namespace kanexpr::mechanics {
 
 /// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
@@ -13,6 +15,7 @@ struct guard {
   int key = 0; ///< the node that all results rest on which need the solution
   expression measure{}, scale{};
   problem cause{};
+  bool of_finiteness = false; ///< of the measure alone, which need not be beside anything
 };
 
 constexpr sequence<guard> guards_of_rates(const mechanism& m,
@@ -67,6 +70,18 @@ constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& sp
                  sentence({"the mass matrix is singular at this state: its elimination fails at the ",
                            which.view()})});
   }
+  return guards;
+}
+
+/// Of all that makes results infinite or no numbers at a state, where nothing before it is the cause; none
+/// where that cannot be.
+constexpr sequence<guard> guards_of_finiteness(graph& g, const sequence<int>& outputs,
+                                               const sequence<int>& sure_divisors) {
+  const sequence<int> watched = symbolic::outputs_to_watch(g, outputs, sure_divisors);
+  if (watched.empty()) return {};
+  const expression sum{g, symbolic::plain_sum(g, watched)};
+  sequence<guard> guards;
+  guards.push({sum.node(), sum, sum, sentence({"the results are not finite at this state"}), true});
   return guards;
 }
 

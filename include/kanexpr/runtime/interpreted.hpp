@@ -24,7 +24,10 @@ public:
               const symbolic::sequence<mechanics::guard>& guards = {})
       : code_(lower::tape_of(g, nodes(wanted, guards))), coordinates_(coordinates),
         result_(wanted.rows, wanted.columns), found_(code_.size()) {
-    for (const mechanics::guard& each : guards) causes_.push(each.cause);
+    for (const mechanics::guard& each : guards) {
+      causes_.push(each.cause);
+      is_of_finiteness_.push(each.of_finiteness);
+    }
   }
 
   /// Operations of one call.
@@ -33,9 +36,10 @@ public:
   /// Whether all that the last call had to solve could be solved at its state.
   kanexpr::status status() const {
     for (int i = 0; i < causes_.size(); ++i) {
-      const Eigen::Index measure = result_.size() + 2 * i;
-      if (!lower::is_regular<Scalar>(found_[measure], found_[measure + 1],
-                                     mechanics::least_regularity<Scalar>()))
+      const Scalar &measure = found_[result_.size() + 2 * i], &scale = found_[result_.size() + 2 * i + 1];
+      constexpr double least = mechanics::least_regularity<Scalar>();
+      if (is_of_finiteness_[i] ? !lower::passes<true>(measure, scale, least)
+                               : !lower::passes<false>(measure, scale, least))
         return kanexpr::status(causes_[i].view());
     }
     return {};
@@ -98,6 +102,7 @@ private:
   matrix result_;
   Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it rests on is
   symbolic::sequence<mechanics::problem> causes_{};
+  symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };
 
 } // namespace kanexpr::runtime
