@@ -167,6 +167,7 @@ public:
   const std::vector<double>& coordinates() const { return q_; }
   const std::vector<double>& rates_of_coordinates() const { return qdot_; }
   const std::vector<double>& speeds() const { return u_; }
+  const std::vector<double>& parameters() const { return given_; } // 0: it stands nowhere
 
 private:
   void convert(formula& f, double unit) {

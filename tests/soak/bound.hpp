@@ -33,13 +33,13 @@ public:
     found.expect(built.derived.mistake().view().empty(), std::string(built.derived.mistake().view()));
     if (!found.reason().empty()) return;
     compare(built, changed, in, rows, found);
-    rates_of rates(built.b, built.derived);
+    result_of rates(built.b, built.derived);
     rates.at(m);
     found.expect(static_cast<bool>(rates.status()) || !is_compared_,
                  "refused a regular state: " + std::string(rates.status().cause()));
     if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
-    hostile.visit(rates, found);
+    hostile.visit(built.b, built.derived, found);
     hostile_visited = hostile.visited, hostile_refused = hostile.refused;
   }
 

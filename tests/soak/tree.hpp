@@ -41,10 +41,9 @@ public:
     if (!found.reason().empty()) return;
     kanexpr::mechanics::equations derived(b.mechanism());
     compare(m, b, derived, changed, in, found);
-    rates_of rates(b, derived);
     if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
-    hostile.visit(rates, found);
+    hostile.visit(b, derived, found);
     hostile_visited = hostile.visited, hostile_refused = hostile.refused;
   }
 
