@@ -93,31 +93,35 @@ std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const
   return solved(a, b);
 }
 
-/// By products of pivots for small systems, by the least of them for others.
+/// The product of the pivots of small systems, of others the least beside what they are the sums of.
 template <class T, class At>
 T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   if constexpr (is_complex<T>) {
     return std::nan("");
   } else {
     const int order = symbolic::order_of(g, n.a);
-    symbolic::sequence<T> f, scales;
+    symbolic::sequence<T> f, squares;
     for (int id : symbolic::entries_of(g, n.a)) f.push(at(id));
-    for (int id : symbolic::elements_of(g, n.b)) scales.push(at(id));
+    for (int id : symbolic::elements_of(g, n.b)) squares.push(at(id));
     T determinant = 1, least = 0;
     for (int k = 0; k < order; ++k) {
       int pivot = k;
       for (int i = k + 1; i < order; ++i)
         if (std::abs(f[i * order + k]) > std::abs(f[pivot * order + k])) pivot = i;
       for (int j = 0; j < order; ++j) std::swap(f[k * order + j], f[pivot * order + j]);
-      std::swap(scales[k], scales[pivot]);
       const T size = std::abs(f[k * order + k]);
       if (size == 0) return 0;
-      const T beside = size / (scales[k] * scales[order + k]);
+      determinant *= size;
+      for (int j = 0; order > 3 && j < order; ++j)
+        std::swap(squares[k * order + j], squares[pivot * order + j]);
+      const T beside = order > 3 ? size / std::sqrt(squares[k * order + k]) : size;
       least = k == 0 ? beside : std::min(least, beside);
-      determinant *= beside;
-      for (int i = k + 1; i < order; ++i)
-        for (int j = order - 1; j >= k; --j)
-          f[i * order + j] -= f[i * order + k] / f[k * order + k] * f[k * order + j];
+      for (int i = k + 1; i < order; ++i) {
+        const T multiplier = f[i * order + k] / f[k * order + k];
+        for (int j = 0; j < order; ++j) f[i * order + j] -= multiplier * f[k * order + j];
+        for (int j = k + 1; order > 3 && j < order; ++j)
+          squares[i * order + j] += multiplier * multiplier * squares[k * order + j];
+      }
     }
     return order <= 3 ? determinant : least;
   }

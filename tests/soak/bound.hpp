@@ -65,12 +65,14 @@ private:
     found.compare("Jacobian", in_old_units(built.found(quantity::constraint_jacobian), rows, inverse(u)), j,
                   1);
 
-    const MatrixXd inverse_of_square =
-        elimination::solve(columns_of(j, d), MatrixXd::Identity(d.size(), d.size())).x;
+    const elimination::solved square =
+        elimination::solve(columns_of(j, d), MatrixXd::Identity(d.size(), d.size()));
+    if (square.least_pivot == 0) return; // the choice is one for any values of the symbols
+    const MatrixXd& inverse_of_square = square.x;
     const MatrixXd a = -product(inverse_of_square, columns_of(j, i));
     const VectorXd rest = -product(inverse_of_square, expected_.linear.bias);
     const double conditioning = 1 + inverse_of_square.norm() * j.norm();
-    if (!(conditioning < most_conditioning)) return; // the choice is one for any values of the symbols
+    if (!(conditioning < most_conditioning)) return;
     is_compared_ = true;
     found.compare("dependency", in_old_units(built.found(quantity::dependency), dependent, forces), a,
                   conditioning);

@@ -1,6 +1,6 @@
 // builds: sanitize
+#include "entry_squares.hpp"
 #include "linear_systems.hpp"
-#include "row_scales.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/differentiate.hpp>
@@ -50,7 +50,7 @@ TEST(expanded, solutions_have_the_same_values) {
       append(outputs, solve_transposed(factors, outputs)); // rests on the first
       derivation d(s.g);
       d.set_rate(s.q[0], s.rates[0]);
-      append(outputs, {d.of(outputs[0]), d.of(outputs[n]), regularity(factors, row_scales(s.a))});
+      append(outputs, {d.of(outputs[0]), d.of(outputs[n]), regularity(factors, entry_squares(s.a))});
       const sequence<int> images = expand_solves(s.g, nodes_of(outputs));
       for (int i = 0; i < outputs.size(); ++i) {
         const long double expected = s.value_of(outputs[i]);

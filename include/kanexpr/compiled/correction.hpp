@@ -82,19 +82,17 @@ private:
     auto [residual, slope] = residual_and_slope()(t, x, p, r);
     if constexpr (quaternions::are_bound) quaternions::leave_norms_out(slope, x);
     constexpr auto order = static_cast<std::size_t>(unknowns);
-    T f[static_cast<std::size_t>(entry.size())], scales[2 * order], change[order];
+    T f[static_cast<std::size_t>(entry.size())], squares[order * order], change[order];
     for (int i = 0; i < unknowns; ++i) {
       change[i] = residual(i);
-      scales[i] = lower::scalar_math<T>::from(0);
-      scales[unknowns + i] = lower::scalar_math<T>::from(1);
       for (int j = 0; j < unknowns; ++j) {
         const T& by_dependent = slope(i, quaternions::are_bound ? place(j) : j);
         f[entry.at(i, j)] = by_dependent;
-        scales[i] = T(scales[i] + math::magnitude(by_dependent));
+        squares[entry.at(i, j)] = T(by_dependent * by_dependent);
       }
     }
     symbolic::factorize<math>(unknowns, f);
-    const T regularity = symbolic::regularity_of<math>(unknowns, f, scales);
+    const T regularity = symbolic::regularity_of<math>(unknowns, f, squares);
     if (!lower::scalar_math<T>::exceeds(regularity,
                                         lower::scalar_math<T>::from(mechanics::least_regularity<T>())))
       return kanexpr::status(singular[0]);

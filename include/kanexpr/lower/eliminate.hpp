@@ -11,6 +11,9 @@ struct elimination_math {
   [[gnu::always_inline]] static T magnitude(const T& x) {
     return scalar_math<T>::template by_name<symbolic::operation::abs>(x);
   }
+  [[gnu::always_inline]] static T root(const T& x) {
+    return scalar_math<T>::template by_name<symbolic::operation::sqrt>(x);
+  }
   [[gnu::always_inline]] static T reciprocal(const T& x) { return T(scalar_math<T>::from(1) / x); }
   [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
     scalar_math<T>::exchange_if_positive(d, a, b);
@@ -31,8 +34,8 @@ public:
   [[gnu::always_inline]] static void solve_transposed(const T* f, T* x) noexcept {
     solve_transposed(f, x, numbers<order>{});
   }
-  [[gnu::always_inline]] static T regularity(const T* f, T* scales) noexcept {
-    return regularity(f, scales, numbers<order>{});
+  [[gnu::always_inline]] static T regularity(const T* f, T* squares) noexcept {
+    return regularity(f, squares, numbers<order>{});
   }
 
 private:
@@ -80,26 +83,45 @@ private:
   [[gnu::always_inline]] static void subtract(T& a, const T& b, const T& c) noexcept { a = T(a - T(b * c)); }
 
   template <int... k>
-  [[gnu::always_inline]] static T regularity(const T* f, T* scales,
+  [[gnu::always_inline]] static T regularity(const T* f, T* squares,
                                              std::integer_sequence<int, k...>) noexcept {
     T largest = f[0]; // overwritten by the first
-    const int in_order[]{(inverse<k>(f, scales, largest, numbers<order - 1 - k>{}), 0)...};
+    const int in_order[]{(inverse<k>(f, squares, largest, numbers<order - 1 - k>{}), 0)...};
     static_cast<void>(in_order);
-    return math::reciprocal(largest);
+    T least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
+    math::exchange_if_positive(f[place.least_pivot()], least, beside);
+    return least; // where a pivot is zero, what comes behind it is no number
   }
   template <int k, int... below>
-  [[gnu::always_inline]] static void inverse(const T* f, T* scales, T& largest,
+  [[gnu::always_inline]] static void inverse(const T* f, T* squares, T& largest,
                                              std::integer_sequence<int, below...>) noexcept {
-    const int exchanged[]{
-        0, (math::exchange_if_positive(f[place.excess(k, k + 1 + below)], scales[k], scales[k + 1 + below]),
-            0)...};
-    static_cast<void>(exchanged);
-    T own = T(math::magnitude(f[place.at(k, k)]) * T(scales[k] * scales[order + k]));
-    if constexpr (k == 0)
-      largest = own;
-    else
-      math::exchange_if_positive(T(own - largest), largest, own);
+    const int exchanged[]{0, (exchange<k, k + 1 + below>(f, squares, numbers<order - k>{}), 0)...};
+    const T& inverse = f[place.at(k, k)];
+    T own = T(inverse * T(inverse * squares[place.at(k, k)]));
+    if constexpr (k > 0) math::exchange_if_positive(T(largest - own), own, largest);
+    largest = own;
+    const int grown[]{0, (grow<k, k + 1 + below>(f, squares, numbers<order - 1 - k>{}), 0)...};
+    static_cast<void>(exchanged), static_cast<void>(grown);
   }
+  template <int k, int i, int... right>
+  [[gnu::always_inline]] static void exchange(const T* f, T* squares,
+                                              std::integer_sequence<int, right...>) noexcept {
+    const int exchanged[]{(math::exchange_if_positive(f[place.excess(k, i)], squares[place.at(k, k + right)],
+                                                      squares[place.at(i, k + right)]),
+                           0)...};
+    static_cast<void>(exchanged);
+  }
+  template <int k, int i, int... right>
+  [[gnu::always_inline]] static void grow(const T* f, T* squares,
+                                          std::integer_sequence<int, right...>) noexcept {
+    const T square = T(f[place.at(i, k)] * f[place.at(i, k)]);
+    const int grown[]{
+        (add(squares[place.at(i, k + 1 + right)], square, squares[place.at(k, k + 1 + right)]), 0)...};
+    static_cast<void>(grown);
+  }
+
+  /// a += b c
+  [[gnu::always_inline]] static void add(T& a, const T& b, const T& c) noexcept { a = T(a + T(b * c)); }
 
   template <int... k>
   [[gnu::always_inline]] static void solve(const T* f, T* x, std::integer_sequence<int, k...>) noexcept {

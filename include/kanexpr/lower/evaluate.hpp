@@ -85,9 +85,9 @@ private:
     constexpr elimination e = tape.eliminations[i];
     T* const out = slot_ + first + e.step;
     if constexpr (e.op == operation::regularity) {
-      T scales[static_cast<std::size_t>(e.inputs())];
-      gather<e.operands>(scales, std::make_integer_sequence<int, e.inputs()>{});
-      *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, scales);
+      T squares[static_cast<std::size_t>(e.inputs())];
+      gather<e.operands>(squares, std::make_integer_sequence<int, e.inputs()>{});
+      *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, squares);
     } else {
       gather<e.operands>(out, std::make_integer_sequence<int, e.inputs()>{});
       if constexpr (e.op == operation::factorization)

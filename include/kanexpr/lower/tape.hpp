@@ -27,8 +27,7 @@ struct elimination {
   int operands = 0; ///< where its operands begin among those of all eliminations
 
   constexpr int inputs() const {
-    if (op == operation::factorization) return order * order;
-    return op == operation::regularity ? 2 * order : order;
+    return op == operation::factorization || op == operation::regularity ? order * order : order;
   }
   constexpr int outputs() const {
     if (op == operation::factorization) return symbolic::factors{order}.size();

@@ -13,7 +13,7 @@ constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
 /// The unknowns of a motion without energy, where a symmetric matrix of numbers has one: the first pivot that
 /// vanishes beside its entry, with those that make up for it.
-constexpr sequence<int> motion_without_energy(numbers a) {
+constexpr sequence<int> motion_without_energy(numbers a, double least) {
   const auto at = [&](int i, int j) -> double& { return a.entries[i * a.columns + j]; };
   for (int p = 0; p < a.rows; ++p) {
     const double whole = at(p, p);
@@ -25,7 +25,7 @@ constexpr sequence<int> motion_without_energy(numbers a) {
       at(p, p) -= factor[k] * entry;
     }
     for (int k = 0; k < p; ++k) at(p, k) = factor[k];
-    if (!(magnitude(at(p, p)) <= least_regularity<double>() * magnitude(whole))) continue;
+    if (!(magnitude(at(p, p)) <= least * magnitude(whole))) continue;
     sequence<double> share(p + 1, 0.0); // Lᵀ c = e
     share[p] = 1;
     sequence<int> moving;
@@ -39,17 +39,26 @@ constexpr sequence<int> motion_without_energy(numbers a) {
   return {};
 }
 
+/// Whether a mass matrix is clearly regular where coordinates are smaller than they seem to be: of how large
+/// they are a model may say too little, and far out a turn and a way are the same motion to all digits.
+constexpr bool moves_mass_nearby(const mechanism& m, const symbolic::matrix& mass) {
+  for (const double nearer : {1e-3, 1e-6, 1e-9, 1e-12})
+    for (const numbers& state : at_generic_states(mass, &m, nearer))
+      if (motion_without_energy(state, 1e-6).empty()) return true;
+  return false;
+}
+
 } // namespace detail
 
 /// Found at generic states; `mass` is that of the independent speeds.
 constexpr problem check_same_mass(const mechanism& m, const partition& speeds, const symbolic::matrix& mass) {
   if (mass.rows < 2) return {}; // there is no other speed
   sequence<int> moving;
-  for (const numbers& state : at_generic_states(mass)) {
-    moving = detail::motion_without_energy(state);
+  for (const numbers& state : at_generic_states(mass, &m)) {
+    moving = detail::motion_without_energy(state, least_regularity<double>());
     if (moving.empty()) return {};
   }
-  if (moving.empty()) return {};
+  if (moving.empty() || detail::moves_mass_nearby(m, mass)) return {};
   sequence<int> places;
   for (int i : moving) places.push(speeds.independent[i]);
   const bool kane = m.derived_by == method::kane;

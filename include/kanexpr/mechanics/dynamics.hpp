@@ -22,7 +22,7 @@ public:
     motion k = motion_on_rising_ground(s_);
     sequence<expression> bias;
     for (int i = 0; i < constraints_.size(); ++i) bias.push(rate_of_constraint(k, constraints_, i));
-    dependent_ = solve_for_dependent_speeds(*m_.g, constraints_, speeds_, bias);
+    dependent_ = solve_for_dependent_speeds(m_, constraints_, speeds_, bias);
     if (!m_.acceleration_constraints.empty()) take_acceleration_constraints();
     has_dependent_ = true;
     return dependent_;

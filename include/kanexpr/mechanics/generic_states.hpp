@@ -30,8 +30,9 @@ namespace detail {
 /// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
 class generic_values {
 public:
-  constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of)
-      : g_(g), of_(of), sizes_(g) {
+  constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
+                           double beside_typical)
+      : g_(g), of_(of), sizes_(g), beside_typical_(beside_typical) {
     for (int id : live)
       if (g[id].op == symbolic::operation::symbol) symbols_.push(id);
     value_.resize(symbols_.size(), 0.0);
@@ -45,7 +46,7 @@ public:
       random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
       const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
       const bool one_sign = g_.symbol_at(id).kind == symbolic::symbol_kind::parameter;
-      value_[i] = sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+      value_[i] = sizes_[id] * (one_sign ? 0.5 + between : beside_typical_ * (1.8 * between - 0.9));
     }
     if (of_ == nullptr) return;
     for (const frame& f : of_->frames) {
@@ -62,6 +63,7 @@ private:
   const graph& g_;
   const mechanism* of_;
   symbolic::typical_sizes sizes_;
+  double beside_typical_; ///< of what is no parameter
   sequence<int> symbols_{};
   sequence<double> value_{};
   std::uint64_t random_ = 88172645463325252u;
@@ -72,7 +74,8 @@ private:
 /// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
 /// are what rounding has left of zero are zero. Of the mechanism, if it is given, the quaternions have length
 /// one.
-constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr) {
+constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
+                                              double beside_typical = 1) {
   sequence<numbers> values;
   if (a.entries.empty()) return values;
   sequence<int> outputs;
@@ -80,7 +83,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
   sequence<bool> is_nothing;
-  detail::generic_values generic(g, evaluate.live(), of);
+  detail::generic_values generic(g, evaluate.live(), of, beside_typical);
   for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
     generic.draw();
     evaluate.at([&](int id) { return generic[id]; });

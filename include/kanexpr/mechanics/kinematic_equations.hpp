@@ -39,7 +39,8 @@ constexpr solved_rates solve_kinematics(const mechanism& m) {
   const linear_kinematics k = linear_in_rates(m);
   symbolic::matrix right(*m.g, k.k_rates.rows, 1);
   for (int i = 0; i < k.k_rates.rows; ++i) right(i, 0) = -k.remainder[i];
-  const symbolic::linear_solution solved = symbolic::solve_linear(*m.g, k.k_rates, right);
+  const symbolic::linear_solution solved =
+      symbolic::solve_linear(*m.g, k.k_rates, right, k.k_rates, symbolic::nodes_of(m.kinematics));
   return {solved.x.entries, solved.blocks};
 }
 

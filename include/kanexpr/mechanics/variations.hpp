@@ -82,7 +82,8 @@ private:
       for (int i = 0; i < rows; ++i)
         right(i, j) = place >= 0 && known.rows != 0 ? -known(i, place) : -d.of(zero[i]);
     }
-    const symbolic::linear_solution solved = symbolic::solve_linear(g_, by_dependent, right);
+    const symbolic::linear_solution solved =
+        symbolic::solve_linear(g_, by_dependent, right, by_dependent, symbolic::nodes_of(zero));
     if (known.rows == 0) blocks_ = solved.blocks;
     return solved.x;
   }

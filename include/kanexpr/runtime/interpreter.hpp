@@ -14,7 +14,7 @@ public:
   explicit interpreter(const lower::tape& code)
       : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
     for (const lower::elimination& e : code_.eliminations)
-      if (e.inputs() > scales_.size()) scales_.resize(e.inputs(), lower::scalar_math<T>::from(0));
+      if (e.inputs() > squares_.size()) squares_.resize(e.inputs(), lower::scalar_math<T>::from(0));
     for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
   }
 
@@ -47,7 +47,7 @@ private:
     using symbolic::operation;
     using math = lower::elimination_math<T>;
     T* const out = slots_.begin() + code_.first_step() + e.step;
-    T* const into = e.op == operation::regularity ? scales_.begin() : out;
+    T* const into = e.op == operation::regularity ? squares_.begin() : out;
     const T* const factors = slots_.begin() + e.factors;
     for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
     if (e.op == operation::factorization)
@@ -93,7 +93,7 @@ private:
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
-  symbolic::sequence<T> scales_{}; ///< of rows, while their largest is found
+  symbolic::sequence<T> squares_{}; ///< while they grow
 };
 
 } // namespace kanexpr::runtime

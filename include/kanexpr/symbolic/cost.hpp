@@ -43,7 +43,11 @@ struct cost {
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
   }
   constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
-  constexpr void count_regularity(int order) { count(2 * order, order - 1, 1); }
+  constexpr void count_regularity(int order) {
+    const int updates = (order - 1) * order * (2 * order - 1) / 6;
+    count(2 * order + order * (order - 1) / 2 + updates, updates + order - 1, 1);
+    count(operation::sqrt);
+  }
 
 private:
   constexpr void count(int products, int sums, int quotients) {

@@ -5,6 +5,9 @@
 /// unrolls it.
 namespace kanexpr::symbolic {
 
+/// Systems up to this order are written out with cofactors when they are lowered.
+inline constexpr int largest_written_out = 3;
+
 /// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
 /// diagonal and the reciprocals of the pivots on it, then by how much the lower row was larger wherever two
 /// rows were compared (positive: they were exchanged), then the least magnitude of a pivot.
@@ -79,22 +82,30 @@ constexpr void solve_transposed_factorized(int order, const T* f, T* x) {
   }
 }
 
-/// The least pivot beside the scales of its row and its column. The scales are those of the rows, then those
-/// of the columns, all positive; they lose their order.
+/// The least of the pivots beside the terms that each is the sum of: what elimination does to the entries is
+/// done to `squares` of their sizes, by rows, without a cancellation. Each has the unit of its entry, so it
+/// does not matter in which units rows and columns are. What is no number remains none.
 template <class Math, class T>
-constexpr T regularity_of(int order, const T* f, T* scales) {
+constexpr T regularity_of(int order, const T* f, T* squares) {
   const factors place{order};
   T largest = f[0]; // overwritten by the first
   for (int k = 0; k < order; ++k) {
     for (int i = k + 1; i < order; ++i)
-      Math::exchange_if_positive(f[place.excess(k, i)], scales[k], scales[i]);
-    T inverse = T(Math::magnitude(f[place.at(k, k)]) * T(scales[k] * scales[order + k]));
-    if (k == 0)
-      largest = inverse;
-    else
-      Math::exchange_if_positive(T(inverse - largest), largest, inverse);
+      for (int j = k; j < order; ++j)
+        Math::exchange_if_positive(f[place.excess(k, i)], squares[place.at(k, j)], squares[place.at(i, j)]);
+    const T& inverse = f[place.at(k, k)];
+    T own = T(inverse * T(inverse * squares[place.at(k, k)]));
+    if (k > 0) Math::exchange_if_positive(T(largest - own), own, largest);
+    largest = own;
+    for (int i = k + 1; i < order; ++i) {
+      const T square = T(f[place.at(i, k)] * f[place.at(i, k)]);
+      for (int j = k + 1; j < order; ++j)
+        squares[place.at(i, j)] = T(squares[place.at(i, j)] + T(square * squares[place.at(k, j)]));
+    }
   }
-  return Math::reciprocal(largest);
+  T least = f[place.least_pivot()], beside = Math::root(Math::reciprocal(largest));
+  Math::exchange_if_positive(f[place.least_pivot()], least, beside);
+  return least; // where a pivot is zero, what comes behind it is no number
 }
 
 } // namespace kanexpr::symbolic

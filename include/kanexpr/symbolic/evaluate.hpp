@@ -40,7 +40,7 @@ constexpr double value_of(operation op, double a, double b) {
 struct constant_elimination {
   static constexpr double magnitude(double x) { return elementary::abs(x); }
   static constexpr double reciprocal(double x) { return numeric::equal(x, 0.0) ? 0 : 1 / x; }
-  static constexpr double positive_or_one(double x) { return x > 0 ? x : 1; }
+  static constexpr double root(double x) { return elementary::sqrt(x); }
   static constexpr void exchange_if_positive(double d, double& a, double& b) {
     if (!(d > 0)) return;
     const double kept = a;
@@ -132,13 +132,12 @@ private:
     return 0;
   }
 
-  constexpr double regularity(int order, const double* f, int scales) {
+  constexpr double regularity(int order, const double* f, int squares) {
     if (numeric::equal(f[factors{order}.least_pivot()], 0.0)) return 0;
-    if (order > 3) return regularity_of<constant_elimination>(order, f, &more_[scales]);
-    double found = 1;
-    for (int i = 0; i < order; ++i) found /= f[factors{order}.at(i, i)];
-    for (int i = 0; i < 2 * order; ++i) found /= constant_elimination::positive_or_one(more_[scales + i]);
-    return elementary::abs(found);
+    if (order > largest_written_out) return regularity_of<constant_elimination>(order, f, &more_[squares]);
+    double inverse = 1;
+    for (int i = 0; i < order; ++i) inverse *= f[factors{order}.at(i, i)];
+    return 1 / elementary::abs(inverse);
   }
 
   const graph& g_;

@@ -39,7 +39,7 @@ public:
       if (n.op == operation::component)
         image_[id] = element(n, a);
       else if (n.op == operation::regularity && is_small(n.a))
-        image_[id] = measure(n, a, b);
+        image_[id] = measure(n, a);
       else if (a != n.a || b != n.b)
         image_[id] = build(g_, n.op, a, b);
     }
@@ -144,12 +144,10 @@ private:
     return sum;
   }
 
-  constexpr int measure(const node& n, int factorization, int scales) {
+  constexpr int measure(const node& n, int factorization) {
     const sequence<int> entries = entries_of(g_, factorization);
     const cofactors by(g_, entries, order_of(g_, factorization), uses_[uses_of_[n.a]].method, 0);
-    int product = graph::one;
-    for (int scale : elements_of(g_, scales)) product = multiply(g_, product, scale);
-    return divide(g_, apply(g_, operation::abs, by.determinant()), positive_or_one(g_, product));
+    return apply(g_, operation::abs, by.determinant());
   }
 
   graph& g_;

@@ -34,12 +34,12 @@ constexpr sequence<expression> solve_transposed(expression factorization, const 
   return solve(operation::transposed_solve, factorization, b);
 }
 
-/// How far a matrix is from a singular one, beside the scales of its rows, then of its columns: of order 1 to
-/// 3 |det|/Π scale, beyond the least |pivot|/(row·column) of elimination, for which scales must be positive.
-/// Zero, and a number, where it is singular. Derivatives take it as a constant.
-constexpr expression regularity(expression factorization, const sequence<expression>& scales) {
+/// How far a matrix is from a singular one: of order 1 to 3 |det|, beyond the least pivot of elimination
+/// beside the terms that it is the sum of, if the entries are as large as the roots of `squares`, by rows.
+/// Zero, or no number, where it is singular. Derivatives take it as a constant.
+constexpr expression regularity(expression factorization, const sequence<expression>& squares) {
   graph& g = factorization.owner();
-  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(scales)))};
+  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(squares)))};
 }
 
 } // namespace kanexpr::symbolic

@@ -2,6 +2,7 @@
 
 #include <kanexpr/symbolic/matrix.hpp>
 #include <kanexpr/symbolic/rules.hpp>
+#include <kanexpr/symbolic/units.hpp>
 
 /// How large an expression is where nothing cancels: what it is compared with before it is called zero.
 namespace kanexpr::symbolic {
@@ -11,17 +12,22 @@ namespace kanexpr::symbolic {
 /// square of the expression's unit, turns of axes leave it what it is, and it does not vanish where sines and
 /// cosines do or where terms cancel. Other functions, divisors and symbols count with their values.
 ///
-/// Coordinates outside of angles may vanish where an equation does; they count with all such coordinates of
-/// the equations that the expressions stand in, of which usually some are left: x² + y² for each of x and y.
+/// Coordinates outside of angles may vanish where an equation does; they count with the mean square of all
+/// such coordinates of their unit in the equations that the expressions stand in, of which usually some are
+/// left: (x² + y²)/2 for each of x and y, as if these could turn. Which have one unit, sums tell: those in
+/// the equations and `sums` that they come from.
 class mean_square {
 public:
-  constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions)
+  constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
+                        const sequence<int>& sums)
       : g_(g), squares_(g.size(), graph::zero) {
     const sequence<char> all = terms_of(equations), needed = terms_of(expressions);
+    sequence<int> coordinates;
     for (int id = 0; id < all.size(); ++id)
-      if (all[id] != 0 && is_coordinate(id)) coordinates_ = add(g_, coordinates_, multiply(g_, id, id));
+      if (all[id] != 0 && is_coordinate(id)) coordinates.push(id);
+    if (!coordinates.empty()) count_with_their_like(coordinates, equations, sums);
     for (int id = 0; id < needed.size(); ++id)
-      if (needed[id] != 0) squares_[id] = square(id);
+      if (needed[id] != 0 && squares_[id] == graph::zero) squares_[id] = square(id);
   }
 
   /// Of one of the expressions.
@@ -30,6 +36,20 @@ public:
 private:
   constexpr bool is_coordinate(int id) const {
     return g_[id].op == operation::symbol && g_.symbol_at(id).kind == symbol_kind::coordinate;
+  }
+
+  constexpr void count_with_their_like(const sequence<int>& coordinates, sequence<int> sums,
+                                       const sequence<int>& more) {
+    for (int id : more) sums.push(id);
+    if (coordinates.size() == 1) sums.clear(); // there is no other
+    const units found(g_, sums);
+    for (int one : coordinates) {
+      int total = graph::zero, count = 0;
+      for (int other : coordinates)
+        if (one == other || found.are_alike(one, other))
+          total = add(g_, total, multiply(g_, other, other)), ++count;
+      squares_[one] = multiply(g_, g_.constant(exactly(1, count)), total);
+    }
   }
 
   /// The sums and products that expressions are made of, with what those are made of.
@@ -55,12 +75,11 @@ private:
     case operation::divide: return divide(g_, squares_[n.a], multiply(g_, n.b, n.b));
     case operation::sin:
     case operation::cos: return g_.constant(exactly(1, 2));
-    default: return is_coordinate(id) ? coordinates_ : multiply(g_, id, id);
+    default: return multiply(g_, id, id);
     }
   }
 
   graph& g_;
-  int coordinates_ = graph::zero;
   sequence<int> squares_; ///< by node
 };
 

@@ -30,7 +30,8 @@ enum class operation : unsigned char {
   solve,            ///< A x = b: a factorization and the list b
   transposed_solve, ///< Aᵀ x = b
   component,        ///< an element of a solution; the constant b counts from zero
-  regularity, ///< how far a factorization is from a singular matrix, by the scales of its rows and columns
+  regularity,       ///< how far a factorization is from a singular matrix: of a small one its determinant, of
+                    ///< another its pivots beside the list b, squares of the sizes of its entries
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }

@@ -32,8 +32,9 @@ namespace detail {
 
 class linear_solver {
 public:
-  constexpr linear_solver(graph& g, const matrix& a, const matrix& b, const matrix& equations)
-      : g_(g), a_(a), b_(b), equations_(equations), is_solved_(a.columns, 0) {
+  constexpr linear_solver(graph& g, const matrix& a, const matrix& b, const matrix& equations,
+                          const sequence<int>& sums)
+      : g_(g), a_(a), b_(b), equations_(equations), sums_(sums), is_solved_(a.columns, 0) {
     out_.x = matrix(g, a.rows, b.columns);
   }
 
@@ -114,7 +115,7 @@ private:
       for (int j = 0; j < equations_.columns; ++j) coefficients.push(equations_(i, j).node());
       for (int j : columns) entries.push(a_(i, j).node());
     }
-    const mean_square of(g_, coefficients, entries);
+    const mean_square of(g_, coefficients, entries, sums_);
     for (int id : entries) squares.push(of[id]);
     return squares;
   }
@@ -167,38 +168,26 @@ private:
   }
 
   /// The determinant of a small part has a mean square of its own. Of a larger one each pivot is compared
-  /// with the scales of its row and its column, of which those of the columns come first: whatever their
-  /// units are, the products have those of the entries.
+  /// with the mean squares that elimination makes of those of the entries.
   constexpr void push_block(const coupled_part& part, expression factors) {
     const int order = part.rows.size();
     const sequence<int> squares = squares_of(part.rows, part.columns);
     const expression one{g_, graph::one};
     if (order <= largest_written_out) {
-      const expression determinant = regularity(factors, sequence<expression>(2 * order, one));
-      out_.blocks.push(
-          {part.rows, part.columns, factors.node(), determinant, root(permanent(g_, squares, order))});
+      out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, {}),
+                        root(permanent(g_, squares, order))});
       return;
     }
-    sequence<expression> scales, columns;
-    for (int j = 0; j < order; ++j) {
-      expression sum{g_, graph::zero};
-      for (int i = 0; i < order; ++i) sum += expression{g_, squares[i * order + j]};
-      columns.push(sum);
-    }
-    for (int i = 0; i < order; ++i) {
-      expression sum{g_, graph::zero};
-      for (int j = 0; j < order; ++j)
-        if (squares[i * order + j] != graph::zero) sum += expression{g_, squares[i * order + j]} / columns[j];
-      scales.push({g_, positive_or_one(g_, sqrt(sum).node())}); // a row may vanish
-    }
-    for (const expression& c : columns) scales.push(sqrt(c));
-    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, scales), one});
+    sequence<expression> sizes;
+    for (int id : squares) sizes.push({g_, id});
+    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, sizes), one});
   }
 
   graph& g_;
   const matrix& a_;
   const matrix& b_;
   const matrix& equations_;
+  const sequence<int>& sums_;
   sequence<char> is_solved_; ///< by column
   linear_solution out_{};
 };
@@ -207,10 +196,11 @@ private:
 
 /// Solves A X = B, where A is square and may have zeros: block by block of its block triangular form, so an
 /// equation with one unknown left is a division. `equations` has a row for each equation with all of its
-/// coefficients, also those of what is no unknown here. Unknowns that a structurally singular matrix leaves
-/// open stay zero.
-constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations) {
-  return detail::linear_solver(g, a, b, equations).run();
+/// coefficients, also those of what is no unknown here; `sums` are what they come from, of which all terms
+/// have one unit. Unknowns that a structurally singular matrix leaves open stay zero.
+constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations,
+                                       const sequence<int>& sums = {}) {
+  return detail::linear_solver(g, a, b, equations, sums).run();
 }
 
 constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/elimination.hpp>
 #include <kanexpr/symbolic/inverse.hpp>
 #include <kanexpr/symbolic/list.hpp>
 #include <kanexpr/symbolic/rules.hpp>
@@ -7,9 +8,6 @@
 /// Building the solutions of linear systems. What has one unknown is a division, what is made of numbers a
 /// number; everything else stays as it is until it is lowered, for only then is it known what is needed.
 namespace kanexpr::symbolic {
-
-/// Systems up to this order are written out with cofactors when they are lowered.
-inline constexpr int largest_written_out = 3;
 
 /// The entries come by rows.
 constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
@@ -60,21 +58,12 @@ constexpr int component(graph& g, int solution, int index) {
   return g.find_or_append({operation::component, solution, g.constant(exactly(index))});
 }
 
-/// x for positive x, and one for zero: what is divided by it stays zero where it is zero with x.
-constexpr int positive_or_one(graph& g, int x) {
-  return add(g, x, subtract(g, graph::one, apply(g, operation::sign, x)));
-}
-
-constexpr int regularity(graph& g, int factorization, int scales) {
-  if (order_of(g, factorization) == 1) {
-    int product = graph::one;
-    for (int scale : elements_of(g, scales)) product = multiply(g, product, scale);
-    return divide(g, apply(g, operation::abs, entries_of(g, factorization)[0]), positive_or_one(g, product));
-  }
+constexpr int regularity(graph& g, int factorization, int squares) {
+  if (order_of(g, factorization) == 1) return apply(g, operation::abs, entries_of(g, factorization)[0]);
   bool is_constant = true;
   for (int id : entries_of(g, factorization)) is_constant = is_constant && g.is_constant(id);
   if (is_constant && constant_inverse(g, factorization).empty()) return graph::zero;
-  return g.find_or_append({operation::regularity, factorization, scales});
+  return g.find_or_append({operation::regularity, factorization, squares});
 }
 
 } // namespace kanexpr::symbolic

@@ -1,0 +1,11 @@
+// Squares for the regularity of a matrix.
+#pragma once
+
+#include <kanexpr/symbolic/linear_system.hpp>
+
+/// Those of the entries, by rows.
+constexpr auto entry_squares(const kanexpr::symbolic::matrix& a) {
+  kanexpr::symbolic::sequence<kanexpr::symbolic::expression> squares;
+  for (const kanexpr::symbolic::expression& e : a.entries) squares.push(e * e);
+  return squares;
+}
