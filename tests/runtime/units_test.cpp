@@ -172,4 +172,70 @@ TEST(units, of_lengths_do_not_matter_to_a_pendulum_in_two_coordinates) {
   }
 }
 
+// A wheel of radius 2 turned by a drives a bead at x along a groove that grows with the square of the angle.
+TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
+  for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
+    builder b("N");
+    const expression a = b.coordinate("a"), x = b.coordinate("x"), c = b.coordinate("c");
+    const expression wa = b.speed("wa"), v = b.speed("v"), wc = b.speed("wc");
+    const expression zero = b.number(0), one = b.number(1), radius = b.parameter("radius"),
+                     about = b.number(scale * scale);
+    const frame_id n = b.inertial_frame(), wheel = b.rotated("A", n, a, b.along(n, 0, 0, 1)),
+                   other = b.rotated("C", n, c, b.along(n, 0, 0, 1));
+    const point_id o = b.origin("O"), bead = b.offset("Bead", o, b.along(n, x, zero, zero));
+    b.rigid_body("Wheel", o, wheel, one, b.inertia(wheel, about, about, about));
+    b.rigid_body("Other", o, other, one, b.inertia(other, about, about, about));
+    b.particle("Sliding", bead, one);
+    b.gravity(b.along(n, b.number(scale), zero, zero));
+    b.kinematic_equation(b.dot(a) - wa);
+    b.kinematic_equation(b.dot(x) - v);
+    b.kinematic_equation(b.dot(c) - wc);
+    b.velocity_constraint(a * a * (radius * wa + v + x * wc));
+    ASSERT_EQ(b.check().view(), "");
+    equations derived(b.mechanism());
+    const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
+    ASSERT_EQ(derived.mistake().view(), "");
+    kanexpr::symbolic::sequence<int> outputs;
+    for (const expression& e : udot.entries) outputs.push(e.node());
+    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+    VectorXd state(6);
+    state << 0.5, 3 * scale, 0.2, 0, 0, 0;
+    f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
+    EXPECT_TRUE(f.status()) << scale << ": " << f.status().cause();
+    state(0) = 0; // there is no constraint left
+    f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
+    EXPECT_FALSE(f.status()) << scale;
+  }
+}
+
+// A slab in the plane with its mass centre at d along A.x: of symbols beside a number nothing says how large
+// they are.
+std::string mistake_of_slab(double inertia, bool spins) {
+  builder b("N");
+  const expression x = b.coordinate("x"), y = b.coordinate("y"), turn = b.coordinate("turn");
+  const expression m = b.parameter("m"), d = b.parameter("d"), zero = b.number(0);
+  const frame_id n = b.inertial_frame(), a = b.rotated("A", n, turn, b.along(n, 0, 0, 1));
+  const point_id o = b.origin("O"), p = b.offset("P", o, b.along(n, x, y, zero)),
+                 center = b.offset("Center", p, b.along(a, d, zero, zero));
+  const expression i = b.number(inertia);
+  if (spins)
+    b.rigid_body("Slab", center, a, m, b.inertia(a, i, i, i));
+  else
+    b.particle("Slab", center, m);
+  int place = 0;
+  for (const char* speed : {"u", "v", "w"})
+    b.kinematic_equation(b.dot(b.mechanism().coordinates[place++]) - b.speed(speed));
+  EXPECT_EQ(b.check().view(), "");
+  equations derived(b.mechanism());
+  derived.get(quantity::udot);
+  return std::string(derived.mistake().view());
+}
+
+TEST(units, of_a_number_beside_symbols_do_not_make_a_mass_matrix_singular) {
+  for (const double inertia : {1e-24, 1e-18, 1e-9, 1.0, 1e9, 1e18, 1e24})
+    EXPECT_EQ(mistake_of_slab(inertia, true), "") << inertia;
+  EXPECT_EQ(mistake_of_slab(1, false),
+            "speeds u, v and w move the same mass in any configuration: the mass matrix is singular");
+}
+
 } // namespace

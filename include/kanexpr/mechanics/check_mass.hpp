@@ -39,12 +39,13 @@ constexpr sequence<int> motion_without_energy(numbers a, double least) {
   return {};
 }
 
-/// Whether a mass matrix is clearly regular where coordinates are smaller than they seem to be: of how large
-/// they are a model may say too little, and far out a turn and a way are the same motion to all digits.
-constexpr bool moves_mass_nearby(const mechanism& m, const symbolic::matrix& mass) {
-  for (const double nearer : {1e-3, 1e-6, 1e-9, 1e-12})
-    for (const numbers& state : at_generic_states(mass, &m, nearer))
-      if (motion_without_energy(state, 1e-6).empty()) return true;
+/// Whether a mass matrix is clearly regular where symbols are smaller or larger than they seem to be: a model
+/// may say too little of that, and with 1e-18 as an inertia beside a mass and an arm of about 1 each, a turn
+/// and a way are the same motion to all digits.
+constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::matrix& mass) {
+  for (const double size : {1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12})
+    for (const numbers& state : at_generic_states(mass, &m, size))
+      if (motion_without_energy(state, 1e-5).empty()) return true;
   return false;
 }
 
@@ -58,7 +59,7 @@ constexpr problem check_same_mass(const mechanism& m, const partition& speeds, c
     moving = detail::motion_without_energy(state, least_regularity<double>());
     if (moving.empty()) return {};
   }
-  if (moving.empty() || detail::moves_mass_nearby(m, mass)) return {};
+  if (moving.empty() || detail::is_regular_in_other_sizes(m, mass)) return {};
   sequence<int> places;
   for (int i : moving) places.push(speeds.independent[i]);
   const bool kane = m.derived_by == method::kane;

@@ -46,7 +46,7 @@ public:
       random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
       const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
       const bool one_sign = g_.symbol_at(id).kind == symbolic::symbol_kind::parameter;
-      value_[i] = sizes_[id] * (one_sign ? 0.5 + between : beside_typical_ * (1.8 * between - 0.9));
+      value_[i] = beside_typical_ * sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
     }
     if (of_ == nullptr) return;
     for (const frame& f : of_->frames) {
@@ -63,7 +63,7 @@ private:
   const graph& g_;
   const mechanism* of_;
   symbolic::typical_sizes sizes_;
-  double beside_typical_; ///< of what is no parameter
+  double beside_typical_;
   sequence<int> symbols_{};
   sequence<double> value_{};
   std::uint64_t random_ = 88172645463325252u;
