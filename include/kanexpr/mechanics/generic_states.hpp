@@ -27,26 +27,44 @@ struct numbers {
 
 namespace detail {
 
+/// Marks what the arguments of functions are made of, as angles.
+constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>& live) {
+  using symbolic::operation;
+  sequence<char> found(g.size(), 0);
+  for (int i = live.size() - 1; i >= 0; --i) {
+    const symbolic::node& n = g[live[i]];
+    if (symbolic::is_leaf(n.op) || n.op >= operation::pair) continue;
+    if (found[live[i]] == 0 && (n.op < operation::sin || n.op > operation::log)) continue;
+    found[n.a] = 1;
+    if (symbolic::is_binary(n.op)) found[n.b] = 1;
+  }
+  return found;
+}
+
 /// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
                            double beside_typical)
-      : g_(g), of_(of), sizes_(g), beside_typical_(beside_typical) {
+      : g_(g), of_(of) {
+    const symbolic::typical_sizes sizes(g);
     for (int id : live)
-      if (g[id].op == symbolic::operation::symbol) symbols_.push(id);
+      if (g[id].op == symbolic::operation::symbol) symbols_.push(id), size_.push(sizes[id]);
     value_.resize(symbols_.size(), 0.0);
+    if (numeric::equal(beside_typical, 1.0)) return;
+    const sequence<char> is_angle = parts_of_arguments(g, live);
+    for (int i = 0; i < symbols_.size(); ++i)
+      if (is_angle[symbols_[i]] == 0) size_[i] *= beside_typical;
   }
   generic_values(const generic_values&) = delete;
   generic_values& operator=(const generic_values&) = delete;
 
   constexpr void draw() {
     for (int i = 0; i < symbols_.size(); ++i) {
-      const int id = symbols_[i];
       random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
       const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
-      const bool one_sign = g_.symbol_at(id).kind == symbolic::symbol_kind::parameter;
-      value_[i] = beside_typical_ * sizes_[id] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+      const bool one_sign = g_.symbol_at(symbols_[i]).kind == symbolic::symbol_kind::parameter;
+      value_[i] = size_[i] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
     }
     if (of_ == nullptr) return;
     for (const frame& f : of_->frames) {
@@ -62,10 +80,8 @@ public:
 private:
   const graph& g_;
   const mechanism* of_;
-  symbolic::typical_sizes sizes_;
-  double beside_typical_;
   sequence<int> symbols_{};
-  sequence<double> value_{};
+  sequence<double> size_{}, value_{};
   std::uint64_t random_ = 88172645463325252u;
 };
 
@@ -73,7 +89,7 @@ private:
 
 /// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
 /// are what rounding has left of zero are zero. Of the mechanism, if it is given, the quaternions have length
-/// one.
+/// one; what is no part of an angle is as large as is asked, beside what is typical.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
                                               double beside_typical = 1) {
   sequence<numbers> values;
