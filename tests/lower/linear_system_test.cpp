@@ -48,7 +48,11 @@ constexpr lower::tape three_solutions(int n) {
 
 template <int n>
 struct code {
-  static constexpr lower::roomy_tape tape = lower::fixed(three_solutions(n));
+private:
+  static constexpr lower::roomy_tape roomy = lower::fixed(three_solutions(n));
+
+public:
+  static constexpr auto tape = lower::trimmed<roomy.sizes>(roomy);
 };
 
 template <class T>

@@ -15,33 +15,56 @@ struct tape_sizes {
   int angles = 0;
 };
 
-/// A tape that can leave a constant evaluation, as plain arrays; what is behind the sizes is unused.
-template <tape_sizes room>
+/// A tape that can leave a constant evaluation, as plain arrays of its own sizes.
+template <tape_sizes own>
 struct fixed_tape {
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   tape_sizes sizes;
   symbolic::cost cost;
-  operation op[at_least_one(room.steps)]{};
-  bool paired[at_least_one(room.steps)]{};
-  int a[at_least_one(room.steps)]{};
-  int b[at_least_one(room.steps)]{};
-  symbolic::number numbers[at_least_one(room.numbers)]{};
-  load loads[at_least_one(room.loads)]{};
-  int results[at_least_one(room.results)]{};
-  elimination eliminations[at_least_one(room.eliminations)]{};
-  int operands[at_least_one(room.operands)]{};
+  operation op[at_least_one(own.steps)]{};
+  bool paired[at_least_one(own.steps)]{};
+  int a[at_least_one(own.steps)]{};
+  int b[at_least_one(own.steps)]{};
+  symbolic::number numbers[at_least_one(own.numbers)]{};
+  load loads[at_least_one(own.loads)]{};
+  int results[at_least_one(own.results)]{};
+  elimination eliminations[at_least_one(own.eliminations)]{};
+  int operands[at_least_one(own.operands)]{};
 
   constexpr int first_step() const { return sizes.numbers + sizes.loads; }
   constexpr int slot_count() const { return first_step() + sizes.steps; }
 };
 
-/// Room for any model that a compiler can be asked to derive. It costs nothing as long as only constant
-/// evaluation sees it: `trimmed` makes the tape that programs use.
+/// Room for any model that a compiler can be asked to derive.
 inline constexpr int most_steps = 1 << 16;
-inline constexpr tape_sizes room_of_tape{most_steps,      most_steps, most_steps, most_steps,
-                                         most_steps / 16, most_steps, 0,          0};
-using roomy_tape = fixed_tape<room_of_tape>;
+inline constexpr int most_eliminations = most_steps / 16;
+
+/// The same with that room; what is behind the sizes is unused. It costs nothing as long as only constant
+/// evaluation sees it: `trimmed` makes the tape that programs use.
+///
+/// All entries are scalars: clang++ forms each element of an array of classes whose members have
+/// initializers, and of scalars only those that are written.
+struct roomy_tape {
+  tape_sizes sizes{};
+  symbolic::cost cost{};
+  operation op[most_steps]{};
+  bool paired[most_steps]{};
+  int a[most_steps]{};
+  int b[most_steps]{};
+  std::int64_t numerators[most_steps]{};
+  std::int64_t denominators[most_steps]{};
+  double reals[most_steps]{};
+  symbolic::symbol_kind loaded_from[most_steps]{};
+  int loaded_position[most_steps]{};
+  int results[most_steps]{};
+  operation eliminating[most_eliminations]{};
+  int orders[most_eliminations]{};
+  int elimination_steps[most_eliminations]{};
+  int factors[most_eliminations]{};
+  int first_operands[most_eliminations]{};
+  int operands[most_steps]{};
+};
 
 constexpr tape_sizes sizes_of(const tape& t) {
   return {t.steps.size(),        t.numbers.size(),  t.loads.size(), t.results.size(),
@@ -49,23 +72,9 @@ constexpr tape_sizes sizes_of(const tape& t) {
 }
 
 constexpr bool has_room_for(const tape_sizes& s) {
-  return s.steps <= room_of_tape.steps && s.numbers <= room_of_tape.numbers &&
-         s.loads <= room_of_tape.loads && s.results <= room_of_tape.results &&
-         s.eliminations <= room_of_tape.eliminations && s.operands <= room_of_tape.operands;
+  return s.steps <= most_steps && s.numbers <= most_steps && s.loads <= most_steps &&
+         s.results <= most_steps && s.eliminations <= most_eliminations && s.operands <= most_steps;
 }
-
-namespace detail {
-
-template <class To, class From>
-constexpr void copy_lists(To& to, const From& from) {
-  for (int i = 0; i < to.sizes.numbers; ++i) to.numbers[i] = from.numbers[i];
-  for (int i = 0; i < to.sizes.loads; ++i) to.loads[i] = from.loads[i];
-  for (int i = 0; i < to.sizes.results; ++i) to.results[i] = from.results[i];
-  for (int i = 0; i < to.sizes.eliminations; ++i) to.eliminations[i] = from.eliminations[i];
-  for (int i = 0; i < to.sizes.operands; ++i) to.operands[i] = from.operands[i];
-}
-
-} // namespace detail
 
 /// Only of a tape that there is room for.
 constexpr roomy_tape fixed(const tape& t) {
@@ -78,7 +87,24 @@ constexpr roomy_tape fixed(const tape& t) {
     out.a[i] = t.steps[i].a;
     out.b[i] = t.steps[i].b;
   }
-  detail::copy_lists(out, t);
+  for (int i = 0; i < out.sizes.numbers; ++i) {
+    out.numerators[i] = t.numbers[i].numerator;
+    out.denominators[i] = t.numbers[i].denominator;
+    out.reals[i] = t.numbers[i].real;
+  }
+  for (int i = 0; i < out.sizes.loads; ++i) {
+    out.loaded_from[i] = t.loads[i].from;
+    out.loaded_position[i] = t.loads[i].position;
+  }
+  for (int i = 0; i < out.sizes.results; ++i) out.results[i] = t.results[i];
+  for (int i = 0; i < out.sizes.eliminations; ++i) {
+    out.eliminating[i] = t.eliminations[i].op;
+    out.orders[i] = t.eliminations[i].order;
+    out.elimination_steps[i] = t.eliminations[i].step;
+    out.factors[i] = t.eliminations[i].factors;
+    out.first_operands[i] = t.eliminations[i].operands;
+  }
+  for (int i = 0; i < out.sizes.operands; ++i) out.operands[i] = t.operands[i];
   return out;
 }
 
@@ -94,7 +120,14 @@ constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
     out.a[i] = from.a[i];
     out.b[i] = from.b[i];
   }
-  detail::copy_lists(out, from);
+  for (int i = 0; i < sizes.numbers; ++i)
+    out.numbers[i] = {from.numerators[i], from.denominators[i], from.reals[i]};
+  for (int i = 0; i < sizes.loads; ++i) out.loads[i] = {from.loaded_from[i], from.loaded_position[i]};
+  for (int i = 0; i < sizes.results; ++i) out.results[i] = from.results[i];
+  for (int i = 0; i < sizes.eliminations; ++i)
+    out.eliminations[i] = {from.eliminating[i], from.orders[i], from.elimination_steps[i], from.factors[i],
+                           from.first_operands[i]};
+  for (int i = 0; i < sizes.operands; ++i) out.operands[i] = from.operands[i];
   return out;
 }
 

@@ -47,9 +47,7 @@ constexpr bool is_negative(double x) noexcept { return (bits(x) & sign_bit) != 0
 constexpr bool is_finite(double x) noexcept { return magnitude(x) < bits(infinity); }
 constexpr bool is_nan(double x) noexcept { return magnitude(x) > bits(infinity); }
 
-constexpr double copy_sign(double x, double sign) noexcept {
-  return __builtin_copysign(x, sign);
-}
+constexpr double copy_sign(double x, double sign) noexcept { return __builtin_copysign(x, sign); }
 
 // The m and k of |x| = m * 2^k with 2^52 <= m < 2^53, for finite x != 0.
 constexpr std::pair<std::uint64_t, int> decompose(double x) noexcept {
