@@ -126,4 +126,24 @@ TEST(scalars, packs_have_all_functions) {
   EXPECT_EQ(math::atan2(x, y)[0], std::atan2(0.1, -1.0));
 }
 
+TEST(scalars, the_sign_of_no_number_is_none) {
+  const auto sign = [](auto x) { return kanexpr::lower::scalar_math<decltype(x)>::sign(x); };
+  EXPECT_TRUE(std::isnan(sign(std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_TRUE(std::isnan(sign(std::numeric_limits<float>::quiet_NaN())));
+  EXPECT_EQ(sign(-std::numeric_limits<double>::infinity()), -1);
+  EXPECT_EQ(sign(0.0), 0);
+  EXPECT_EQ(sign(2.0F), 1);
+}
+
+TEST(scalars, is_finite_in_all_lanes) {
+  using math = kanexpr::lower::scalar_math<pack>;
+  pack x = math::from(3);
+  EXPECT_TRUE(math::is_finite(x));
+  x[2] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(math::is_finite(x));
+  EXPECT_TRUE(kanexpr::lower::scalar_math<long double>::is_finite(1e300L));
+  EXPECT_FALSE(
+      kanexpr::lower::scalar_math<long double>::is_finite(std::numeric_limits<long double>::infinity()));
+}
+
 } // namespace

@@ -83,6 +83,45 @@ system_of<i...> all(std::integer_sequence<int, i...>);
 struct System : decltype(all(std::make_integer_sequence<int, count>{})){};
 } // namespace beads
 
+/// A bead in a plane on a spring to a point beside it, pushed by what has no value where x is 0.
+namespace pushed_bead {
+using namespace kanexpr;
+constexpr coordinate<"x"> x;
+constexpr coordinate<"y"> y;
+constexpr speed<"u"> u;
+constexpr speed<"v"> v;
+constexpr parameter<"m"> m;
+constexpr parameter<"k"> k;
+constexpr parameter<"l"> l;
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+struct Q : offset<Q, O, 3 * N::x> {};
+struct P : offset<P, O, x * N::x + y * N::y> {};
+struct Bead : particle<Bead, P, m> {};
+struct System
+    : kane_system<inertial<N>, coordinates<x, y>, speeds<u, v>, kinematics<dot(x) == u, dot(y) == v>,
+                  bodies<Bead>, loads<spring<P, Q, k, l>, force<P, k * log(x) * N::x>>> {};
+} // namespace pushed_bead
+
+/// A bead on a table of numbers that turns, and has two slides.
+namespace turntable {
+using namespace kanexpr;
+constexpr coordinate<"q"> q;
+constexpr coordinate<"x"> x;
+constexpr coordinate<"y"> y;
+constexpr speed<"w"> w;
+constexpr speed<"u"> u;
+constexpr speed<"v"> v;
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, x * A::x + y*(A::x + 2 * A::y + A::z)> {};
+struct Table : rigid_body<Table, O, A, 1, inertia<A, 1, 1, 2>> {};
+struct Bead : particle<Bead, P, 1> {};
+struct System : kane_system<inertial<N>, coordinates<q, x, y>, speeds<w, u, v>,
+                            kinematics<dot(q) == w, dot(x) == u, dot(y) == v>, bodies<Table, Bead>> {};
+} // namespace turntable
+
 namespace {
 
 using kanexpr::mechanics::quantity;
@@ -222,6 +261,61 @@ TEST(status, is_not_asked_for_what_needs_no_solution) {
   auto interpreted = derived.function(derived.get(quantity::kinetic_energy));
   interpreted(b.x, b.p, b.r);
   EXPECT_TRUE(interpreted.status());
+}
+
+// What the model itself divides by, a logarithm, and a spring without length.
+TEST(status, tells_what_is_not_finite) {
+  using namespace pushed_bead;
+  using eom = kanexpr::equations_of_motion<System>;
+  const std::string cause =
+      "the results are not finite at this state; look at the quotients and functions of x and y";
+  eom::parameters p;
+  p[m] = 2, p[k] = 3, p[l] = 1;
+  const auto expect_at = [&](double to_x, double to_y, const std::string& wanted) {
+    eom::state at;
+    at << to_x, to_y, 0.3, -0.4;
+    expect_status<System>(at, p, eom::inputs(), wanted);
+    const Eigen::Vector4f x_float = at.cast<float>();
+    const Eigen::Vector3f p_float = p.cast<float>();
+    EXPECT_EQ(eom::rhs(x_float, p_float).status.cause(), wanted);
+  };
+  expect_at(2, 1, "");
+  expect_at(0, 1, cause);  // log(0)
+  expect_at(-1, 1, cause); // log(-1)
+  expect_at(3, 0, cause);  // 0/0 for the direction of the spring
+  p[m] = 1e-40;            // 1/m has no float
+  eom::state at;
+  at << 2, 1, 0.3, -0.4;
+  EXPECT_TRUE(eom::rhs(at, p).status);
+  EXPECT_EQ(eom::rhs(at.cast<float>().eval(), p.cast<float>().eval()).status.cause(), cause);
+}
+
+TEST(status, of_finiteness_comes_with_what_may_not_be) {
+  using namespace pushed_bead;
+  using eom = kanexpr::equations_of_motion<System>;
+  eom::state at;
+  at << 2, 0, 0.3, -0.4;
+  const eom::parameters p{1, 2, 3};
+  const auto quotient = kanexpr::function<System, k / x + l>{}(at, p);
+  EXPECT_TRUE(quotient.status);
+  EXPECT_EQ(quotient, 4);
+  EXPECT_EQ((kanexpr::function<System, k / y>{}(at, p).status.cause()),
+            "the results are not finite at this state; look at the quotients and functions of y");
+  // the root of a sum of squares always is a number
+  static_assert(std::is_same_v<decltype(eom::potential_energy(at, p)), double>);
+}
+
+// Where lengths have no bounds, rounding may leave nothing of what cannot vanish.
+TEST(status, tells_of_pivots_that_rounding_takes) {
+  using namespace turntable;
+  using eom = kanexpr::equations_of_motion<System>;
+  for (const double length : {1.0, 3e8}) {
+    eom::state at;
+    at << 0.1, length, -length, 0.2, 0.3, 0.4;
+    expect_status<System>(
+        at, eom::parameters(), eom::inputs(),
+        length > 1 ? "the mass matrix is singular at this state: its elimination fails at the speed w" : "");
+  }
 }
 
 } // namespace

@@ -31,9 +31,8 @@ public:
   kanexpr::status status() const { return value_.status(); }
 
 private:
-  static kanexpr::runtime::interpreted<double> evaluated(recipe::builder& b,
-                                                         kanexpr::mechanics::equations& derived,
-                                                         kanexpr::mechanics::quantity wanted) {
+  static kanexpr::runtime::interpreted<double>
+  evaluated(recipe::builder& b, kanexpr::mechanics::equations& derived, kanexpr::mechanics::quantity wanted) {
     const kanexpr::symbolic::matrix result = derived.get(wanted);
     kanexpr::symbolic::sequence<int> outputs;
     for (const auto& e : result.entries) outputs.push(e.node());
@@ -84,13 +83,13 @@ public:
 
 private:
   void look_at(std::vector<result_of>& results, errors& found, const std::string& what,
-                      const recipe::mechanism& at) {
+               const recipe::mechanism& at) {
     for (std::size_t i = 0; i < results.size(); ++i) {
       const Eigen::MatrixXd value = results[i].at(at);
       const kanexpr::status told = results[i].status();
       found.expect(static_cast<bool>(told) || !told.cause().empty(), what + ": refused without a cause");
-      found.expect(!told || value.allFinite(), what + ": result " + std::to_string(i) +
-                                                   " is not finite, and no status says so");
+      found.expect(!told || value.allFinite(),
+                   what + ": result " + std::to_string(i) + " is not finite, and no status says so");
       if (i == 0) ++visited, refused += !told;
     }
   }

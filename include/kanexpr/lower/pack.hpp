@@ -67,6 +67,12 @@ struct scalar_math<T> {
     return all;
   }
 
+  [[gnu::always_inline]] static bool is_finite(const T& x) {
+    bool all = true;
+    for (int i = 0; i < lanes; ++i) all = all && of_element::is_finite(x[i]);
+    return all;
+  }
+
 private:
   template <class Lane>
   [[gnu::always_inline]] static T each(const Lane& lane) {

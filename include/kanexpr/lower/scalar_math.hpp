@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/equal.hpp>
 #include <kanexpr/symbolic/number.hpp>
 #include <kanexpr/symbolic/operation.hpp>
 
@@ -11,6 +12,9 @@
 #include <utility>
 
 namespace kanexpr::lower {
+
+template <class T>
+struct scalar_math;
 
 /// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
 template <class T>
@@ -84,19 +88,27 @@ struct default_scalar_math {
   /// Not-a-number exceeds nothing.
   static bool exceeds(const T& x, const T& bound) { return x > bound; }
 
-  /// By its bits where these are known, which -ffast-math cannot take for granted.
+  /// By its bits where these are known, so that it holds with -ffast-math.
   static bool is_finite(const T& x) {
     if constexpr (std::is_same_v<T, double>)
-      return symbolic::is_finite(x);
+      return is_finite(std::bit_cast<std::uint64_t>(x), std::uint64_t{0x7ff} << 52);
     else if constexpr (std::is_same_v<T, float>)
-      return (std::bit_cast<std::uint32_t>(x) & 0x7fff'ffffU) < 0x7f80'0000U;
+      return is_finite(std::bit_cast<std::uint32_t>(x), std::uint32_t{0xff} << 23);
     else
-      return exceeds(T(x - x), T(-1)); // of what is not finite the difference is no number
+      return scalar_math<T>::exceeds(T(x - x), scalar_math<T>::from(-1)); // else the difference is no number
+  }
+  template <class Bits>
+  [[gnu::always_inline]] static bool is_finite(Bits bits, Bits exponent) {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    asm("" : "+r"(bits)); // clang++ knows whose bits they are
+#endif
+    return (bits & exponent) != exponent;
   }
 
+  /// Of what is no number it is none.
   static T sign(const T& x) {
     if constexpr (std::is_arithmetic_v<T>)
-      return static_cast<T>((T(0) < x) - (x < T(0)));
+      return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;
     else
       return T((T(0) < x) - (x < T(0)));
   }

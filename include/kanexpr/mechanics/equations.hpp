@@ -188,7 +188,7 @@ public:
     else
       for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
     sequence<guard> live = live_guards(*m_->g, all, outputs);
-    for (const guard& g : guards_of_finiteness(*m_->g, outputs, sure_divisors)) live.push(g);
+    for (const guard& g : guards_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
     return live;
   }
 

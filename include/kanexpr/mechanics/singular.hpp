@@ -73,15 +73,28 @@ constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& sp
   return guards;
 }
 
-/// Of all that makes results infinite or no numbers at a state, where nothing before it is the cause; none
-/// where that cannot be.
-constexpr sequence<guard> guards_of_finiteness(graph& g, const sequence<int>& outputs,
-                                               const sequence<int>& sure_divisors) {
-  const sequence<int> watched = symbolic::outputs_to_watch(g, outputs, sure_divisors);
+/// Of all that leaves results infinite or no numbers at a state; none where nothing can. `others` are the
+/// guards that come before it.
+constexpr sequence<guard> guards_of_finiteness(const mechanism& m, const sequence<int>& outputs,
+                                               const sequence<int>& sure_divisors,
+                                               const sequence<guard>& others) {
+  graph& g = *m.g;
+  const symbolic::finiteness found(g, outputs, sure_divisors);
+  const sequence<int> watched = found.watched();
   if (watched.empty()) return {};
+  sequence<int> known, places;
+  for (const guard& each : others) known.push(each.key);
+  sequence<expression> suspects;
+  for (int symbol : found.suspects(known)) places.push(suspects.push({g, symbol}));
+  constexpr int most_names = 6; // more tell nothing
+  const bool are_named = !places.empty() && places.size() <= most_names;
   const expression sum{g, symbolic::plain_sum(g, watched)};
   sequence<guard> guards;
-  guards.push({sum.node(), sum, sum, sentence({"the results are not finite at this state"}), true});
+  guards.push({sum.node(), sum, sum,
+               sentence({"the results are not finite at this state",
+                         are_named ? "; look at the quotients and functions of " : "",
+                         are_named ? enumerated(m, suspects, places).view() : ""}),
+               true});
   return guards;
 }
 

@@ -112,7 +112,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
     for (int i = 0; i < residual.size() && !report.reason; ++i)
-      if (!(std::abs(residual(i)) <= tolerance * terms(i)))
+      if (!(std::isfinite(residual(i)) && std::abs(residual(i)) <= tolerance * terms(i)))
         report.reason =
             with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
                         residual(i));

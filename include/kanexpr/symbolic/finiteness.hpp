@@ -5,18 +5,20 @@
 /// Where results may leave the finite numbers though all that they rest on is finite, and of a usual size.
 namespace kanexpr::symbolic {
 
-namespace detail {
-
+/// Which of some outputs have to be looked at to know that all are finite, where quotients, roots and
+/// functions may leave the finite numbers; divisions by `sure_divisors` do not. Sums and products do not
+/// count: they overflow only at values that nobody uses.
 class finiteness {
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
       : g_(g), outputs_(outputs), live_(live_nodes(g, outputs)), is_sure_(g.size(), 0),
-        is_never_negative_(g.size(), 0), may_fail_(g.size(), 0) {
+        is_never_negative_(g.size(), 0), begins_(g.size(), 0), may_fail_(g.size(), 0) {
     for (int id : sure_divisors) is_sure_[id] = 1;
     for (int id = 0; id < g.size(); ++id)
       if (live_[id] != 0) look_at(id);
   }
 
+  /// As few outputs as will do: where one is not finite, neither is what is a sum or product of it.
   constexpr sequence<int> watched() const {
     sequence<char> is_told(g_.size(), 0), is_output(g_.size(), 0);
     for (int id : outputs_) is_output[id] = 1;
@@ -32,6 +34,24 @@ public:
     return some;
   }
 
+  /// The symbols in divisors, roots and arguments that leave the finite numbers first, but for divisors that
+  /// something else looks at.
+  constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
+    sequence<char> is_known(g_.size(), 0), reached(g_.size(), 0);
+    for (int id : known_divisors) is_known[id] = 1;
+    for (int id = g_.size() - 1; id >= 0; --id) {
+      const node& n = g_[id];
+      if (is_leaf(n.op) || !(begins_[id] != 0 || reached[id] != 0)) continue;
+      const bool has_second = is_binary(n.op) && !is_numbered(n.op);
+      if (reached[id] != 0 || n.op != operation::divide) reached[n.a] = 1;
+      if (has_second && (reached[id] != 0 || is_known[n.b] == 0)) reached[n.b] = 1;
+    }
+    sequence<int> symbols;
+    for (int id = 0; id < g_.size(); ++id)
+      if (reached[id] != 0 && g_[id].op == operation::symbol) symbols.push(id);
+    return symbols;
+  }
+
 private:
   constexpr void look_at(int id) {
     const node& n = g_[id];
@@ -41,34 +61,30 @@ private:
     }
     const int a = n.a, b = is_binary(n.op) && !is_numbered(n.op) ? n.b : n.a;
     const bool both = is_never_negative_[a] != 0 && is_never_negative_[b] != 0;
-    bool fails = may_fail_[a] != 0 || may_fail_[b] != 0;
     switch (n.op) {
     case operation::add: is_never_negative_[id] = both; break;
     case operation::multiply: is_never_negative_[id] = both || a == b; break;
     case operation::divide:
       is_never_negative_[id] = both;
-      fails = fails || !(g_.is_constant(b) || is_sure_[b] != 0);
+      begins_[id] = !(g_.is_constant(b) || is_sure_[b] != 0);
       break;
     case operation::sqrt:
       is_never_negative_[id] = 1;
-      fails = fails || is_never_negative_[a] == 0; // which rounding can make it
+      begins_[id] = is_never_negative_[a] == 0; // rounding can make it so
       break;
     case operation::abs: is_never_negative_[id] = 1; break;
     case operation::exp:
       is_never_negative_[id] = 1;
-      fails = true;
+      begins_[id] = 1;
       break;
     case operation::power:
     case operation::asin:
     case operation::acos:
-    case operation::log:
-    case operation::factorization:
-    case operation::solve:
-    case operation::transposed_solve:
-    case operation::regularity: fails = true; break;
+    case operation::log: begins_[id] = 1; break;
     default: break; // a tangent is as large as rounding lets it be
     }
-    may_fail_[id] = fails;
+    const bool solves = n.op >= operation::pair; // and its status is another
+    may_fail_[id] = begins_[id] != 0 || solves || may_fail_[a] != 0 || may_fail_[b] != 0;
   }
 
   /// Marks the operands that, not being finite, leave the result no finite number.
@@ -90,25 +106,15 @@ private:
 
   const graph& g_;
   const sequence<int>& outputs_;
-  sequence<char> live_, is_sure_, is_never_negative_, may_fail_;
+  sequence<char> live_, is_sure_, is_never_negative_, begins_, may_fail_;
 };
-
-} // namespace detail
-
-/// As few outputs as one has to look at to know that all are finite, where quotients, roots and functions may
-/// leave the finite numbers; not through a division by one of `sure_divisors`. Sums and products are not
-/// looked at: they overflow only at values that nobody uses.
-constexpr sequence<int> outputs_to_watch(const graph& g, const sequence<int>& outputs,
-                                         const sequence<int>& sure_divisors) {
-  return detail::finiteness(g, outputs, sure_divisors).watched();
-}
 
 /// A sum as it is written: no rule lets something cancel in it.
 constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
   int sum = nodes[0];
   for (int i = 1; i < nodes.size(); ++i)
-    sum = g.find_or_append(
-        {operation::add, sum < nodes[i] ? sum : nodes[i], sum < nodes[i] ? nodes[i] : sum});
+    sum =
+        g.find_or_append({operation::add, sum < nodes[i] ? sum : nodes[i], sum < nodes[i] ? nodes[i] : sum});
   return sum;
 }
 
