@@ -38,6 +38,7 @@ constexpr std::string_view result_name() {
     case quantity::configuration_jacobian_full: return "configuration_jacobian_full";
     case quantity::velocity_residual: return "velocity_residual";
     case quantity::velocity_terms: return "velocity_terms";
+    case quantity::configuration_step: return "configuration_step";
     case quantity::constraint_residual: return "constraint_residual";
     case quantity::constraint_jacobian: return "constraint_jacobian";
     case quantity::dependent_speeds: return "dependent_speeds";

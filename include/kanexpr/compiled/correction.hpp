@@ -2,7 +2,6 @@
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/unit_quaternions.hpp>
-#include <kanexpr/lower/eliminate.hpp>
 
 #include <array>
 
@@ -55,50 +54,20 @@ public:
     if constexpr (is_needed) total = added(total, quaternions::cost());
     if constexpr (is_needed && known.constraints > 0) total = added(total, eom::dependent_speeds.cost());
     if constexpr (is_needed && unknowns > 0) {
-      symbolic::cost one = residual_and_slope().cost();
-      if constexpr (quaternions::are_bound)
-        one = added(added(one, quaternions::cost()), quaternions::cost_of_leaving_out(unknowns));
-      one.count_factorization(unknowns);
-      one.count_substitution(unknowns);
-      one.count_regularity(unknowns);
+      symbolic::cost one = eom::configuration_step.cost();
+      if constexpr (quaternions::are_bound) one = added(one, quaternions::cost());
       total = added(total, one, newton_steps);
     }
     return total;
   }
 
 private:
-  static constexpr auto residual_and_slope() {
-    if constexpr (quaternions::are_bound)
-      return eom::together(eom::configuration_residual, eom::configuration_jacobian_full);
-    else
-      return eom::together(eom::configuration_residual, eom::configuration_jacobian);
-  }
-
-  /// One of Newton's steps; too near to singular is what it is for all results.
   template <class Time, class T, class P, class R>
   static kanexpr::status step(const Time& t, state<System, T>& x, const P& p, const R& r) {
-    using math = lower::elimination_math<T>;
-    constexpr symbolic::factors entry{unknowns};
-    auto [residual, slope] = residual_and_slope()(t, x, p, r);
-    if constexpr (quaternions::are_bound) quaternions::leave_norms_out(slope, x);
-    constexpr auto order = static_cast<std::size_t>(unknowns);
-    T f[static_cast<std::size_t>(entry.size())], squares[order * order], change[order];
-    for (int i = 0; i < unknowns; ++i) {
-      change[i] = residual(i);
-      for (int j = 0; j < unknowns; ++j) {
-        const T& by_dependent = slope(i, quaternions::are_bound ? place(j) : j);
-        f[entry.at(i, j)] = by_dependent;
-        squares[entry.at(i, j)] = T(by_dependent * by_dependent);
-      }
-    }
-    symbolic::factorize<math>(unknowns, f);
-    const T regularity = symbolic::regularity_of<math>(unknowns, f, squares);
-    if (!lower::scalar_math<T>::exceeds(regularity,
-                                        lower::scalar_math<T>::from(mechanics::least_regularity<T>())))
-      return kanexpr::status(singular[0]);
-    symbolic::solve_factorized<math>(unknowns, f, change);
-    for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) - change[i]);
-    return {};
+    const auto change = eom::configuration_step(t, x, p, r);
+    if (status_of(change))
+      for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) + change(i));
+    return status_of(change);
   }
 
   /// A norm beyond this is no trace that a step leaves.
@@ -113,18 +82,6 @@ private:
       if (known.dependent[i]) found[next++] = i;
     return found;
   }();
-
-  static constexpr auto singular = derivation::only_cause([] {
-    mechanics::problem p = mechanics::sentence(
-        {"the constraints cannot be solved for the dependent coordinate", unknowns == 1 ? " " : "s "});
-    for (int i = 0; i < unknowns; ++i)
-      p = mechanics::sentence({p.view(),
-                               i == 0             ? ""
-                               : i + 1 < unknowns ? ", "
-                                                  : " and ",
-                               known.names[place(i)].view()});
-    return mechanics::sentence({p.view(), " at this state"});
-  });
 };
 
 } // namespace kanexpr::compiled

@@ -69,6 +69,8 @@ struct equations_of_motion {
   /// Its derivatives by all coordinates.
   static constexpr function<System, mechanics::quantity::configuration_jacobian_full>
       configuration_jacobian_full{};
+  /// The step of Newton's method for the dependent coordinates, to be added to them.
+  static constexpr function<System, mechanics::quantity::configuration_step> configuration_step{};
   /// What the velocity constraints and the rates of the configuration constraints leave.
   static constexpr function<System, mechanics::quantity::velocity_residual> velocity_residual{};
   static constexpr function<System, mechanics::quantity::velocity_terms> velocity_terms{};

@@ -47,6 +47,7 @@ struct request<wanted> {
     case quantity::angular_momentum:
     case quantity::center_of_mass: return {3, 1};
     case quantity::configuration_residual:
+    case quantity::configuration_step:
     case quantity::configuration_terms: return {l, 1};
     case quantity::configuration_jacobian: return {l, l};
     case quantity::configuration_jacobian_full: return {l, n};

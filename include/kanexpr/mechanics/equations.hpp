@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/check_constraints.hpp>
 #include <kanexpr/mechanics/check_lagrange.hpp>
 #include <kanexpr/mechanics/check_mass.hpp>
+#include <kanexpr/mechanics/configuration_step.hpp>
 #include <kanexpr/mechanics/dynamics.hpp>
 #include <kanexpr/mechanics/energy.hpp>
 #include <kanexpr/mechanics/linearizer.hpp>
@@ -83,6 +84,7 @@ public:
     case quantity::configuration_jacobian:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_full: return configuration_;
+    case quantity::configuration_step: return step_of_configuration();
     case quantity::velocity_residual: return column(velocity_residual());
     case quantity::velocity_terms: return column(terms_of(velocity_residual()));
     case quantity::constraint_residual: return column(m_->configuration_constraints, velocity_residual());
@@ -178,6 +180,7 @@ public:
     sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
       for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
+    for (const guard& g : guards_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
     const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
     if (any)
       for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
@@ -216,7 +219,9 @@ private:
     }
   }
 
-  constexpr system_form form() { return {s_, constraints_, coordinates_, speeds_, dynamics_}; }
+  constexpr system_form form() {
+    return {s_, constraints_, configuration_, coordinates_, speeds_, dynamics_};
+  }
 
   /// A matrix with the multipliers that go with the rates q̇ and u̇ in it.
   constexpr symbolic::matrix imposed_forces(symbolic::matrix m) {
@@ -289,6 +294,12 @@ private:
     return full;
   }
 
+  constexpr symbolic::matrix step_of_configuration() {
+    const symbolic::linear_solution solved = configuration_step(*m_, configuration_, coordinates_);
+    step_blocks_ = solved.blocks;
+    return solved.x;
+  }
+
   constexpr sequence<expression> velocity_residual() const {
     sequence<expression> residual;
     for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
@@ -317,6 +328,7 @@ private:
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};
+  sequence<symbolic::solved_block> step_blocks_{}; ///< of Newton's step for the dependent coordinates
   dynamics dynamics_{s_, constraints_, speeds_};
   bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   motion motion_{};

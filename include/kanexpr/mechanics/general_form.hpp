@@ -25,6 +25,7 @@ struct general_form {
   /// when it is needed.
   struct linear_parts {
     sequence<expression> qdot{};   ///< q̇ as f_0 + f_1 = 0 gives it
+    symbolic::matrix on_q{};       ///< ∂f_c/∂q
     symbolic::matrix on_u{};       ///< ∂f_v/∂u
     symbolic::matrix on_udot{};    ///< ∂f_a/∂u̇
     symbolic::matrix dependency{}; ///< ∂u̇_d/∂u̇_i as f_a = 0 gives it

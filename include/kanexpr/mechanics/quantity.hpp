@@ -24,6 +24,7 @@ enum class quantity {
   configuration_terms,         ///< l: how large the terms are of which that is the sum
   configuration_jacobian,      ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_full, ///< its derivatives by all coordinates, l×n
+  configuration_step,          ///< of Newton's method, for the dependent coordinates, l
   velocity_residual,           ///< m: the velocity constraints, then the rates of configuration constraints
   velocity_terms,              ///< m: how large the terms are of which that is the sum
   constraint_residual,         ///< both, l+m

@@ -12,10 +12,11 @@ namespace kanexpr::mechanics {
 /// is positive.
 class system_form {
 public:
-  constexpr system_form(const skeleton& s, const constraints& c, const partition& coordinates,
-                        const partition& speeds, dynamics& d)
-      : s_(s), m_(*s.model), constraints_(c), coordinates_(coordinates), speeds_(speeds), dynamics_(d),
-        motion_(motion_on_rising_ground(s, m_.speed_rates)) {}
+  /// `by_q` are the derivatives of the configuration constraints by the coordinates.
+  constexpr system_form(const skeleton& s, const constraints& c, const symbolic::matrix& by_q,
+                        const partition& coordinates, const partition& speeds, dynamics& d)
+      : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
+        dynamics_(d), motion_(motion_on_rising_ground(s, m_.speed_rates)) {}
 
   /// Of the independent speeds alone, without multipliers.
   constexpr general_form reduced() {
@@ -76,6 +77,7 @@ private:
   constexpr void take_constraints(general_form& form) {
     form.f_c = m_.configuration_constraints;
     for (const velocity_constraint& each : constraints_.on_velocities) form.f_v.push(each.value);
+    form.known.on_q = by_q_;
     form.known.on_u = form.known.on_udot = constraints_.jacobian;
     if (m_.acceleration_constraints.empty()) {
       for (int i = 0; i < constraints_.size(); ++i)
@@ -90,6 +92,7 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   const constraints& constraints_;
+  const symbolic::matrix& by_q_;
   const partition &coordinates_, &speeds_;
   dynamics& dynamics_;
   motion motion_;

@@ -22,7 +22,7 @@ public:
     for (const expression& input : form.r) symbols_.push(input);
     coordinates_ = symbolic::matrix(g, of_q_.dependent.size(), size());
     speeds_ = symbolic::matrix(g, of_u_.dependent.size(), size());
-    if (coordinates_.rows != 0) coordinates_ = follow(form.f_c, form.q, of_q_, {});
+    if (coordinates_.rows != 0) coordinates_ = follow(form.f_c, form.q, of_q_, form.known.on_q);
     if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, of_u_, form.known.on_u);
   }
 
@@ -82,9 +82,9 @@ private:
       for (int i = 0; i < rows; ++i)
         right(i, j) = place >= 0 && known.rows != 0 ? -known(i, place) : -d.of(zero[i]);
     }
-    const symbolic::linear_solution solved =
-        symbolic::solve_linear(g_, by_dependent, right, by_dependent, symbolic::nodes_of(zero));
-    if (known.rows == 0) blocks_ = solved.blocks;
+    const symbolic::linear_solution solved = symbolic::solve_linear(
+        g_, by_dependent, right, known.rows == 0 ? by_dependent : known, symbolic::nodes_of(zero));
+    if (&zero == &form_.f_c) blocks_ = solved.blocks;
     return solved.x;
   }
 
