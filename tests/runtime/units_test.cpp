@@ -1,5 +1,6 @@
 // The same mechanisms in metres, millimetres and micrometres, kilograms and nanograms: the same answers.
 #include "four_bars.hpp"
+#include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -7,9 +8,12 @@
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
+#include <kanexpr/symbolic.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace {
 
@@ -236,6 +240,33 @@ TEST(units, of_a_number_beside_symbols_do_not_make_a_mass_matrix_singular) {
     EXPECT_EQ(mistake_of_slab(inertia, true), "") << inertia;
   EXPECT_EQ(mistake_of_slab(1, false),
             "speeds u, v and w move the same mass in any configuration: the mass matrix is singular");
+}
+
+// A rod that stands upright on a cart twice as heavy as its bob: lengths, masses and angles in one matrix.
+TEST(units, do_not_matter_to_a_linearization_in_numbers) {
+  using namespace n_pendulum_cart;
+  auto model = kanexpr::derive<System<1>>();
+  const auto number = [&](const kanexpr::symbolic::matrix& m, int i, int j) {
+    return m(i, j).owner().number_at(m(i, j).node()).value();
+  };
+  for (const double length : {1e-12, 1e-6, 1.0, 1e6, 1e12})
+    for (const double mass : {1e-12, 1.0, 1e12}) {
+      auto stands = model.linearize({{m<0>, 2 * mass},
+                                     {m<1>, mass},
+                                     {l<0>, length},
+                                     {g, 9.81 * length},
+                                     {q<0>, 0},
+                                     {q<1>, std::numbers::pi / 2},
+                                     {u<0>, 0},
+                                     {u<1>, 0},
+                                     {F, 0}});
+      const auto& found = stands.explicit_form();
+      EXPECT_THAT(stands.problems(), testing::IsEmpty()) << length << ' ' << mass;
+      EXPECT_NEAR(number(found.A, 2, 1) / length, 9.81 / 2, 1e-12) << length << ' ' << mass;
+      EXPECT_NEAR(number(found.A, 3, 1), 9.81 * 1.5, 1e-12) << length << ' ' << mass;
+      EXPECT_NEAR(number(found.B, 2, 0) * mass, 1.0 / 2, 1e-12) << length << ' ' << mass;
+      EXPECT_NEAR(number(found.B, 3, 0) * mass * length, 1.0 / 2, 1e-12) << length << ' ' << mass;
+    }
 }
 
 } // namespace

@@ -23,11 +23,11 @@ public:
     symbolic::factorize<symbolic::constant_elimination>(order_, f_.data());
   }
 
+  /// The least pivot beside the largest entry.
+  double regularity() const { return f_(symbolic::factors{order_}.least_pivot()) / largest_; }
+
   /// Whether rounding decides on the least pivot.
-  bool is_singular() const {
-    const double least = f_(symbolic::factors{order_}.least_pivot());
-    return !(least > order_ * std::numeric_limits<double>::epsilon() * largest_);
-  }
+  bool is_singular() const { return !(regularity() > order_ * std::numeric_limits<double>::epsilon()); }
 
   /// Turns b into the solution of A x = b.
   void solve(Vector& b) const {

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <kanexpr/lower/eliminate.hpp>
 #include <kanexpr/mechanics/linearization.hpp>
 #include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/numeric/equilibrated.hpp>
+#include <kanexpr/numeric/factorized.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace kanexpr::runtime {
 
-/// M⁻¹ [A B] of a linearization whose entries are all numbers, by elimination with row exchanges.
+/// M⁻¹ [A B] of a linearization whose entries are all numbers, by elimination with row exchanges. Units of
+/// equations and unknowns do not matter.
 class solve_numbers {
 public:
   static bool are_numbers(const symbolic::matrix& m) {
@@ -18,58 +18,40 @@ public:
   }
 
   solve_numbers(symbolic::graph& g, const mechanics::implicit_linearization& given)
-      : g_(g), order_(given.mass.rows), rates_(g, order_, given.state.columns + given.input.columns) {
-    factorize(given.mass);
+      : g_(g), mass_(numbers_of(given.mass)), scale_(mass_), factors_(scale_.applied_to(mass_)),
+        rates_(g, given.mass.rows, given.state.columns + given.input.columns) {
+    if (!*this) return;
     int done = 0;
     for (const symbolic::matrix* right : {&given.state, &given.input})
-      for (int j = 0; j < right->columns; ++j) solve(*right, j, done++);
+      for (int j = 0; j < right->columns; ++j) solve(numbers_of(*right).col(j), done++);
   }
 
   /// Whether M is regular.
-  explicit operator bool() const { return is_regular_; }
+  explicit operator bool() const { return factors_.regularity() > mechanics::least_regularity<double>(); }
 
   /// δ[q̇; u̇; λ] for each state, then each input.
   const symbolic::matrix& rates() const { return rates_; }
 
 private:
-  using math = lower::elimination_math<double>;
-
-  double number_at(const symbolic::matrix& m, int i, int j) const {
-    return g_.number_at(m(i, j).node()).value();
+  Eigen::MatrixXd numbers_of(const symbolic::matrix& m) const {
+    Eigen::MatrixXd numbers(m.rows, m.columns);
+    for (int i = 0; i < m.rows; ++i)
+      for (int j = 0; j < m.columns; ++j) numbers(i, j) = g_.number_at(m(i, j).node()).value();
+    return numbers;
   }
 
-  /// Every row beside its largest entry.
-  void factorize(const symbolic::matrix& m) {
-    const symbolic::factors place{order_};
-    factors_.resize(static_cast<std::size_t>(place.size()));
-    for (int i = 0; i < order_; ++i) {
-      double largest = 0;
-      for (int j = 0; j < order_; ++j) largest = (std::max)(largest, std::abs(number_at(m, i, j)));
-      scales_.push_back(largest > 0 ? 1 / largest : 1);
-      for (int j = 0; j < order_; ++j)
-        factors_[static_cast<std::size_t>(place.at(i, j))] = scales_.back() * number_at(m, i, j);
-    }
-    symbolic::factorize<math>(order_, factors_.data());
-    is_regular_ =
-        factors_[static_cast<std::size_t>(place.least_pivot())] > mechanics::least_regularity<double>();
-  }
-
-  void solve(const symbolic::matrix& right, int column, int into) {
-    if (!is_regular_) return;
-    std::vector<double> x;
-    x.reserve(scales_.size());
-    for (int i = 0; i < order_; ++i)
-      x.push_back(scales_[static_cast<std::size_t>(i)] * number_at(right, i, column));
-    symbolic::solve_factorized<math>(order_, factors_.data(), x.data());
-    for (int i = 0; i < order_; ++i)
-      rates_(i, into) = symbolic::constant(g_, symbolic::real(x[static_cast<std::size_t>(i)]));
+  void solve(const Eigen::VectorXd& right, int into) {
+    Eigen::VectorXd x = scale_.rows.cwiseProduct(right);
+    factors_.solve(x);
+    for (int i = 0; i < rates_.rows; ++i)
+      rates_(i, into) = symbolic::constant(g_, symbolic::real(scale_.columns(i) * x(i)));
   }
 
   symbolic::graph& g_;
-  int order_;
+  Eigen::MatrixXd mass_;
+  numeric::equilibration<Eigen::VectorXd> scale_;
+  numeric::factorized<Eigen::VectorXd> factors_;
   symbolic::matrix rates_;
-  std::vector<double> factors_{}, scales_{};
-  bool is_regular_ = false;
 };
 
 } // namespace kanexpr::runtime
