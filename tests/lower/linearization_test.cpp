@@ -1,9 +1,12 @@
 // What a compiled linearization offers beside its matrices.
 #include "models/four_bar.hpp"
+#include "models/pendulum_nonminimal.hpp"
 #include "no_heap.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
+
+#include <limits>
 
 namespace {
 
@@ -76,6 +79,42 @@ TEST(linearization, tells_where_there_is_none) {
   EXPECT_FALSE(A.status);
   EXPECT_EQ(A.status.cause(),
             "the constraints cannot be solved for the dependent speeds u2 and u3 at this state");
+}
+
+TEST(linearization, names_what_was_never_set) {
+  lin::state x;
+  x << 0.3, -0.5, -2, 1, 0, 0;
+  lin::inputs r = lin::inputs::Zero();
+  lin::parameters p;
+  p.setOnes();
+  p[m2] = lin::parameters()[m2];
+  const auto [A, B] = without_heap(lin::explicit_form, x, p, r);
+  EXPECT_EQ(A.status.cause(), "parameter m2 has no value");
+  EXPECT_EQ(B.status.cause(), "parameter m2 has no value");
+  p[m2] = 1;
+  EXPECT_TRUE(std::get<0>(lin::explicit_form(x, p, r)).status);
+  EXPECT_EQ(std::get<0>(lin::explicit_form(x, p, lin::inputs())).status.cause(), "input T has no value");
+  p[m2] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(std::get<0>(lin::explicit_form(0.0, x, p, r)).status);
+}
+
+// M is given and not solved with; what stands beside it rests on u̇ and the multipliers.
+TEST(linearization, with_multipliers_tells_where_the_mass_matrix_is_singular) {
+  namespace circle = pendulum_nonminimal;
+  using on_circle = kanexpr::linearization<circle::LagrangeSystem>;
+  on_circle::state x;
+  x[circle::q1] = 0.8, x[circle::q2] = 0.6;
+  on_circle::parameters p;
+  p[circle::m] = 0, p[circle::L] = 1, p[circle::g] = 9.81;
+  const auto [M, A, B] = on_circle::implicit_form(x, p, on_circle::inputs::Zero());
+  EXPECT_EQ(A.status.cause(),
+            "the mass matrix is singular at this state: its elimination fails at the rate of "
+            "coordinate q2");
+  p[circle::m] = 1;
+  EXPECT_TRUE(std::get<1>(on_circle::implicit_form(x, p, on_circle::inputs::Zero())).status);
+  p[circle::m] = on_circle::parameters()[circle::m];
+  EXPECT_EQ(std::get<1>(on_circle::implicit_form(x, p, on_circle::inputs::Zero())).status.cause(),
+            "parameter m has no value");
 }
 
 } // namespace

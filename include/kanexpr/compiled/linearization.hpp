@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/function.hpp>
+#include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/derivation/linearization_request.hpp>
 
 #include <array>
@@ -25,22 +25,22 @@ struct linearization {
   static constexpr int states = known.states();
 
   /// A and B in δẋ_i = A δx_i + B δr.
-  static constexpr function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
+  static constexpr finite_function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
 
   /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr: first the kinematic differential equations, then the rates
   /// of the constraints, then the dynamics: by Kane's method those of the independent speeds, by Lagrange's
   /// those of all speeds with the multipliers λ.
-  static constexpr function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
-                            quantity::implicit_input_matrix>
+  static constexpr finite_function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
+                                   quantity::implicit_input_matrix>
       implicit_form{};
 
   /// The same at rates of the speeds that are known already: f(x, p, r, udot).
-  static constexpr function<System, derivation::at_given_rates{quantity::state_matrix},
-                            derivation::at_given_rates{quantity::input_matrix}>
+  static constexpr finite_function<System, derivation::at_given_rates{quantity::state_matrix},
+                                   derivation::at_given_rates{quantity::input_matrix}>
       explicit_form_at{};
-  static constexpr function<System, derivation::at_given_rates{quantity::implicit_mass_matrix},
-                            derivation::at_given_rates{quantity::implicit_state_matrix},
-                            derivation::at_given_rates{quantity::implicit_input_matrix}>
+  static constexpr finite_function<System, derivation::at_given_rates{quantity::implicit_mass_matrix},
+                                   derivation::at_given_rates{quantity::implicit_state_matrix},
+                                   derivation::at_given_rates{quantity::implicit_input_matrix}>
       implicit_form_at{};
 
   /// The derivatives of ẋ = [q̇; u̇], as `equations_of_motion<System>::rhs` gives it, by the whole state [q; u]
@@ -48,14 +48,14 @@ struct linearization {
   /// state need not satisfy the constraints, and nothing follows them: that is what an integrator of the
   /// whole state asks for. Only quaternions must have norm 1; along that norm, which no motion changes, the
   /// derivatives of u̇ mean nothing.
-  static constexpr function<System, quantity::state_jacobian, quantity::input_jacobian> jacobian{};
+  static constexpr finite_function<System, quantity::state_jacobian, quantity::input_jacobian> jacobian{};
 
   /// C and D in δy = C δx_i + D δr of what sensors measure, expressions of the model, which may hold
   /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector counts by its
   /// components.
   template <auto... measured>
-  static constexpr function<System, derivation::sensitivity<false, measured...>{},
-                            derivation::sensitivity<true, measured...>{}>
+  static constexpr finite_function<System, derivation::sensitivity<false, measured...>{},
+                                   derivation::sensitivity<true, measured...>{}>
       outputs{};
 
   /// Where the states of the linearized equations stand in [q; u].
