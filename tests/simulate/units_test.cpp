@@ -12,9 +12,10 @@ namespace {
 
 using namespace pendulum_nonminimal;
 
+template <integrator by = integrator::adams>
 simulation<System> swing(double length, double mass, double time) {
-  return simulate<System>({{q1, 0.9 * length}, {q2, 0.4 * length}, {u1, 0}, {u2, 0}},
-                          {{m, mass}, {L, length}, {g, 9.81 * length / (time * time)}}, {0, 5 * time});
+  return simulate<System, by>({{q1, 0.9 * length}, {q2, 0.4 * length}, {u1, 0}, {u2, 0}},
+                              {{m, mass}, {L, length}, {g, 9.81 * length / (time * time)}}, {0, 5 * time});
 }
 
 TEST(units, do_not_matter_to_a_simulation_at_the_defaults) {
@@ -33,6 +34,53 @@ TEST(units, do_not_matter_to_a_simulation_at_the_defaults) {
     ASSERT_TRUE(run) << run.cause();
     EXPECT_NEAR(run.state[q1] / scale, plain.state[q1], 1e-8) << scale;
     EXPECT_NEAR(std::hypot(run.state[q1], run.state[q2]), scale, 1e-13 * scale);
+  }
+}
+
+// Forces, which are its multipliers, have a unit too.
+TEST(units, do_not_matter_to_a_differential_algebraic_system) {
+  const auto plain = swing<integrator::differential_algebraic>(1, 1, 1);
+  ASSERT_TRUE(plain) << plain.cause();
+  for (const double length : {1e-12, 1.0, 1e12})
+    for (const double mass : {1e-12, 1e12}) {
+      const auto run = swing<integrator::differential_algebraic>(length, mass, 1);
+      ASSERT_TRUE(run) << run.cause();
+      EXPECT_NEAR(run.state[q1] / length, plain.state[q1], 1e-7);
+      const auto steps = static_cast<double>(plain.statistics.steps);
+      EXPECT_NEAR(static_cast<double>(run.statistics.steps), steps, 0.2 * steps) << length << ' ' << mass;
+    }
+}
+
+namespace controlled { // A block whose controller sees lengths only.
+
+constexpr coordinate<"s"> s;
+constexpr speed<"v"> v;
+constexpr input<"F"> F;
+
+struct O : origin<O, N> {};
+struct P : offset<P, O, s * N::x> {};
+struct Block : particle<Block, P, 1> {};
+struct System : kane_system<inertial<N>, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, inputs<F>,
+                            bodies<Block>, loads<force<P, F * N::x>>> {};
+
+simulation<System> held(double length) {
+  const auto control = [=](double, const state<System>& x, input_values<System>& r) {
+    r[F] = -100 * length * std::tanh(10 * x[s] / length) - 20 * x[v];
+  };
+  return simulate<System, integrator::bdf>({{s, 0.5 * length}, {v, 0}}, {}, {0, 10}, {.inputs = control});
+}
+
+} // namespace controlled
+
+TEST(units, do_not_matter_to_a_controller_of_a_stiff_system) {
+  const auto plain = controlled::held(1);
+  ASSERT_TRUE(plain) << plain.cause();
+  for (const double length : {0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
+    const auto run = controlled::held(length);
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_EQ(run.statistics.steps, plain.statistics.steps) << length;
+    EXPECT_EQ(run.statistics.solver_failures, plain.statistics.solver_failures) << length;
+    EXPECT_EQ(run.state[controlled::s] / length, plain.state[controlled::s]) << length;
   }
 }
 

@@ -20,7 +20,7 @@ public:
     if (!around.source().depends_on_state()) return answer::given;
     const kanexpr::state<System> x = around.x();
     for (int j = 0; j < entries; ++j) {
-      const double step = std::cbrt(std::numeric_limits<double>::epsilon()) * (std::max)(1.0, std::abs(x(j)));
+      const double step = relative_step * (std::max)(around.sizes()(j), std::abs(x(j)));
       for (const double side : {1.0, -1.0}) {
         kanexpr::state<System> beside = x;
         beside(j) += side * step;
@@ -37,6 +37,8 @@ public:
   const matrix& by_state() const { return by_state_; }
 
 private:
+  static inline const double relative_step = std::cbrt(std::numeric_limits<double>::epsilon());
+
   matrix by_state_ = matrix::Zero();
 };
 

@@ -70,6 +70,7 @@ private:
     if (!assemble_at(span_.from, first)) return false;
     result_.state = first;
     const state_sizes<System> found(around_, span_.from, first, span_.to - span_.from);
+    around_.set_sizes(found.sizes());
     if (std::string wrong = read_tolerances(options_, found.sizes(), o.absolute_tolerances); !wrong.empty())
       return fail(std::move(wrong));
     const tolerances<System> of_entries = tolerances_of(o);

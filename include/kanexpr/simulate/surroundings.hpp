@@ -33,6 +33,10 @@ public:
   const input_source<System>& source() const { return source_; }
   const std::vector<event<System>>& events() const { return events_; }
 
+  /// How large the entries of the state are, in whatever units.
+  const state& sizes() const { return sizes_; }
+  void set_sizes(const state& sizes) { sizes_ = sizes; }
+
   /// Goes to a time and a state, whose inputs are then known.
   answer take(double t, const double* y) {
     x_ = Eigen::Map<const typename state::base>(y);
@@ -105,7 +109,7 @@ private:
   parameter_values<System> p_;
   const input_source<System>& source_;
   const std::vector<event<System>>& events_;
-  state x_{};
+  state x_{}, sizes_ = state::Ones();
   input_values<System> r_{};
   std::string reason_{};
 };
