@@ -94,14 +94,44 @@ TEST(units, do_not_matter_to_a_motion_that_begins_at_rest) {
   }
 }
 
+constexpr double scales[]{1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e12};
+
+operating_point<System> rest(double length, double mass, double time,
+                             const operating_point_options<System>& options = {}) {
+  return operating_point<System>({{q1, 0.8 * length}, {q2, 0.3 * length}, {u1, 0}, {u2, 0}},
+                                 {{m, mass}, {L, length}, {g, 9.81 * length / (time * time)}}, options);
+}
+
 TEST(units, do_not_matter_to_an_operating_point) {
-  for (const double scale : {1e-6, 1e-3, 1.0, 1e6, 1e12}) {
-    const operating_point<System> rest({{q1, 0.8 * scale}, {q2, 0.3 * scale}, {u1, 0}, {u2, 0}},
-                                       {{m, 1}, {L, scale}, {g, 9.81}});
-    ASSERT_TRUE(rest) << rest.cause();
-    EXPECT_NEAR(rest.x[q1], scale, 1e-12 * scale);
-    EXPECT_NEAR(rest.x[q2], 0, 1e-12 * scale);
+  const auto plain = rest(1, 1, 1);
+  for (const double length : scales)
+    for (const double other : {1e-12, 1.0, 1e12}) {
+      const auto found = rest(length, other, other);
+      ASSERT_TRUE(found) << length << ' ' << other << ' ' << found.cause();
+      EXPECT_NEAR(found.x[q1], length, 1e-12 * length);
+      EXPECT_NEAR(found.x[q2], 0, 1e-12 * length);
+      EXPECT_EQ(found.freedom, plain.freedom);
+    }
+  for (const double length : {0x1p-40, 0x1p40})
+    for (const double other : {0x1p-40, 0x1p40}) { // to the last bit
+      const auto found = rest(length, other, other);
+      EXPECT_EQ(found.iterations, plain.iterations) << length << ' ' << other;
+      EXPECT_EQ(found.x[q2] / length, plain.x[q2]);
+    }
+  for (const double length : scales) { // at its place from the start, with gravity as it is
+    const operating_point<System> hangs({{q1, length}, {q2, 0}, {u1, 0}, {u2, 0}},
+                                        {{m, 1}, {L, length}, {g, 9.81}});
+    EXPECT_TRUE(hangs) << hangs.cause();
+    EXPECT_EQ(hangs.freedom, 0);
   }
+}
+
+TEST(units, do_not_matter_to_what_is_no_operating_point) {
+  for (const double length : scales)
+    for (const double other : {1e-12, 1.0, 1e12}) {
+      const auto none = rest(length, other, other, {.held = {q2}});
+      EXPECT_FALSE(none) << length << ' ' << other << ' ' << none.x.transpose();
+    }
 }
 
 } // namespace

@@ -43,6 +43,7 @@ public:
 
   const std::vector<int>& unknowns() const { return unknowns_; }
   const std::vector<condition>& equations() const { return equations_; }
+  const derivation::survey& known() const { return known_; }
   int states() const { return states_; }
   int residuals() const { return residuals_; }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
+#include <kanexpr/simulate/trim_sizes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,39 +48,45 @@ public:
   }
 
   bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) override {
-    constexpr double step = 1e-40; // its square is nothing beside any value
     place(z);
     slope.resize(equations(), unknowns());
     Eigen::Index column = 0;
     for (const int unknown : asked_.unknowns()) {
-      at_(unknown).imag(step);
-      evaluate_(t_, at_, all_);
-      at_(unknown).imag(0);
+      derive_by(unknown);
       Eigen::Index row = 0;
-      for (const condition& c : asked_.equations()) slope(row++, column) = all_(c.place).imag() / step;
+      for (const condition& c : asked_.equations()) slope(row++, column) = derivative_of(c.place);
       ++column;
     }
     return slope.allFinite();
   }
 
-  /// A state changes in one step by no more than its own magnitude, or by 1: a radian.
+  /// A state changes in one step by no more than its own magnitude or its size, which of an angle is 1.
   Eigen::VectorXd limits(const Eigen::VectorXd& z) const override {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (is_state(i)) most(i) = (std::max)(1.0, std::abs(z(i)));
+    for (Eigen::Index i = 0; i < stiff_unknowns(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
     return most;
   }
 
-  /// States are of magnitude 1 or their own; forces and parameters, in whatever units, are as large as it
-  /// takes to change an equation by 1.
-  solvers::magnitudes magnitudes_at(const Eigen::VectorXd& z, const Eigen::MatrixXd& slope) const {
-    solvers::magnitudes sizes{z.cwiseAbs(), Eigen::VectorXd::Ones(equations())};
-    for (Eigen::Index i = 0; i < z.size(); ++i) {
-      const double effect = slope.col(i).norm();
-      sizes.unknowns(i) = (std::max)(sizes.unknowns(i), is_state(i) || effect < 1e-12 ? 1.0 : 1 / effect);
-      sizes.equations = sizes.equations.cwiseMax(sizes.unknowns(i) * slope.col(i).cwiseAbs());
+  /// How large unknowns and equations are near z.
+  solvers::magnitudes magnitudes_at(const Eigen::VectorXd& z) {
+    if (kinds_.unknowns.empty()) look_at_kinds();
+    place(z);
+    Eigen::MatrixXd slope(all_.size(), at_.size());
+    for (int symbol = 0; symbol < at_.size(); ++symbol) {
+      derive_by(symbol);
+      for (int row = 0; row < all_.size(); ++row) {
+        const double found = derivative_of(row);
+        slope(row, symbol) = std::isfinite(found) ? found : 0;
+      }
     }
-    return sizes;
+    const sizes found(kinds_, at_.real(), slope, usual_length_);
+    solvers::magnitudes of{Eigen::VectorXd(unknowns()), Eigen::VectorXd(equations())};
+    Eigen::Index i = 0, row = 0;
+    for (const int unknown : asked_.unknowns()) of.unknowns(i++) = found.symbols()(unknown);
+    for (const condition& c : asked_.equations())
+      of.equations(row++) = (std::max)(found.functions()(c.place), std::abs(c.wanted));
+    sizes_ = of.unknowns;
+    return of;
   }
 
   /// What the last residual could not solve, as a sentence.
@@ -95,13 +102,45 @@ private:
     Eigen::Index i = 0;
     for (const int unknown : asked_.unknowns()) at_(unknown) = z(i++);
   }
-  bool is_state(Eigen::Index i) const { return i < stiff_unknowns(); }
+  /// By complex steps, whose square is nothing beside any value.
+  void derive_by(int symbol) {
+    at_(symbol).imag(step);
+    evaluate_(t_, at_, all_);
+    at_(symbol).imag(0);
+  }
+  double derivative_of(int function) const { return all_(function).imag() / step; }
+
+  /// Which coordinates are angles, and how long the others are, at the guess.
+  void look_at_kinds() {
+    const derivation::survey& known = asked_.known();
+    kinds_.coordinates = known.coordinates;
+    kinds_.speeds = known.speeds;
+    kinds_.residuals = asked_.residuals();
+    kinds_.unknowns.assign(static_cast<std::size_t>(at_.size()), false);
+    for (const int unknown : asked_.unknowns()) kinds_.unknowns[static_cast<std::size_t>(unknown)] = true;
+    for (int j = 0; j < known.coordinates; ++j) {
+      const double here = at_(j).real();
+      const auto beside = [&](double by) -> Eigen::VectorXd {
+        at_(j) = here + by;
+        evaluate_(t_, at_, all_);
+        return all_.real();
+      };
+      kinds_.angles.push_back(known.quaternion_of[j] != 0 || is_angle(beside));
+      at_(j) = here;
+    }
+    usual_length_ = sizes::longest(kinds_, at_.real());
+  }
+
+  static constexpr double step = 1e-40;
 
   const conditions& asked_;
   evaluation evaluate_;
   double t_;
   complex_vector at_, all_;
   std::string_view unsolved_{};
+  layout kinds_{};
+  double usual_length_ = 0;
+  Eigen::VectorXd sizes_{}; ///< of the unknowns
 };
 
 } // namespace kanexpr::trim

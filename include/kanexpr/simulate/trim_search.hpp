@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace kanexpr::trim {
 
@@ -47,21 +48,23 @@ private:
   }
 
   void go() {
-    solvers::kinsol newton(equations_, equations_.magnitudes_at(z_, slope_), tolerance_, most_iterations_);
+    solvers::kinsol newton(equations_, equations_.magnitudes_at(z_), tolerance_, most_iterations_);
     const solvers::search_end end = newton.solve(z_);
     found_.iterations = end.iterations;
     reason_ = end.reason;
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) return;
-    const solvers::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    const solvers::magnitudes sizes = equations_.magnitudes_at(z_);
     while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
   }
 
+  /// False where nothing is gained any more, or nothing to gain.
   bool improve(const solvers::magnitudes& sizes) {
+    const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
+    if (size(found_.left) < 1e-3 * std::numeric_limits<double>::epsilon()) return false;
     solvers::least_squares_step step(sizes, equations_.stiff_unknowns());
     step.prepare(slope_, equations_.limits(z_));
     const Eigen::VectorXd tried = z_ + step(-found_.left);
     Eigen::VectorXd left;
-    const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
     if (!equations_.residual(tried, left) || !(size(left) < size(found_.left))) return false;
     z_ = tried;
     found_.left = left;
@@ -75,7 +78,7 @@ private:
                                                     : std::string(equations_.unsolved()));
       return;
     }
-    const solvers::magnitudes sizes = equations_.magnitudes_at(z_, slope_);
+    const solvers::magnitudes sizes = equations_.magnitudes_at(z_);
     found_.freedom = equations_.unknowns() - rank(slope_, sizes);
     if (found_.left.size() == 0) return;
     Eigen::Index worst = 0;

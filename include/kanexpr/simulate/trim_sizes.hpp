@@ -1,0 +1,159 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace kanexpr::trim {
+
+/// Whether functions of a coordinate, `at(h)` beside where it stands, bend and are the same after whole
+/// turns: then it is an angle, of size 1 in whatever units. What grows in proportion to it may be added to
+/// them, as by springs. Turns of its multiples, and of halves to twelfths, are whole after twelve. Functions
+/// that are zero but for rounding have no say: they bend differently a little farther on.
+template <class Functions>
+bool is_angle(const Functions& at) {
+  const Eigen::VectorXd here = at(0.0);
+  Eigen::VectorXd sizes = 2 * here.cwiseAbs();
+  const auto bend = [&](double by) -> Eigen::VectorXd {
+    const Eigen::VectorXd ahead = at(by), behind = at(-by);
+    for (Eigen::Index i = 0; i < here.size(); ++i)
+      sizes(i) = (std::max)(sizes(i), std::abs(ahead(i)) + std::abs(behind(i)));
+    return (ahead - 2 * here + behind).cwiseAbs();
+  };
+  constexpr double little = 1e-8;
+  const Eigen::VectorXd nearby = bend(1), further = bend(2.5),
+                        rounding = (bend(1 + little) - nearby).cwiseAbs() +
+                                   (bend(2.5 + little) - further).cwiseAbs(),
+                        least = 1e-9 * sizes, turned = bend(24 * std::numbers::pi);
+  int repeating = 0, others = 0;
+  for (Eigen::Index i = 0; i < here.size(); ++i) {
+    const double bent = (std::max)(nearby(i), further(i));
+    if (bent > least(i) && rounding(i) < 1e-4 * bent)
+      ++(turned(i) <= 1e-6 * bent + least(i) ? repeating : others);
+  }
+  return repeating > others;
+}
+
+/// Where the symbols [x; p; r] and the functions [residuals; ẋ] stand, and of which kind they are.
+struct layout {
+  int coordinates = 0, speeds = 0, residuals = 0;
+  std::vector<bool> angles{};   ///< by coordinate: angles, and what belongs to quaternions
+  std::vector<bool> unknowns{}; ///< by symbol
+
+  int rate_of(int state) const { return residuals + state; }
+  bool is_angle(int coordinate) const { return angles[static_cast<std::size_t>(coordinate)]; }
+};
+
+/// How large the symbols and the functions of a system are, in whatever units, as far as one point and the
+/// derivatives there tell. Lengths are as large as they are, and next to zero as the longest; speeds as what
+/// accelerates them makes of them on the way that their coordinates have; inputs and parameters that are
+/// sought as what a function takes to change by its size. A function is as large as what its symbols make of
+/// it.
+class sizes {
+public:
+  /// `usual` is a length that is known from elsewhere, or 0.
+  sizes(const layout& of, const Eigen::VectorXd& values, const Eigen::MatrixXd& slope, double usual)
+      : of_(of), slope_(slope.cwiseAbs()), symbols_(values.cwiseAbs()), usual_(usual) {
+    size_coordinates();
+    size_speeds();
+    size_unknowns();
+    size_functions();
+  }
+
+  const Eigen::VectorXd& symbols() const { return symbols_; }
+  const Eigen::VectorXd& functions() const { return functions_; }
+
+  /// The longest of the coordinates that are no angles.
+  static double longest(const layout& of, const Eigen::VectorXd& values) {
+    double length = 0;
+    for (int j = 0; j < of.coordinates; ++j)
+      if (!of.is_angle(j)) length = (std::max)(length, std::abs(values(j)));
+    return length;
+  }
+
+private:
+  double reached(int function) const {
+    return slope_.row(function).cwiseProduct(symbols_.transpose()).maxCoeff();
+  }
+
+  /// What a symbol takes to change one of the functions by its size; 0: none tells.
+  double effective(int symbol) const {
+    double least = 0;
+    for (int i = 0; i < slope_.rows(); ++i) {
+      const double change = reached(i) / slope_(i, symbol);
+      if (change > 0 && std::isfinite(change)) least = least > 0 ? (std::min)(least, change) : change;
+    }
+    return least;
+  }
+
+  void size_coordinates() {
+    const double length = (std::max)(usual_, longest(of_, symbols_));
+    for (int j = 0; j < of_.coordinates; ++j)
+      if (of_.is_angle(j))
+        symbols_(j) = (std::max)(1.0, symbols_(j));
+      else if (symbols_(j) <= 1e-6 * length)
+        symbols_(j) = length;
+    if (length > 0) return;
+    for (int j = 0; j < of_.coordinates; ++j)
+      if (!of_.is_angle(j)) {
+        const double found = effective(j);
+        symbols_(j) = found > 0 ? found : 1;
+      }
+  }
+
+  /// What moves by rounding alone, or not at all, is as fast as the others usually are.
+  void size_speeds() {
+    Eigen::VectorXd ways = Eigen::VectorXd::Zero(of_.speeds);
+    std::vector<double> rates;
+    for (int k = 0; k < of_.speeds; ++k) {
+      double &way = ways(k), &size = symbols_(of_.coordinates + k);
+      for (int j = 0; j < of_.coordinates; ++j) {
+        const double found = symbols_(j) / slope_(of_.rate_of(j), of_.coordinates + k);
+        if (std::isfinite(found) && found > 0) way = way > 0 ? (std::min)(way, found) : found;
+      }
+      size = (std::max)(size, std::sqrt(reached(of_.rate_of(of_.coordinates + k)) * way));
+      if (size > 0 && way > 0) rates.push_back(size / way);
+    }
+    if (!rates.empty()) {
+      const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
+      std::nth_element(rates.begin(), middle, rates.end());
+      rate_ = *middle;
+    }
+    for (int k = 0; k < of_.speeds; ++k) {
+      double& size = symbols_(of_.coordinates + k);
+      size = (std::max)(size, ways(k) * rate_);
+      if (!(size > 0)) size = 1;
+    }
+  }
+
+  void size_unknowns() {
+    for (int s = of_.coordinates + of_.speeds; s < symbols_.size(); ++s) {
+      if (!of_.unknowns[static_cast<std::size_t>(s)]) continue;
+      const double most = slope_.col(s).maxCoeff();
+      double found = effective(s);
+      if (!(found > 0) && most > 0) found = 1 / most;
+      symbols_(s) = (std::max)(symbols_(s), found > 0 ? found : 1.0);
+    }
+  }
+
+  void size_functions() {
+    functions_.resize(slope_.rows());
+    for (int i = 0; i < functions_.size(); ++i) functions_(i) = reached(i);
+    for (int s = 0; s < of_.coordinates + of_.speeds; ++s) {
+      double& rate = functions_(of_.rate_of(s));
+      rate = (std::max)(rate, rate_ * symbols_(s));
+    }
+    for (double& size : functions_)
+      if (!(size > 0)) size = 1;
+  }
+
+  const layout& of_;
+  Eigen::MatrixXd slope_;
+  Eigen::VectorXd symbols_, functions_{};
+  double usual_, rate_ = 1; ///< a length, and how fast speeds usually are beside it
+};
+
+} // namespace kanexpr::trim
