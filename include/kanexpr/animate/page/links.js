@@ -10,7 +10,7 @@ export function rod([radius], colour, opacity) {
   const ends = [0, 1].map(() => new Mesh(new SphereGeometry(radius, 32, 16), made));
   link.add(bar, ...ends);
   link.stretch = (length) => {
-    bar.scale.z = Math.max(length, 1e-9);
+    bar.scale.z = Math.max(length, 1e-9 * radius); // a scale of zero has no inverse
     ends[1].position.z = length;
   };
   return link;
