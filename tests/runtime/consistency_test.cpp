@@ -64,6 +64,9 @@ TEST(check_consistency, names_the_constraint_and_the_amount) {
   moved = b.x;
   moved[q1] += std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(both(moved));
+  moved = b.x;
+  moved[u1] = std::numeric_limits<double>::infinity(); // as are the terms that it is beside
+  EXPECT_FALSE(both(moved));
 
   b.p[l0] += 0.5; // along x alone
   EXPECT_EQ(both(b.x).cause(), "configuration constraint 1 is off by -0.5");
