@@ -17,6 +17,5 @@ template <class T>
 constexpr bool is_number(const T& x) {
   return equal(x, x);
 }
-constexpr bool is_number(double x) { return !__builtin_isnan(x); }
 
 } // namespace kanexpr::numeric
