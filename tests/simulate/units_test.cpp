@@ -1,4 +1,5 @@
 // A pendulum in the two coordinates of its bob, simulated and trimmed in other units.
+#include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"
 
 #include <kanexpr/operating_point.hpp>
@@ -49,6 +50,36 @@ TEST(units, do_not_matter_to_a_differential_algebraic_system) {
       const auto steps = static_cast<double>(plain.statistics.steps);
       EXPECT_NEAR(static_cast<double>(run.statistics.steps), steps, 0.2 * steps) << length << ' ' << mass;
     }
+}
+
+// The cart is set in motion by the rod alone, or by a force that comes later.
+namespace cart = n_pendulum_cart;
+simulation<cart::System<1>> roll(double angle, double length) {
+  using rolling = cart::System<1>;
+  const auto push = [=](double t, const state<rolling>&, input_values<rolling>& r) {
+    r[cart::F] = t > 1 ? length * std::sin(t - 1) : 0;
+  };
+  return simulate<rolling>({{cart::q<0>, 0}, {cart::q<1>, angle}, {cart::u<0>, 0}, {cart::u<1>, 0}},
+                           {{cart::m<0>, 2}, {cart::m<1>, 1}, {cart::l<0>, length}, {cart::g, 9.81 * length}},
+                           {0, 5}, {.inputs = push});
+}
+
+TEST(units, do_not_matter_to_lengths_beside_angles) {
+  for (const double angle : {0.0, 0.3}) {
+    const auto plain = roll(angle, 1);
+    ASSERT_TRUE(plain) << plain.cause();
+    for (const double length : {0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
+      const auto run = roll(angle, length);
+      EXPECT_EQ(run.statistics.steps, plain.statistics.steps) << length;
+      EXPECT_EQ(run.state(0) / length, plain.state(0)) << length;
+      EXPECT_EQ(run.state(1), plain.state(1)) << length;
+    }
+    for (const double length : {1e-12, 1e-9, 1e-6, 1e6, 1e9, 1e12}) {
+      const auto run = roll(angle, length);
+      EXPECT_NEAR(run.state(0) / length, plain.state(0), 1e-6) << length;
+      EXPECT_NEAR(run.state(1), plain.state(1), 1e-6) << length;
+    }
+  }
 }
 
 namespace controlled { // A block whose controller sees lengths only.

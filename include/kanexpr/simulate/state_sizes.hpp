@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/rates_at.hpp>
 
 #include <algorithm>
@@ -11,22 +13,24 @@ namespace kanexpr::simulated {
 
 /// How large the coordinates and speeds of a motion are, in whatever units, as far as its first instant
 /// tells: their values there, and what their rates and accelerations make of them in the time in which the
-/// motion changes. What does not move at all is as large as the largest of its kind, coordinates or speeds,
-/// and 1 where all of these rest at zero.
+/// motion changes. What does not move at all is 1 if it is an angle, and as large as the largest of the other
+/// coordinates if it is none, or as what would move them if the angles stood otherwise, or 1; a speed takes
+/// its coordinate through its size in that time.
 template <class System>
 class state_sizes {
 public:
   using state = kanexpr::state<System>;
 
-  state_sizes(surroundings<System>& around, double t, const state& x, double span) : sizes_(x.cwiseAbs()) {
+  state_sizes(surroundings<System>& around, double t, const state& x, double span)
+      : sizes_(x.cwiseAbs()), time_(span) {
     state rates, later;
     const double instant = 1e-9 * span;
     if (instant > 0 && rates_at(around, t, x, rates) &&
         rates_at(around, t + instant, state(x + instant * rates), later))
       take(rates, state((later - rates) / instant), span);
+    fill_coordinates(around, t, x);
+    fill_speeds(around, t, x);
     around.forget();
-    fill(0, state::coordinates);
-    fill(state::coordinates, state::coordinates + state::speeds);
   }
 
   const state& sizes() const { return sizes_; }
@@ -47,26 +51,89 @@ private:
       add(sizes_(i) / std::abs(rates(i)));
       add(std::sqrt(sizes_(i) / acceleration));
     }
-    double time = span;
     if (!times.empty()) {
       const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
       std::nth_element(times.begin(), middle, times.end());
-      time = (std::min)(span, *middle);
+      time_ = (std::min)(span, *middle);
     }
     for (Eigen::Index i = 0; i < sizes_.size(); ++i) {
-      const double size = (std::max)(std::abs(rates(i)) * time, std::abs(accelerations(i)) * time * time / 2);
+      const double size =
+          (std::max)(std::abs(rates(i)) * time_, std::abs(accelerations(i)) * time_ * time_ / 2);
       if (std::isfinite(size)) sizes_(i) = (std::max)(sizes_(i), size);
     }
   }
 
-  void fill(Eigen::Index begin, Eigen::Index end) {
-    double largest = 0;
-    for (Eigen::Index i = begin; i < end; ++i) largest = (std::max)(largest, sizes_(i));
-    for (Eigen::Index i = begin; i < end; ++i)
-      if (!(sizes_(i) > 1e-12 * largest)) sizes_(i) = largest > 0 ? largest : 1;
+  static constexpr int coordinates = state::coordinates, speeds = state::speeds;
+  static constexpr double nothing = 1e-12; ///< beside a size
+
+  /// The rates with the inputs of the first instant, where they can be had, and what the configuration
+  /// constraints leave.
+  static Eigen::VectorXd functions(const surroundings<System>& around, double t, const state& x) {
+    const compiled::constraints_at<System, parameter_values<System>, input_values<System>> constraints(
+        t, around.p(), around.r());
+    Eigen::VectorXd all(x.size() + compiled::survey_of<System>.configuration_constraints);
+    all << equations_of_motion<System>::rhs(t, x, around.p(), around.r()),
+        constraints.configuration_residual(x);
+    return all;
+  }
+
+  void fill_coordinates(const surroundings<System>& around, double t, const state& x) {
+    std::vector<bool> angles;
+    double longest = 0;
+    for (int j = 0; j < coordinates; ++j) {
+      const auto beside = [&](double by) {
+        state moved = x;
+        moved(j) += by;
+        return functions(around, t, moved);
+      };
+      angles.push_back(compiled::survey_of<System>.quaternion_of[j] != 0 || numeric::is_angle(beside));
+      if (!angles.back()) longest = (std::max)(longest, sizes_(j));
+    }
+    const double way = longest_way(around, t, x, angles);
+    if (!(longest > nothing * way)) longest = way;
+    for (int j = 0; j < coordinates; ++j) {
+      const double usual = angles[static_cast<std::size_t>(j)] || !(longest > 0) ? 1 : longest;
+      if (!(sizes_(j) > nothing * usual)) sizes_(j) = usual;
+    }
+  }
+
+  /// How far coordinates that are no angles would go if the angles stood otherwise.
+  double longest_way(const surroundings<System>& around, double t, const state& x,
+                     const std::vector<bool>& angles) const {
+    state turned = x, moving = x;
+    for (int j = 0; j < coordinates; ++j)
+      if (angles[static_cast<std::size_t>(j)]) turned(j) += 1;
+    moving.template tail<speeds>() =
+        functions(around, t, turned).template segment<speeds>(coordinates) * time_ / 2;
+    const Eigen::VectorXd rates = functions(around, t, moving);
+    double longest = 0;
+    for (int j = 0; j < coordinates; ++j)
+      if (!angles[static_cast<std::size_t>(j)] && std::isfinite(rates(j)))
+        longest = (std::max)(longest, std::abs(rates(j)) * time_);
+    return longest;
+  }
+
+  /// The rates of coordinates are linear in the speeds.
+  void fill_speeds(const surroundings<System>& around, double t, const state& x) {
+    state alone = x;
+    alone.template tail<speeds>().setZero();
+    const Eigen::VectorXd at_rest = functions(around, t, alone);
+    for (int k = coordinates; k < coordinates + speeds; ++k) {
+      alone(k) = 1;
+      const Eigen::VectorXd change = functions(around, t, alone) - at_rest;
+      alone(k) = 0;
+      double usual = 0;
+      for (int j = 0; j < coordinates; ++j) {
+        const double found = sizes_(j) / std::abs(change(j)) / time_;
+        if (found > 0 && std::isfinite(found)) usual = usual > 0 ? (std::min)(usual, found) : found;
+      }
+      if (!(usual > 0)) usual = 1;
+      if (!(sizes_(k) > nothing * usual)) sizes_(k) = usual;
+    }
   }
 
   state sizes_;
+  double time_; ///< in which the motion changes
 };
 
 } // namespace kanexpr::simulated

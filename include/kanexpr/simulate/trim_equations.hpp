@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
 #include <kanexpr/simulate/trim_sizes.hpp>
@@ -125,7 +126,7 @@ private:
         evaluate_(t_, at_, all_);
         return all_.real();
       };
-      kinds_.angles.push_back(known.quaternion_of[j] != 0 || is_angle(beside));
+      kinds_.angles.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(beside));
       at_(j) = here;
     }
     usual_length_ = sizes::longest(kinds_, at_.real());
