@@ -45,14 +45,10 @@ private:
       return result; // of a call that cannot be made
   }
 
-  /// Of what is not finite the difference is no number.
   template <class Matrix>
   static bool is_finite(const Matrix& m) {
-    using T = typename Matrix::Scalar;
     for (Eigen::Index i = 0; i < m.size(); ++i)
-      if (const T& entry = m.data()[i];
-          !lower::scalar_math<T>::exceeds(T(entry - entry), lower::scalar_math<T>::from(-1)))
-        return false;
+      if (!lower::scalar_math<typename Matrix::Scalar>::is_finite(m.data()[i])) return false;
     return true;
   }
 };
