@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -300,6 +302,69 @@ TEST(events, may_follow_one_another_closely) {
       simulate<System>({{h, 1 + 1e-6}, {v, -1e-3}}, {{m, 0.3}, {g, 0}}, {0, 1}, {.events = close});
   ASSERT_TRUE(run) << run.cause();
   EXPECT_EQ(run.events.size(), 40u);
+}
+
+// The same motion on clocks that count from elsewhere: events of the state and of the time, with handlers and
+// without, and samples at times that are asked for.
+template <integrator by>
+void is_the_same_at_any_time() {
+  std::optional<simulation<System>> first;
+  for (const double from : {0.0, 1.7e9, -3e10}) {
+    simulation_options<System> o{.output_times = {from + 0.25, from + 0.75}, .events = {contact(bounce)}};
+    for (const auto& [name, after] : {std::pair{"alone", 0.5}, std::pair{"kick", 0.875}}) {
+      event<System> at(name, [=](double t, auto&, auto&, auto&) { return t - (from + after); });
+      if (name == std::string("kick")) at.handler = [](moment<System>& now) { now.x[v] += 1; };
+      o.events.push_back(at);
+    }
+    const auto run = simulate<System, by>(start, ball, {from, from + 1}, o);
+    ASSERT_TRUE(run) << run.cause();
+    if (!first) first = run;
+    EXPECT_EQ(run.time, from + 1);
+    ASSERT_EQ(run.events.size(), 3u) << from;
+    const double seen = 1e-8 + 4e-16 * std::abs(from); // of time
+    EXPECT_EQ(run.events[0].name, "alone");
+    EXPECT_NEAR(run.events[1].t - from, first->events[1].t, seen);
+    EXPECT_NEAR(run.events[2].t - from, 0.875, seen);
+    EXPECT_THAT(run.trajectory.times(), testing::ElementsAre(from + 0.25, from + 0.75));
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(run.trajectory[i].x[h], first->trajectory[i].x[h], 1e-7) << from;
+    EXPECT_NEAR(run.state[h], first->state[h], 1e-7 + 20 * 4e-16 * std::abs(from));
+  }
+}
+
+TEST(events, are_those_of_the_same_motion_at_any_time) {
+  is_the_same_at_any_time<integrator::adams>();
+  is_the_same_at_any_time<integrator::bdf>();
+  is_the_same_at_any_time<integrator::explicit_runge_kutta>();
+  is_the_same_at_any_time<integrator::implicit_runge_kutta>();
+  is_the_same_at_any_time<integrator::differential_algebraic>();
+}
+
+template <integrator by>
+void falls_freely_at_any_time() {
+  for (const double from : {0.0, -1e3, 1.7e9, 1e12})
+    for (const double length : {1.0, 0x1p-10}) {
+      const auto run = simulate<System, by>(start, ball, {from, from + length});
+      if (from == 1e12 && length < 1) {
+        EXPECT_EQ(run.cause(), "the time span, 0.0009765625 s, is too short: times up to 1e+12 can be told "
+                               "apart to 0.000122070312 s");
+        continue;
+      }
+      ASSERT_TRUE(run) << run.cause();
+      EXPECT_NEAR(run.state[v] / (-gravity_strength * length), 1, 1e-7) << from << ' ' << length;
+      EXPECT_NEAR(run.state[h], height - gravity_strength * length * length / 2, 1e-7);
+    }
+  const auto lost = simulate<System, by>({{h, 1e308}, {v, 1e308}}, ball, {0, 1});
+  EXPECT_THAT(lost.cause(), testing::EndsWith(": h becomes larger than numbers can say"));
+  EXPECT_TRUE(lost.state.allFinite());
+}
+
+TEST(events, or_none_a_ball_falls_freely_at_any_time) {
+  falls_freely_at_any_time<integrator::adams>();
+  falls_freely_at_any_time<integrator::bdf>();
+  falls_freely_at_any_time<integrator::explicit_runge_kutta>();
+  falls_freely_at_any_time<integrator::implicit_runge_kutta>();
+  falls_freely_at_any_time<integrator::differential_algebraic>();
 }
 
 } // namespace

@@ -68,6 +68,13 @@ TEST(simulate, refuses_what_it_cannot_do) {
             "the output time 2 is outside the time span");
   EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 0.2}}), "the output time 0.2 comes after 0.5");
   EXPECT_EQ(cause_with({.inputs = idle}, {-1e308, 1e308}), "the time span is longer than numbers can say");
+  EXPECT_EQ(cause_with({.inputs = idle}, {1e9, 1e9 + 0x1p-20}),
+            "the time span, 9.53674316e-07 s, is too short: times up to 1e+09 can be told apart to "
+            "1.1920929e-07 s");
+  EXPECT_EQ(cause_with({.inputs = idle}, {0, 1e-300}),
+            "the time span, 1e-300 s, is shorter than numbers can divide");
+  EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = 1e-300}),
+            "the greatest step, 1e-300, is lost to rounding in a span of 1 s");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = nan}), "a tolerance must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = infinite}), "a tolerance is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 1}),

@@ -31,11 +31,22 @@ inline double memory_of_machine() {
 #endif
 }
 
+/// Shorter steps would be lost to rounding.
+inline double shortest_step(const time_span& span) {
+  return 4 * std::numeric_limits<double>::epsilon() * (span.to - span.from);
+}
+
 inline std::string check_span(const time_span& span) {
   if (!std::isfinite(span.from) || !std::isfinite(span.to)) return "the time span is not finite";
   if (span.to < span.from)
     return "the time span ends at " + digits(span.to) + ", before it begins at " + digits(span.from);
-  if (!std::isfinite(span.to - span.from)) return "the time span is longer than numbers can say";
+  const double length = span.to - span.from, latest = (std::max)(std::abs(span.from), std::abs(span.to));
+  if (!std::isfinite(length)) return "the time span is longer than numbers can say";
+  if (length > 0 && length < 1000 * std::numeric_limits<double>::epsilon() * latest)
+    return "the time span, " + digits(length) + " s, is too short: times up to " + digits(latest) +
+           " can be told apart to " + digits(std::nextafter(latest, 2 * latest) - latest) + " s";
+  if (length > 0 && shortest_step(span) < std::numeric_limits<double>::min())
+    return "the time span, " + digits(length) + " s, is shorter than numbers can divide";
   return {};
 }
 
@@ -95,6 +106,9 @@ std::string check_options(const simulation_options<System>& o, const time_span& 
   if (o.greatest_step > 0 && o.least_step > o.greatest_step)
     return "the least step, " + digits(o.least_step) + ", is longer than the greatest, " +
            digits(o.greatest_step);
+  if (o.greatest_step > 0 && o.greatest_step < shortest_step(span))
+    return "the greatest step, " + digits(o.greatest_step) + ", is lost to rounding in a span of " +
+           digits(span.to - span.from) + " s";
   if (o.most_steps <= 0) return "the most steps that are allowed must be positive";
   if (!o.keep && !o.each_sample) return "samples are neither kept nor handed to a function";
   for (std::size_t i = 0; i < o.events.size(); ++i)

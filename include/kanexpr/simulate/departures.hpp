@@ -75,6 +75,13 @@ public:
     return -1;
   }
 
+  /// Whether a function that has passed zero was found at zero itself, where `resting` looked.
+  bool is_zero(const std::vector<int>& passed) const {
+    for (std::size_t i = 0; i < passed.size(); ++i)
+      if (passed[i] != 0 && numeric::equal(here_[i], 0.0)) return true;
+    return false;
+  }
+
   /// Notes what is to come of functions that have just passed zero, after handlers that left the state `x`:
   /// one that they turned round, or brought to rest, is to return; one that goes on may still be before zero.
   void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
@@ -179,7 +186,8 @@ private:
     std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;
     if (evaluate(t, x, here_) && rates(t, x, now)) {
-      const double ahead = (std::max)(least_ahead_, 1 / fastest(x, now));
+      const double seen = 16 * std::numeric_limits<double>::epsilon() * std::abs(t); // of the time itself
+      const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
       if (std::isfinite(ahead) && evaluate(t + ahead, state(x + ahead * now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
     }

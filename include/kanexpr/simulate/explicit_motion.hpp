@@ -18,10 +18,13 @@ public:
 
   int size() const override { return entries; }
   int watched() const override { return static_cast<int>(around_.events().size()); }
-  answer watch(double t, const double* y, double* values) override { return around_.watch(t, y, values); }
+  answer watch(double elapsed, const double* y, double* values) override {
+    return around_.watch(around_.time(elapsed), y, values);
+  }
   int direction(int i) const override { return around_.direction(i); }
 
-  answer rates(double t, const double* y, double* ydot) override {
+  answer rates(double elapsed, const double* y, double* ydot) override {
+    const double t = around_.time(elapsed);
     ++rate_evaluations_;
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     const auto rates = eom::rhs(t, around_.x(), around_.p(), around_.r());
@@ -32,8 +35,9 @@ public:
   }
 
   bool has_jacobian() const override { return with_jacobian; }
-  answer jacobian(double t, const double* y, double* columns) override {
+  answer jacobian(double elapsed, const double* y, double* columns) override {
     if constexpr (with_jacobian) {
+      const double t = around_.time(elapsed);
       if (const answer a = around_.take(t, y); a != answer::given) return a;
       const auto [by_state, by_inputs] =
           kanexpr::linearization<System>::jacobian(t, around_.x(), around_.p(), around_.r());
@@ -50,8 +54,10 @@ public:
   }
 
   bool has_constraints() const override { return constraint_projection<System>::is_needed; }
-  answer project(double t, const double* y, const double* weights, double* out, double* error) override {
+  answer project(double elapsed, const double* y, const double* weights, double* out,
+                 double* error) override {
     if constexpr (constraint_projection<System>::is_needed) {
+      const double t = around_.time(elapsed);
       ++projections_;
       if (const answer a = around_.take(t, y); a != answer::given) return a;
       const Eigen::Map<const vector> unit(weights);

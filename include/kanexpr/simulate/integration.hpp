@@ -20,8 +20,8 @@ class integration {
 public:
   integration(const given_parameters<System>& p, const time_span& span,
               const simulation_options<System>& options)
-      : options_(options), span_(span), around_(p.values, options.inputs, options.events), moving_(around_),
-        sampling_(options, span, around_, result_.trajectory), departures_(around_) {
+      : options_(options), span_(span), around_(p.values, span, options.inputs, options.events),
+        moving_(around_), sampling_(options, span, around_, result_.trajectory), departures_(around_) {
     result_.trajectory = kanexpr::trajectory<System>(p.values);
     if (p.problem) fail(std::string(p.problem.view()));
   }
@@ -69,13 +69,13 @@ private:
     state first = result_.state;
     if (!assemble_at(span_.from, first)) return false;
     result_.state = first;
-    const state_sizes<System> found(around_, span_.from, first, span_.to - span_.from);
+    const state_sizes<System> found(around_, span_.from, first, around_.length());
     around_.set_sizes(found.sizes());
     if (std::string wrong = read_tolerances(options_, found.sizes(), o.absolute_tolerances); !wrong.empty())
       return fail(std::move(wrong));
     const tolerances<System> of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
-    if (moving_.start(span_.from, result_.state, o) != answer::given) return fail_here("");
+    if (moving_.start(result_.state, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
     has_begun_ = true;
     return sampling_.begin(span_.from, result_.state) || fail_here("");
@@ -88,12 +88,11 @@ private:
   }
 
   solvers::stepper_options stepper_options() const {
-    const double latest = (std::max)(std::abs(span_.from), std::abs(span_.to));
     solvers::stepper_options o;
-    o.end = span_.to;
+    o.end = around_.length();
     o.relative_tolerance = options_.relative_tolerance;
     o.first_step = options_.first_step;
-    o.least_step = (std::max)(options_.least_step, 4 * std::numeric_limits<double>::epsilon() * latest);
+    o.least_step = (std::max)(options_.least_step, shortest_step(span_));
     o.greatest_step = options_.greatest_step;
     o.analytic_jacobian = options_.analytic_jacobian;
     return o;
@@ -115,36 +114,43 @@ private:
 
   void go() {
     std::vector<int> passed;
-    bool goes_on = departures_.begin(result_.time, result_.state, span_.to - span_.from, passed) ||
+    bool goes_on = departures_.begin(result_.time, result_.state, around_.length(), passed) ||
                    fail_here("an event could not be evaluated");
     if (goes_on && is_any(passed)) goes_on = pass_event(passed);
-    while (goes_on && result_.time < span_.to) goes_on = step();
+    while (goes_on && elapsed_ < around_.length()) goes_on = step();
   }
 
   /// One step of the integrator. Until its end is known to be sound the simulation stands at its beginning.
   bool step() {
     if (stepper().steps() >= options_.most_steps)
       return fail_here("the most steps that are allowed were taken");
-    const solvers::arrival arrived = stepper().advance(span_.to);
+    const solvers::arrival arrived = stepper().advance(around_.length());
     if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
-    const double t = stepper().time();
+    const double elapsed = stepper().time(), t = around_.time(elapsed);
     state x;
     std::copy_n(stepper().state(), x.size(), x.begin());
+    if (!x.allFinite()) return fail_here(too_large(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
     if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
     if (const std::vector<int> left = departures_.left(t, x, passed); is_any(left))
       return pass_event(left) && restart();
-    result_.time = t, result_.state = x;
-    if (options_.dense) sampling_.keep_polynomial(stepper(), t, begun_);
-    if (!sampling_.go_on(stepper(), t, result_.state)) return fail_here("");
+    elapsed_ = elapsed, result_.time = t, result_.state = x;
+    if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);
+    if (!sampling_.go_on(stepper(), elapsed, result_.state)) return fail_here("");
     if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
     return !options_.progress ||
            around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                answer::given ||
            fail_here("");
+  }
+
+  static std::string too_large(const state& x) {
+    int i = 0;
+    while (std::isfinite(x(i))) ++i;
+    return std::string(known.names[i].view()) + " becomes larger than numbers can say";
   }
 
   /// Of a function that stays at zero, integrators find any time at which it is there.
@@ -176,7 +182,7 @@ private:
                                        [&] { stops |= events[i].handler(now) == after_event::stop; });
       if (a != answer::given) return fail_here("");
     }
-    if (!handled) return true;
+    if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
     const bool changed = x != result_.state;
     if (changed && !x.allFinite())
       return fail_here("the handler of an event left a state that is not finite");
@@ -190,23 +196,26 @@ private:
 
   /// Goes on anew from where the simulation stands.
   bool restart() {
-    begun_ = result_.time;
-    return moving_.restart(result_.time, result_.state) || fail_here(stepper().failed().sentence);
+    begun_ = elapsed_;
+    return moving_.restart(elapsed_, result_.state) || fail_here(stepper().failed().sentence);
   }
+
+  /// Whether a function of a late time may stay at zero for longer than integrators let it.
+  bool is_coarse() const { return std::abs(result_.time) > 64 * elapsed_; }
 
   /// Whether one event happens again and again at one time.
   bool is_endless(const std::vector<int>& passed) {
-    const double t = result_.time, latest = (std::max)(std::abs(span_.from), std::abs(span_.to));
+    const double t = elapsed_, length = around_.length();
     bool is_soon = false;
     for (std::size_t i = 0; i < passed.size(); ++i) {
       if (passed[i] == 0) continue;
       repetition& r = repetitions_[i];
-      r.times = t - r.last <= 1e-12 * latest ? r.times + 1 : 0;
-      is_soon |= t - r.last <= 1e-6 * latest;
+      r.times = t - r.last <= 1e-12 * length ? r.times + 1 : 0;
+      is_soon |= t - r.last <= 1e-6 * length;
       r.last = t;
       if (r.times > 20) return true;
     }
-    return is_soon && departures_.contradict(t, result_.state, passed);
+    return is_soon && departures_.contradict(result_.time, result_.state, passed);
   }
 
   void end() {
@@ -225,6 +234,7 @@ private:
   simulation<System> result_{};
   sampling<System> sampling_;
   departures<System> departures_{};
+  double elapsed_ = 0; ///< where the simulation stands, since the start
   double begun_ = -std::numeric_limits<double>::infinity();
   /// How often in a row an event has happened at one time.
   struct repetition {

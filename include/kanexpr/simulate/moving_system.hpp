@@ -22,19 +22,20 @@ public:
 
   explicit moving_system(surroundings<System>& around) : motion(around) {}
 
-  /// Sets the integrator up; where that fails the stepper, or the surroundings, know why.
-  answer start(double t, const kanexpr::state<System>& x, const solvers::stepper_options& options) {
+  /// Sets the integrator up at the start of the span; where that fails the stepper, or the surroundings, know
+  /// why.
+  answer start(const kanexpr::state<System>& x, const solvers::stepper_options& options) {
     std::vector<double> y(static_cast<std::size_t>(motion.size()));
     if constexpr (is_implicit) {
       std::vector<double> ydot(y.size());
-      if (const answer a = motion.start(t, x, y.data(), ydot.data()); a != answer::given) return a;
+      if (const answer a = motion.start(0, x, y.data(), ydot.data()); a != answer::given) return a;
       solvers::stepper_options all = options;
       constexpr double any = 1e100; // multipliers, in whatever units: no test looks at them
       all.absolute_tolerances.resize(y.size(), any);
-      integrating_.emplace(motion, t, y, ydot, all);
+      integrating_.emplace(motion, 0, y, ydot, all);
     } else {
       std::ranges::copy(x, y.begin());
-      integrating_.emplace(formulas, motion, t, y, options);
+      integrating_.emplace(formulas, motion, 0, y, options);
     }
     return answer::given;
   }
@@ -42,11 +43,11 @@ public:
   solvers::stepper& stepper() { return *integrating_; }
 
   /// Goes on from another state, and from no later time.
-  bool restart(double t, const kanexpr::state<System>& x) {
+  bool restart(double elapsed, const kanexpr::state<System>& x) {
     solvers::stepper& s = stepper();
-    s.go_back_to(t);
+    s.go_back_to(elapsed);
     if constexpr (is_implicit) {
-      if (motion.start(t, x, s.state(), s.rates()) != answer::given) return false;
+      if (motion.start(elapsed, x, s.state(), s.rates()) != answer::given) return false;
     } else {
       std::ranges::copy(x, s.state());
     }

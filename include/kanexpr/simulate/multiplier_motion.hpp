@@ -33,12 +33,15 @@ public:
 
   int size() const override { return entries; }
   int watched() const override { return static_cast<int>(around_.events().size()); }
-  answer watch(double t, const double* y, double* values) override { return around_.watch(t, y, values); }
+  answer watch(double elapsed, const double* y, double* values) override {
+    return around_.watch(around_.time(elapsed), y, values);
+  }
   int direction(int i) const override { return around_.direction(i); }
   bool is_algebraic(int entry) const override { return entry >= n + o; }
 
   /// A state with its multipliers, and their rates, those of multipliers zero.
-  answer start(double t, const kanexpr::state<System>& x, double* y, double* ydot) {
+  answer start(double elapsed, const kanexpr::state<System>& x, double* y, double* ydot) {
+    const double t = around_.time(elapsed);
     if (const answer a = around_.take(t, x); a != answer::given) return a;
     Eigen::Map<vector> values(y), rates(ydot);
     values.setZero(), rates.setZero();
@@ -53,8 +56,9 @@ public:
   }
 
   bool has_invariants() const override { return known.quaternions != 0; }
-  answer project(double t, const double* y, const double* weights, double* out) override {
+  answer project(double elapsed, const double* y, const double* weights, double* out) override {
     if constexpr (known.quaternions != 0) {
+      const double t = around_.time(elapsed);
       ++projections_;
       if (const answer a = around_.take(t, y); a != answer::given) return a;
       const Eigen::Map<const Eigen::Matrix<double, n + o, 1>> unit(weights);
@@ -66,7 +70,8 @@ public:
     return answer::given;
   }
 
-  answer residual(double t, const double* y, const double* ydot, double* left) override {
+  answer residual(double elapsed, const double* y, const double* ydot, double* left) override {
+    const double t = around_.time(elapsed);
     ++rate_evaluations_;
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     Eigen::Map<vector> out(left);
@@ -78,7 +83,8 @@ public:
 
   bool has_jacobian() const override { return true; }
   /// Exact, by a complex step along each entry of y and, c times as far, of ẏ.
-  answer jacobian(double t, double c, const double* y, const double* ydot, double* columns) override {
+  answer jacobian(double elapsed, double c, const double* y, const double* ydot, double* columns) override {
+    const double t = around_.time(elapsed);
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     if constexpr (known.inputs != 0)
       if (const answer a = sensitivity_.find(t, around_); a != answer::given) return a;

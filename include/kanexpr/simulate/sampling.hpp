@@ -42,14 +42,16 @@ public:
     return true;
   }
 
-  /// After a step to a time and a state: what was due on the way there. Where a sample is due at its end the
-  /// state is brought to the constraints.
-  bool go_on(solvers::stepper& s, double t, state& x) {
+  /// After a step until a time since the start: what was due on the way there. Where a sample is due at its
+  /// end the state is brought to the constraints.
+  bool go_on(solvers::stepper& s, double elapsed, state& x) {
+    const double t = around_.time(elapsed);
     if (takes_each_step()) return record(t, x);
-    for (; !is_over() && next() <= t; schedule_.pass()) {
-      if (next() < t) {
+    for (; !is_over() && around_.elapsed(next()) <= elapsed; schedule_.pass()) {
+      if (around_.elapsed(next()) < elapsed) {
         state due = x;
-        if (!interpolate(s, next(), due) || !bring_to_constraints(next(), due) || !record(next(), due))
+        if (!interpolate(s, around_.elapsed(next()), due) || !bring_to_constraints(next(), due) ||
+            !record(next(), due))
           return false;
       } else if ((!s.shows_projected() && !bring_to_constraints(t, x)) || !record(t, x)) {
         return false;
@@ -83,13 +85,13 @@ public:
     t = last_->t, x = last_->x;
   }
 
-  /// The polynomial of the last step, from no earlier than the last event.
-  void keep_polynomial(solvers::stepper& s, double t, double last_event) {
-    piece p{(std::max)(s.step_begin(), last_event), t, {}};
+  /// The polynomial of the last step, from no earlier than the last event, until a time since the start.
+  void keep_polynomial(solvers::stepper& s, double elapsed, double last_event) {
+    piece p{around_.time((std::max)(s.step_begin(), last_event)), around_.time(elapsed), {}};
     double factorial = 1;
     for (int k = 0; k <= s.degree(); ++k) {
       if (k > 0) factorial *= k;
-      if (!s.derivative(t, k, room_for(s))) break;
+      if (!s.derivative(elapsed, k, room_for(s))) break;
       for (Eigen::Index i = 0; i < state::SizeAtCompileTime; ++i)
         p.coefficients.push_back(whole_[static_cast<std::size_t>(i)] / factorial);
     }
@@ -100,13 +102,11 @@ private:
   bool is_over() const { return schedule_.is_over(); }
   double next() const { return schedule_.next(); }
 
-  bool interpolate(solvers::stepper& s, double t, state& x) {
-    if (!s.derivative(t, 0, room_for(s))) {
-      around_.refuse("the solution could not be interpolated");
-      return false;
-    }
-    std::copy_n(whole_.begin(), x.size(), x.begin());
-    return true;
+  bool interpolate(solvers::stepper& s, double elapsed, state& x) {
+    const bool found = s.derivative(elapsed, 0, room_for(s));
+    if (found) std::copy_n(whole_.begin(), x.size(), x.begin());
+    if (!found || !x.allFinite()) around_.refuse("the solution could not be interpolated");
+    return found && x.allFinite();
   }
 
   /// What an integrator interpolates is only near them.

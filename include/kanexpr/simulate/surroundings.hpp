@@ -4,7 +4,9 @@
 #include <kanexpr/simulate/event.hpp>
 #include <kanexpr/simulate/input_source.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
+#include <kanexpr/simulate/time_span.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
@@ -23,9 +25,16 @@ public:
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   using state = kanexpr::state<System>;
 
-  surroundings(const parameter_values<System>& p, const input_source<System>& inputs,
+  surroundings(const parameter_values<System>& p, const time_span& span, const input_source<System>& inputs,
                const std::vector<event<System>>& events)
-      : p_(p), source_(inputs), events_(events) {}
+      : p_(p), span_(span), source_(inputs), events_(events) {}
+
+  /// Integrators count the time from the start, as numbers are finest near zero.
+  double time(double elapsed) const {
+    return elapsed < length() ? (std::min)(span_.from + elapsed, span_.to) : span_.to;
+  }
+  double elapsed(double t) const { return t - span_.from; }
+  double length() const { return span_.to - span_.from; }
 
   const parameter_values<System>& p() const { return p_; }
   const state& x() const { return x_; }
@@ -107,6 +116,7 @@ private:
   }
 
   parameter_values<System> p_;
+  const time_span span_;
   const input_source<System>& source_;
   const std::vector<event<System>>& events_;
   state x_{}, sizes_ = state::Ones();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What integrators ask of the system that they move.
+/// What integrators ask of the system that they move, at times since the start.
 namespace kanexpr::solvers {
 
 /// As SUNDIALS takes it from a function of its user.

@@ -19,7 +19,7 @@ struct stepper_options {
 
 enum class arrival { step, event, failed };
 
-/// An integrator with adaptive steps, behind one face.
+/// An integrator with adaptive steps, behind one face. Its times are those since the start.
 class stepper {
 public:
   virtual ~stepper() = default;
