@@ -82,6 +82,9 @@ struct declared : rotated<declared, A2, q3, A2::x>,
 
 } // namespace
 
+// Beyond the largest number with a sign.
+static_assert(describe::constant(18446744073709551615u).tokens[0].number.value() > 1.8e19);
+
 TEST(words, orientations) {
   expect_same_motion<chain, hanging<body_sequence, G<body_sequence>, usual<body_sequence>>::System>();
   expect_same_motion<chain, hanging<body_digits, G<body_digits>, usual<body_digits>>::System>();

@@ -26,6 +26,7 @@ public:
 
 protected:
   constexpr void read_load(const load_record& r) {
+    if (!words_belong(r.beside, r.called)) return;
     if (!r.fits) return wrong_count("", name_of(r).view(), r.fits);
     if (!moves(r)) return evaluate_load(r);
     check_written(r.value, name_of(r).view());

@@ -97,11 +97,30 @@ constexpr problem check_symbol_among_words(const describe::token& t, std::string
       {one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list, "<...>"});
 }
 
+/// What stands beside the words of a system, or beside one of them: `struct System : kane_system<…>,
+/// loads<…>`.
+template <class Told>
+constexpr problem word_beside(std::string_view called) {
+  constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
+  if constexpr (__is_base_of(describe::load_words, Told)) {
+    return sentence({"a load stands beside the words of ", called, "; write it in loads<...>, among them"});
+  } else if constexpr (describe::has_word_beside<Told>()) {
+    return sentence({called, " is described as a system and as a part of one; give each a name of its own"});
+  } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
+    std::string_view word = "a word";
+    if constexpr (requires { Told::word; }) word = Told::word;
+    return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", called,
+                     "; write it among them, between the < > of its system"});
+  } else {
+    return {};
+  }
+}
+
 /// What a system is told that is not one of its words.
 template <class Told>
 constexpr problem check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
-    return {};
+    return word_beside<Told>(type_name<Told>());
   else if constexpr (requires { Told::content(); })
     return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});
@@ -126,15 +145,6 @@ constexpr problem check_each_word(std::string_view system, const describe::syste
   problem found;
   ((found = found ? found : check_word<Words>(system)), ...);
   return found;
-}
-
-/// `struct System : kane_system<…>, loads<…>`.
-template <class System>
-constexpr problem word_beside(std::string_view called) {
-  std::string_view word = "a word";
-  if constexpr (requires { System::word; }) word = System::word;
-  return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", called,
-                   "; write it among them, between the < > of its system"});
 }
 
 /// Words of one method that are told to the other, or that do not go together.
@@ -168,9 +178,14 @@ constexpr problem check_words() {
     return sentence(
         {called, " is derived from nothing; derive it from kane_system<...> or lagrange_system<...>"});
   } else if constexpr (!requires { System::record; }) {
-    return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
+    if constexpr (!__is_base_of(describe::whole_systems, System))
+      return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
+    else if (describe::hides<describe::whole_systems>(static_cast<System*>(nullptr)))
+      return sentence({called, " hides what it is derived from, as a class does; write struct"});
+    else
+      return sentence({called, " is derived from two systems; give each a name of its own"});
   } else {
-    if constexpr (describe::has_word_beside<System>()) return word_beside<System>(called);
+    if (const problem beside = word_beside<System>(called)) return beside;
     const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
     problem found = check_method<System>(called);

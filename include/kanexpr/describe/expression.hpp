@@ -58,9 +58,13 @@ concept plain_number = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
 template <plain_number T>
 constexpr scalar<1> constant(T value) {
   token t{};
-  if constexpr (std::integral<T>)
-    t.number = symbolic::exactly(static_cast<std::int64_t>(value));
-  else
+  if constexpr (std::integral<T>) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (std::unsigned_integral<T> && whole < 0) // there is no such whole number with a sign
+      t.number = symbolic::real(static_cast<double>(value));
+    else
+      t.number = symbolic::exactly(whole);
+  } else
     t.number = symbolic::real(static_cast<double>(value));
   return {{t}};
 }

@@ -36,12 +36,24 @@ constexpr vector<1> basis(const frame_record* frame, int axis) {
   return {{t}};
 }
 
-/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`.
-template <class Frame>
+/// Stands for a frame that gives the name of another as its own.
+template <class Other>
+inline constexpr frame_record frame_under_another_name = [] {
+  frame_record r;
+  r.called = r.calls_itself = type_name<Other>();
+  r.beside = misfit::name_of_another;
+  return r;
+}();
+
+/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. What is complete before its base is,
+/// is another frame: the axes would be that one's.
+template <class Frame, bool is_another = requires { sizeof(Frame); }>
 struct axes : orientation_words {
-  static constexpr vector<1> x = basis(&frame_of<Frame>, 0);
-  static constexpr vector<1> y = basis(&frame_of<Frame>, 1);
-  static constexpr vector<1> z = basis(&frame_of<Frame>, 2);
+  static constexpr const frame_record* described =
+      is_another ? &frame_under_another_name<Frame> : &frame_of<Frame>;
+  static constexpr vector<1> x = basis(described, 0);
+  static constexpr vector<1> y = basis(described, 1);
+  static constexpr vector<1> z = basis(described, 2);
 };
 
 } // namespace describe

@@ -6,7 +6,7 @@ namespace kanexpr {
 
 /// A force that acts at a point: `force<P, F*N::x>`.
 template <class Point, auto... vector>
-struct force {
+struct force : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::force,
       .fits = describe::arguments_of("force<Point, vector>", sizeof...(vector), 1),
@@ -16,7 +16,7 @@ struct force {
 
 /// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.
 template <class Frame, auto... vector>
-struct torque {
+struct torque : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torque,
       .fits = describe::arguments_of("torque<Frame, vector>", sizeof...(vector), 1),
@@ -26,7 +26,7 @@ struct torque {
 
 /// A force on a point, and the opposite on another: `force_between<P, Q, F*A::x>`.
 template <class Point, class Other, auto... vector>
-struct force_between {
+struct force_between : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::force,
       .fits = describe::arguments_of("force_between<Point, Other, vector>", sizeof...(vector), 1),
@@ -38,7 +38,7 @@ struct force_between {
 /// A torque on whatever is fixed in a frame, and the opposite on another, as a motor between them has it:
 /// `torque_between<B, A, T*A::z>`.
 template <class Frame, class Other, auto... vector>
-struct torque_between {
+struct torque_between : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torque,
       .fits = describe::arguments_of("torque_between<Frame, Other, vector>", sizeof...(vector), 1),
@@ -49,7 +49,7 @@ struct torque_between {
 
 /// Uniform gravity on every body, by the acceleration of free fall: `gravity<-g*N::z>`.
 template <auto... acceleration>
-struct gravity {
+struct gravity : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::gravity,
       .fits = describe::arguments_of("gravity<vector>", sizeof...(acceleration), 1),
@@ -58,7 +58,7 @@ struct gravity {
 
 /// A potential energy of coordinates, parameters, time and inputs: `potential_energy<k*q1*q1/2>`.
 template <auto... energy>
-struct potential_energy {
+struct potential_energy : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::potential_energy,
       .fits = describe::arguments_of("potential_energy<scalar>", sizeof...(energy), 1),
@@ -69,7 +69,7 @@ struct potential_energy {
 /// stiffness·(distance − natural length): `spring<P, Q, k, l0>`. With a natural length the force has no
 /// direction where the distance is zero, and is no number there.
 template <class Point, class Other, auto... stiffness_and_length>
-struct spring {
+struct spring : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::spring,
       .fits = describe::arguments_of("spring<Point, Other, stiffness, natural length>",
@@ -83,7 +83,7 @@ struct spring {
 /// A straight massless damper between two points, which pulls them to each other with
 /// damping·(rate of their distance): `damper<P, Q, c>`. Where the distance is zero its force is no number.
 template <class Point, class Other, auto... damping>
-struct damper {
+struct damper : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::damper,
       .fits = describe::arguments_of("damper<Point, Other, damping>", sizeof...(damping), 1),
@@ -95,7 +95,7 @@ struct damper {
 /// A spring that turns an angle back to where it is at rest, with stiffness·(angle − rest):
 /// `torsional_spring<q2, k>`, `torsional_spring<q2 - q1, k, a>`.
 template <auto... angle_stiffness_and_rest>
-struct torsional_spring {
+struct torsional_spring : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torsional_spring,
       .fits = describe::arguments_of("torsional_spring<angle, stiffness, rest>",
@@ -108,7 +108,7 @@ struct torsional_spring {
 /// A torque −damping·ω on whatever is fixed in a frame that turns with ω in another, and the opposite on
 /// that: `torsional_damper<B, A, c>`.
 template <class Frame, class Other, auto... damping>
-struct torsional_damper {
+struct torsional_damper : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torsional_damper,
       .fits = describe::arguments_of("torsional_damper<Frame, Other, damping>", sizeof...(damping), 1),
@@ -129,6 +129,10 @@ constexpr load_record record_load() {
     r.called = type_name<Load>();
     r.instead = what_it_is<Load>();
     r.unparsed = is_unparsed<Load>();
+  }
+  if constexpr (requires { sizeof(Load); }) {
+    r.beside = find_misfit<Load>();
+    if (r.beside != misfit::none) r.called = type_name<Load>();
   }
   return r;
 }

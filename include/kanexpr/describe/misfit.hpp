@@ -1,10 +1,10 @@
 #pragma once
 
-/// Words that an entity is given twice, or that belong to an entity of another kind. A second word of a kind
+/// Words that an entity is given twice, or that belong to something of another kind. A second word of a kind
 /// hides the first from those who look for it, so both would be lost without a word.
 namespace kanexpr::describe {
 
-// What the words of entities are derived from, so that they can be counted.
+// What the words of the library are derived from, so that they can be counted.
 struct orientation_words {};
 struct place_words {};
 struct body_words {};
@@ -12,13 +12,23 @@ struct turning_words {};
 struct velocity_words {};
 struct fixing_words {};
 struct inertia_words {};
+struct load_words {};
 struct system_words {};
+struct whole_systems {};
 
 enum class misfit : unsigned char {
   none,
+  hidden,
+  name_of_another,
+  frame_and_point,
+  frame_and_body,
+  point_and_body,
+  entity_and_load,
+  entity_and_system,
   two_orientations,
   two_places,
   two_bodies,
+  two_loads,
   two_angular_velocities,
   two_velocities,
   two_fixings,
@@ -26,39 +36,63 @@ enum class misfit : unsigned char {
   velocity_of_no_point,
   fixing_of_no_point,
   inertia_beside,
+  word_beside,
 };
 
-/// Of an entity that is described. It is asked of each, so that it makes no use of templates, which the
-/// compiler would have to keep.
+/// Whether a base that is there once is private, as those of a class are.
+template <class Words, class Entity>
+constexpr bool hides(Entity* e) {
+  using words = Words*;
+  return requires { words(e); }; // which asks for no access
+}
+
+/// Of an entity or load that is described. It is asked of each, so that it makes no use of templates, which
+/// the compiler would have to keep.
 template <class Entity>
 constexpr misfit find_misfit() {
   constexpr bool is_frame = __is_base_of(orientation_words, Entity);
   constexpr bool is_point = __is_base_of(place_words, Entity);
+  constexpr bool is_body = __is_base_of(body_words, Entity);
+  constexpr bool is_load = __is_base_of(load_words, Entity);
   constexpr bool turns = __is_base_of(turning_words, Entity), moves = __is_base_of(velocity_words, Entity),
                  is_fixed = __is_base_of(fixing_words, Entity);
-  // a base that is there, and that a pointer cannot be converted to, is there more than once
+  if (is_frame && is_point) return misfit::frame_and_point;
+  if (is_frame && is_body) return misfit::frame_and_body;
+  if (is_point && is_body) return misfit::point_and_body;
+  if (is_load && (is_frame || is_point || is_body)) return misfit::entity_and_load;
+  if (__is_base_of(whole_systems, Entity)) return misfit::entity_and_system;
+  // a base that is there, and that a pointer cannot be converted to, is there more than once, or private
   constexpr Entity* e = nullptr;
-  if (is_frame && !requires { static_cast<orientation_words*>(e); }) return misfit::two_orientations;
-  if (is_point && !requires { static_cast<place_words*>(e); }) return misfit::two_places;
-  if (__is_base_of(body_words, Entity) && !requires { static_cast<body_words*>(e); })
-    return misfit::two_bodies;
-  if (turns && !requires { static_cast<turning_words*>(e); }) return misfit::two_angular_velocities;
-  if (moves && !requires { static_cast<velocity_words*>(e); }) return misfit::two_velocities;
-  if (is_fixed && !requires { static_cast<fixing_words*>(e); }) return misfit::two_fixings;
+  if constexpr (is_frame && !requires { static_cast<orientation_words*>(e); })
+    return hides<orientation_words>(e) ? misfit::hidden : misfit::two_orientations;
+  if constexpr (is_point && !requires { static_cast<place_words*>(e); })
+    return hides<place_words>(e) ? misfit::hidden : misfit::two_places;
+  if constexpr (is_body && !requires { static_cast<body_words*>(e); })
+    return hides<body_words>(e) ? misfit::hidden : misfit::two_bodies;
+  if constexpr (is_load && !requires { static_cast<load_words*>(e); })
+    return hides<load_words>(e) ? misfit::hidden : misfit::two_loads;
+  if constexpr (turns && !requires { static_cast<turning_words*>(e); })
+    return hides<turning_words>(e) ? misfit::hidden : misfit::two_angular_velocities;
+  if constexpr (moves && !requires { static_cast<velocity_words*>(e); })
+    return hides<velocity_words>(e) ? misfit::hidden : misfit::two_velocities;
+  if constexpr (is_fixed && !requires { static_cast<fixing_words*>(e); })
+    return hides<fixing_words>(e) ? misfit::hidden : misfit::two_fixings;
   if (turns && !is_frame) return misfit::angular_velocity_of_no_frame;
   if (moves && !is_point) return misfit::velocity_of_no_point;
   if (is_fixed && !is_point) return misfit::fixing_of_no_point;
   if (__is_base_of(inertia_words, Entity)) return misfit::inertia_beside;
+  if (__is_base_of(system_words, Entity)) return misfit::word_beside;
   return misfit::none;
 }
 
-/// Whether a word stands beside a system that should stand among those it is told.
-template <class System>
+/// Whether a word stands beside a system, or beside one of a system's words, that should stand among those
+/// that a system is told.
+template <class Told>
 constexpr bool has_word_beside() {
-  return __is_base_of(system_words, System) || __is_base_of(orientation_words, System) ||
-         __is_base_of(place_words, System) || __is_base_of(body_words, System) ||
-         __is_base_of(turning_words, System) || __is_base_of(velocity_words, System) ||
-         __is_base_of(fixing_words, System) || __is_base_of(inertia_words, System);
+  return __is_base_of(orientation_words, Told) || __is_base_of(place_words, Told) ||
+         __is_base_of(body_words, Told) || __is_base_of(turning_words, Told) ||
+         __is_base_of(velocity_words, Told) || __is_base_of(fixing_words, Told) ||
+         __is_base_of(inertia_words, Told) || __is_base_of(load_words, Told);
 }
 
 } // namespace kanexpr::describe

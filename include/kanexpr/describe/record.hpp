@@ -149,6 +149,7 @@ struct load_record {
   phrase rest{};                             ///< the length or angle of a spring at rest
   std::string_view called{};
   std::string_view instead{}; ///< what it is, if it is no load
+  misfit beside = misfit::none;
   bool unparsed = false;
 };
 

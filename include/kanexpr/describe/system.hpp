@@ -147,7 +147,7 @@ namespace describe {
 
 /// A system that is told by words in any order.
 template <method derived_by, class... Words>
-struct system_told_by {
+struct system_told_by : whole_systems {
   static constexpr auto words = boost::hana::tuple_t<Words...>;
 
   static constexpr int times_told(std::string_view wanted) {
