@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/consistent_states.hpp>
 #include <kanexpr/mechanics/contents.hpp>
 #include <kanexpr/mechanics/dependent_speeds.hpp>
 #include <kanexpr/mechanics/wording.hpp>
@@ -38,8 +39,10 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
   return symbolic::solve_linear(g, detail::columns_of(g, a.jacobian, speeds.dependent), right, a.jacobian);
 }
 
-/// Whether they bind the rates of the speeds as the other constraints bind the speeds.
-constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c) {
+/// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
+/// these hold.
+constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c,
+                                                 const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;
   if (m.acceleration_constraints.empty()) return {};
   const contents held(*m.g);
@@ -73,7 +76,12 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
     if (adds[c.size() + i] != 0)
       return sentence({"acceleration constraint ", counted(i + 1).view(),
                        " does not follow from the constraints on the velocities"});
-  return {};
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), m.acceleration_constraints);
+  const int i = first_that_never_vanishes(states, m.acceleration_constraints);
+  if (i == none) return {};
+  return sentence({"acceleration constraint ", counted(i + 1).view(),
+                   " is not the rate of the constraints on the velocities: its part without rates of speeds "
+                   "differs where they hold"});
 }
 
 } // namespace kanexpr::mechanics

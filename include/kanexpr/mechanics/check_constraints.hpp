@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/consistent_states.hpp>
 #include <kanexpr/mechanics/dependent_speeds.hpp>
 #include <kanexpr/mechanics/linearity.hpp>
 #include <kanexpr/mechanics/prescribed.hpp>
@@ -71,11 +72,44 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
   return {};
 }
 
-/// Constraints that leave nothing to move, or that say nothing that those before them have not said.
-/// Both Jacobians are given at generic states too, equilibrated.
-constexpr problem check_constraints(const mechanism& m, const constraints& c,
+namespace detail {
+
+/// Whether a configuration constraint whose derivatives are said by those before it is false where they hold.
+constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
+                                         const symbolic::matrix& configuration, int i) {
+  const sequence<expression> said{s.model->configuration_constraints[i]};
+  consistent_states states(s, configuration, i, c, 0, said);
+  return first_that_never_vanishes(states, said) == 0;
+}
+
+/// The same of one on the velocities.
+constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
+                                      const symbolic::matrix& configuration, int i) {
+  const sequence<expression> said{c.on_velocities[i].value};
+  consistent_states states(s, configuration, configuration.rows, c, i, said);
+  return first_that_never_vanishes(states, said) == 0;
+}
+
+/// The rates of configuration constraints that are left out because velocity constraints bind the same.
+constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
+                                       const symbolic::matrix& configuration) {
+  if (c.repeated.empty()) return {};
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
+  const int i = first_that_never_vanishes(states, c.repeated);
+  if (i == none) return {};
+  const bool single = s.model->velocity_constraints.size() == 1;
+  return sentence({single ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
+                   " the rate of configuration constraint ", counted(c.repeats[i] + 1).view()});
+}
+
+} // namespace detail
+
+/// Constraints that leave nothing to move, that say nothing that those before them have not said, or that
+/// contradict them. Both Jacobians are given at generic states too, equilibrated.
+constexpr problem check_constraints(const skeleton& s, const constraints& c,
                                     const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                     const sequence<numbers>& by_u) {
+  const mechanism& m = *s.model;
   const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
@@ -85,7 +119,9 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
     if (holds[i] == 0)
       return sentence({"configuration constraint ", counted(i + 1).view(),
                        i == 0 ? " binds no coordinate in any configuration"
-                              : " follows from those before it in every configuration"});
+                       : detail::contradicts_configuration(s, c, configuration, i)
+                           ? " contradicts those before it"
+                           : " follows from those before it in every configuration"});
   for (int i = 0; i < c.size(); ++i) {
     bool moves = false;
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
@@ -101,13 +137,18 @@ constexpr problem check_constraints(const mechanism& m, const constraints& c,
   const sequence<char> binds = independent_rows(by_u, c.size());
   for (int i = 0; i < c.size(); ++i) {
     if (binds[i] != 0) continue;
+    const bool is_false = i > 0 && detail::contradicts_velocities(s, c, configuration, i);
     if (c.of_configuration[i] == none)
       return sentence({"velocity constraint ", counted(i + 1).view(),
-                       i == 0 ? " binds no " : " follows from those before it in every configuration",
+                       i == 0     ? " binds no "
+                       : is_false ? " contradicts those before it"
+                                  : " follows from those before it in every configuration",
                        i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
     return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
-                     " follows from the other constraints in every configuration"});
+                     is_false ? " contradicts the other constraints"
+                              : " follows from the other constraints in every configuration"});
   }
+  if (const problem contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
     return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
   return {};

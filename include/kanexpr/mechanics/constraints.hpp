@@ -16,6 +16,8 @@ struct constraints {
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
   sequence<expression> remainder{}; ///< c, what is left when nothing moves
+  sequence<expression> repeated{};  ///< rates of configuration constraints that are left out
+  sequence<int> repeats{};          ///< these configuration constraints
 
   constexpr int size() const { return on_velocities.size(); }
 };
@@ -85,7 +87,11 @@ constexpr constraints form_constraints(motion& k) {
   symbolic::substitution at_rest(*m.g);
   for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
   for (int i = 0; i < all.size(); ++i) {
-    if (kept[i] == 0) continue;
+    if (kept[i] == 0) {
+      out.repeated.push(drop.in(all[i].value));
+      out.repeats.push(i - given);
+      continue;
+    }
     out.on_velocities.push({drop.in(all[i].value), drop.in(all[i].vanishing), all[i].direction});
     out.node.push(nodes[i]);
     out.of_configuration.push(i < given ? none : i - given);

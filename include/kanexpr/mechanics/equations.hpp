@@ -40,9 +40,9 @@ public:
     configuration_ = mechanics::configuration_jacobian(*m_);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
-    mistake_ = check_constraints(*m_, constraints_, configuration_, by_q, by_u);
+    mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_choice(*m_, constraints_, configuration_, by_q, by_u);
-    if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_);
+    if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_, configuration_);
     if (mistake_) return;
     coordinates_ = partition_of(by_q, configuration_, m_->dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));

@@ -8,6 +8,8 @@
 #include <kanexpr/symbolic/solve.hpp>
 #include <kanexpr/symbolic/typical_sizes.hpp>
 
+#include <limits>
+
 /// What holds in every configuration, found out by numbers: at a few states that nobody chose.
 namespace kanexpr::mechanics {
 
@@ -88,8 +90,9 @@ private:
 } // namespace detail
 
 /// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
-/// are what rounding has left of zero are zero. Of the mechanism, if it is given, the quaternions have length
-/// one; what is no part of an angle is as large as is asked, beside what is typical.
+/// are what rounding has left of zero are zero, and so are those too small to keep their digits. Of the
+/// mechanism, if it is given, the quaternions have length one; what is no part of an angle is as large as is
+/// asked, beside what is typical.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
                                               double beside_typical = 1) {
   sequence<numbers> values;
@@ -112,7 +115,8 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
         is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
     }
     for (int i = 0; i < outputs.size(); ++i)
-      if (is_nothing[i]) found.entries[i] = 0;
+      if (is_nothing[i] || symbolic::elementary::abs(found.entries[i]) < (std::numeric_limits<double>::min)())
+        found.entries[i] = 0;
     values.push(found);
   }
   return values;

@@ -1,0 +1,6 @@
+// expect: configuration constraint 2 contradicts those before it
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<q == s, q == s + 1>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,6 @@
+// expect: velocity constraint 2 contradicts those before it
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<velocity_constraints<u == v, u == v + 1>> {};
+
+int main() { use<System>(); }
