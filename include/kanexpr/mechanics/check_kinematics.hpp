@@ -129,7 +129,7 @@ private:
     symbolic::matrix a(*m_.g, size, size);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) a(i, j) = k.k_rates(part.rows[i], part.columns[j]);
-    return !independent_rows(a, &m_).contains(0);
+    return has_independent_rows(a, m_);
   }
 
   constexpr void cannot_solve(int rate) {

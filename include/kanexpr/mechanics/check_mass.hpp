@@ -43,9 +43,9 @@ constexpr sequence<int> motion_without_energy(numbers a, double least) {
 /// may say too little of that, and with 1e-18 as an inertia beside a mass and an arm of about 1 each, a turn
 /// and a way are the same motion to all digits.
 constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::matrix& mass) {
-  for (const double size : {1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12})
+  for (const double size : other_sizes)
     for (const numbers& state : at_generic_states(mass, &m, size))
-      if (motion_without_energy(state, 1e-5).empty()) return true;
+      if (motion_without_energy(state, clearly).empty()) return true;
   return false;
 }
 

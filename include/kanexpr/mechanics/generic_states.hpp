@@ -194,9 +194,16 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
   return states;
 }
 
+/// What is tried beside typical sizes before a model is accused: of how large symbols are it may say too
+/// little.
+inline constexpr double other_sizes[]{1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
+inline constexpr double clearly = 1e-5; ///< what is left there of a whole that does not vanish
+
 /// Rows that were found independent, as an orthonormal basis.
 class row_space {
 public:
+  constexpr explicit row_space(double least = 1e-9) : least_(least) {}
+
   /// Takes a row up; false where it lies in the space already.
   constexpr bool add(sequence<double> row) {
     const double whole = norm(row);
@@ -207,7 +214,7 @@ public:
         for (int j = 0; j < row.size(); ++j) row[j] -= along * unit[j];
       }
     const double left = norm(row);
-    if (left <= 1e-9 * whole) return false;
+    if (left <= least_ * whole) return false;
     for (double& e : row) e /= left;
     basis_.push(row);
     return true;
@@ -221,6 +228,7 @@ private:
   }
   static constexpr double norm(const sequence<double>& a) { return symbolic::elementary::sqrt(dot(a, a)); }
 
+  double least_; ///< of a row that does not vanish, beside it
   sequence<sequence<double>> basis_{};
 };
 
@@ -242,6 +250,23 @@ constexpr sequence<char> independent_rows(const sequence<numbers>& states, int r
 
 constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mechanism* of = nullptr) {
   return independent_rows(equilibrated(at_generic_states(a, of)), a.rows);
+}
+
+/// Whether the rows of a matrix are independent in some configuration, whatever the sizes of symbols are.
+constexpr bool has_independent_rows(const symbolic::matrix& a, const mechanism& of) {
+  if (!independent_rows(a, &of).contains(0)) return true;
+  for (const double size : other_sizes)
+    for (const numbers& state : equilibrated(at_generic_states(a, &of, size))) {
+      row_space space(clearly);
+      bool all = true;
+      for (int i = 0; i < a.rows; ++i) {
+        sequence<double> row;
+        for (int j = 0; j < a.columns; ++j) row.push(state(i, j));
+        all = space.add(row) && all;
+      }
+      if (all) return true;
+    }
+  return false;
 }
 
 } // namespace kanexpr::mechanics
