@@ -104,11 +104,6 @@ T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
     for (int id : symbolic::entries_of(g, n.a)) f.push(at(id));
     for (int id : symbolic::elements_of(g, n.b)) squares.push(at(id));
     T determinant = 1, least = 0;
-    for (int i = 0; order > 3 && i < order; ++i) { // rows are compared beside what they add up to
-      T sum = 0;
-      for (int j = 0; j < order; ++j) sum += std::abs(f[i * order + j]);
-      for (int j = 0; j < order; ++j) f[i * order + j] /= sum, squares[i * order + j] /= sum * sum;
-    }
     for (int k = 0; k < order; ++k) {
       int pivot = k;
       for (int i = k + 1; i < order; ++i)

@@ -42,21 +42,9 @@ private:
   template <int... k>
   [[gnu::always_inline]] static void factorize(T* f, std::integer_sequence<int, k...>) noexcept {
     T least = math::magnitude(f[0]); // overwritten by the first pivot
-    if constexpr (place.has_weights()) {
-      const int weighed[]{(weigh<k>(f, numbers<order - 1>{}), 0)...};
-      static_cast<void>(weighed);
-    }
     const int in_order[]{(pivot<k>(f, least, numbers<order - 1 - k>{}), 0)...};
     static_cast<void>(in_order);
     f[place.least_pivot()] = least;
-  }
-
-  template <int i, int... after>
-  [[gnu::always_inline]] static void weigh(T* f, std::integer_sequence<int, after...>) noexcept {
-    T sum = math::magnitude(f[place.at(i, 0)]);
-    const int summed[]{(sum = T(sum + math::magnitude(f[place.at(i, 1 + after)])), 0)...};
-    static_cast<void>(summed);
-    f[place.weight(i)] = math::reciprocal(sum);
   }
 
   template <int k, int... below>
@@ -76,14 +64,7 @@ private:
   template <int k, int i, int... right>
   [[gnu::always_inline]] static void compare(T* f, std::integer_sequence<int, right...>) noexcept {
     T& excess = f[place.excess(k, i)];
-    T upper = math::magnitude(f[place.at(k, k)]), lower = math::magnitude(f[place.at(i, k)]);
-    if constexpr (place.has_weights()) {
-      upper = T(upper * f[place.weight(k)]), lower = T(lower * f[place.weight(i)]);
-      excess = T(lower - upper);
-      math::exchange_if_positive(excess, f[place.weight(k)], f[place.weight(i)]);
-    } else {
-      excess = T(lower - upper);
-    }
+    excess = T(math::magnitude(f[place.at(i, k)]) - math::magnitude(f[place.at(k, k)]));
     const int exchanged[]{
         (math::exchange_if_positive(excess, f[place.at(k, k + right)], f[place.at(i, k + right)]), 0)...};
     static_cast<void>(exchanged);

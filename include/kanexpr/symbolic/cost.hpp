@@ -41,7 +41,6 @@ struct cost {
   constexpr void count_factorization(int order) {
     const int comparisons = order * (order - 1) / 2, updates = (order - 1) * order * (2 * order - 1) / 6;
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
-    if (factors{order}.has_weights()) count(2 * comparisons, order * (order - 1), order);
   }
   constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
   constexpr void count_regularity(int order) {

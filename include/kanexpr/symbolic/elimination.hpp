@@ -10,9 +10,7 @@ inline constexpr int largest_written_out = 3;
 
 /// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
 /// diagonal and the reciprocals of the pivots on it, then by how much the lower row was larger wherever two
-/// rows were compared (positive: they were exchanged), then the least magnitude of a pivot. Beyond the order
-/// that is written out come what rows are multiplied by where they are compared, so that units decide
-/// nothing.
+/// rows were compared (positive: they were exchanged), then the least magnitude of a pivot.
 struct factors {
   int order = 0;
 
@@ -21,9 +19,7 @@ struct factors {
     return order * order + upper * (2 * order - upper - 1) / 2 + lower - upper - 1;
   }
   constexpr int least_pivot() const { return order * order + order * (order - 1) / 2; }
-  constexpr bool has_weights() const { return order > largest_written_out; }
-  constexpr int weight(int i) const { return least_pivot() + 1 + i; }
-  constexpr int size() const { return weight(has_weights() ? order : 0); }
+  constexpr int size() const { return least_pivot() + 1; }
 };
 
 /// Factorizes the matrix with which `f` begins. `Math` has `magnitude`, `reciprocal` and
@@ -32,22 +28,10 @@ template <class Math, class T>
 constexpr void factorize(int order, T* f) {
   const factors place{order};
   T least = f[0];
-  for (int i = 0; place.has_weights() && i < order; ++i) {
-    T sum = Math::magnitude(f[place.at(i, 0)]);
-    for (int j = 1; j < order; ++j) sum = T(sum + Math::magnitude(f[place.at(i, j)]));
-    f[place.weight(i)] = Math::reciprocal(sum);
-  }
   for (int k = 0; k < order; ++k) {
     for (int i = k + 1; i < order; ++i) {
       T& excess = f[place.excess(k, i)];
-      T upper = Math::magnitude(f[place.at(k, k)]), lower = Math::magnitude(f[place.at(i, k)]);
-      if (place.has_weights()) {
-        upper = T(upper * f[place.weight(k)]), lower = T(lower * f[place.weight(i)]);
-        excess = T(lower - upper);
-        Math::exchange_if_positive(excess, f[place.weight(k)], f[place.weight(i)]);
-      } else {
-        excess = T(lower - upper);
-      }
+      excess = T(Math::magnitude(f[place.at(i, k)]) - Math::magnitude(f[place.at(k, k)]));
       for (int j = k; j < order; ++j)
         Math::exchange_if_positive(excess, f[place.at(k, j)], f[place.at(i, j)]);
     }
