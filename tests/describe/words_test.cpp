@@ -326,7 +326,7 @@ namespace {
 
 struct apart : rotated<apart, A2, q3, A2::x>, angular_velocity_apart_from_orientation<A2, 2 * u3 * own::x> {};
 struct a_body_whose_name_is_longer_than_a_piece_of_a_sentence
-    : particle<a_body_whose_name_is_longer_than_a_piece_of_a_sentence, O, 0 * m> {};
+    : particle<a_body_whose_name_is_longer_than_a_piece_of_a_sentence, O, 0.0 * m> {};
 
 } // namespace
 

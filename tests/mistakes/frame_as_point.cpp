@@ -1,4 +1,4 @@
-// expect: A, which Rod uses as a point, is not a point, or is described only later
+// expect: A, which Rod uses as a point, is a frame
 #include "pendulum.hpp"
 
 struct Rod : rigid_body<Rod, A, A, m, inertia<A, 0, m * l * l, m * l * l>> {};

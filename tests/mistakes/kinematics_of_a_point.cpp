@@ -1,4 +1,4 @@
-// expect: P, which kinematics_of uses as a frame, is not a frame, or is described only later
+// expect: P, which kinematics_of uses as a frame, is a point
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: O, which B uses as a frame, is not a frame, or is described only later
+// expect: O, which B uses as a frame, is a point
 #include "pendulum.hpp"
 
 struct B : rotated<B, O, q, N::z> {};

@@ -57,7 +57,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: N, which G uses as a point, is not a point, or is described only later
+// expect: N, which G uses as a point, is a frame
 namespace n8 {
 struct G : offset<G, N, l * A::x> {};
 struct Ball : particle<Ball, G, m> {};
@@ -79,7 +79,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: A, which Ball uses as a point, is not a point, or is described only later
+// expect: A, which Ball uses as a point, is a frame
 namespace n11 {
 struct Ball : particle<Ball, A, m> {};
 struct System : pendulum_with<Ball> {};
@@ -142,7 +142,7 @@ struct System : pendulum_with<Disc> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: A, which Wheel uses as a point, is not a point, or is described only later
+// expect: A, which Wheel uses as a point, is a frame
 namespace n20 {
 struct Wheel : rigid_body<Wheel, A, P, m, inertia<A, m, m, m>> {};
 struct System : pendulum_with<Wheel> {};

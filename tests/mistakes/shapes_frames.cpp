@@ -129,7 +129,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: O, which B uses as a frame, is not a frame, or is described only later
+// expect: O, which B uses as a frame, is a point
 namespace n17 {
 struct B : rotated<B, O, q, N::z> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};

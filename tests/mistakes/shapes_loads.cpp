@@ -149,13 +149,13 @@ struct System : loaded<loads<weight>> {};
 void f() { use<System>(); }
 } // namespace n24
 
-// expect: Bob, which a force uses as a point, is not a point, or is described only later
+// expect: Bob, which a force uses as a point, is a body; its point is P
 namespace n25 {
 struct System : loaded<force<Bob, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n25
 
-// expect: O, which a torque uses as a frame, is not a frame, or is described only later
+// expect: O, which a torque uses as a frame, is a point
 namespace n26 {
 struct System : loaded<torque<O, T * N::z>> {};
 void f() { use<System>(); }

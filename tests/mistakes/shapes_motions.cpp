@@ -34,13 +34,13 @@ auto f() {
 }
 } // namespace n4
 
-// expect: A, which an expression uses as a point, is not a point, or is described only later
+// expect: A, which an expression uses as a point, is a frame
 namespace n5 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, velocity_of<A>>{}(state<System>(), parameter_values<System>()); }
 } // namespace n5
 
-// expect: P, which an expression uses as a frame, is not a frame, or is described only later
+// expect: P, which an expression uses as a frame, is a point
 namespace n6 {
 struct System : loaded<weight> {};
 auto f() {

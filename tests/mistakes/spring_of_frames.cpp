@@ -1,4 +1,4 @@
-// expect: A, which the spring between A and O uses as a point, is not a point, or is described only later
+// expect: A, which the spring between A and O uses as a point, is a frame
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

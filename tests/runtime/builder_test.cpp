@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace {
 
@@ -433,7 +434,47 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
         [&](auto& b) { b.quaternion("A", b.n, b.number(e0), b.number(0), b.number(0), b.number(e3)); });
   };
   EXPECT_EQ(quaternion(0.6, 0.8), "");
-  EXPECT_EQ(quaternion(1, 1), "the quaternion of frame A does not have unit length");
+  const std::string no_unit = "the quaternion of frame A does not have unit length";
+  EXPECT_EQ(quaternion(1, 1), no_unit);
+  EXPECT_EQ(quaternion(0, 0), no_unit);
+  EXPECT_EQ(quaternion(2, 0), no_unit); // of which no direction cosine shows it
+  EXPECT_EQ(quaternion(0, 1e200), no_unit);
+}
+
+TEST(builder_mistakes, looks_at_orientations_by_functions_of_angles) {
+  const std::string no_unit = "the quaternion of frame A does not have unit length";
+  const auto quaternion = [](auto e0, auto e3) {
+    return told([&](auto& b) { b.quaternion("A", b.n, e0(b), b.number(0), b.number(0), e3(b)); });
+  };
+  const auto half_cosine = [](auto& b) { return cos(b.theta / 2); };
+  const auto half_sine = [](auto& b) { return sin(b.theta / 2); };
+  EXPECT_EQ(quaternion(half_cosine, half_sine), "");
+  EXPECT_EQ(quaternion(half_cosine, [](auto& b) { return 2 * sin(b.theta / 2); }), no_unit);
+  EXPECT_EQ(quaternion(half_cosine, [](auto& b) { return sin(b.theta); }), no_unit);
+  EXPECT_EQ(quaternion([](auto& b) { return b.m; }, half_sine), ""); // as long as m is
+  const auto turned = [](auto xx, auto yy) {
+    return told([&](auto& b) {
+      kanexpr::mechanics::matrix3 m = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 1});
+      const expression c = cos(b.theta), s = sin(b.theta);
+      m(0, 0) = xx(b, c), m(1, 1) = yy(b, c), m(1, 0) = s, m(0, 1) = -s;
+      b.direction_cosines("A", b.n, m);
+    });
+  };
+  const auto same = [](auto&, expression e) { return e; };
+  EXPECT_EQ(turned(same, same), "");
+  EXPECT_EQ(turned(same, [](auto&, expression e) { return -e; }),
+            "the direction cosines of frame A are not orthonormal");
+  EXPECT_EQ(turned([](auto&, expression e) { return 2 * e; }, same),
+            "the direction cosines of frame A are not orthonormal");
+  EXPECT_EQ(turned([](auto& b, expression e) { return b.m * e; }, same), "");
+  EXPECT_EQ(turned([](auto& b, expression) { return 1 - b.theta * b.theta; }, same), "");
+  EXPECT_EQ(told([](auto& b) {
+              kanexpr::mechanics::matrix3 m = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 1});
+              const expression c = cos(b.theta), s = sin(b.theta);
+              m(0, 0) = c, m(1, 1) = -c, m(1, 0) = s, m(0, 1) = s;
+              b.direction_cosines("A", b.n, m);
+            }),
+            "the direction cosines of frame A are not right-handed: they mirror");
 }
 
 TEST(builder_mistakes, looks_at_masses_and_inertias) {
@@ -480,6 +521,36 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   EXPECT_EQ(about({7, 6, 10, -4, 0, 0}),
             "the inertia of A about Other is less than what its mass alone has there");
   EXPECT_EQ(about({9, 3, 14, -4, 0, 0}), none);
+  EXPECT_EQ(about({0, 0, 10, 0, 0, 0}), ""); // of a planar motion
+  EXPECT_EQ(about({0, 0, 9, 0, 0, 0}),
+            "the inertia of A about Other is less than what its mass alone has there");
+  const auto in_two_frames = [&](double product, double back, double third) {
+    return told([&](auto& b) {
+      const frame_id turned = b.rotated("T", b.rod, b.number(0.5), b.along(b.rod, 0, 0, 1));
+      const frame_id same = b.rotated("U", turned, b.number(-0.5), b.along(b.rod, 0, 0, 1));
+      kanexpr::mechanics::dyadic sum = of({2, 3, third, 0, 0, 0})(b);
+      for (auto [left, right, entry] :
+           {std::tuple(b.rod, same, product), std::tuple(same, b.rod, back), std::tuple(same, turned, 0.0)}) {
+        kanexpr::mechanics::matrix3 value = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 0});
+        (left == b.rod ? value(0, 1) : value(1, 0)) = b.number(entry);
+        sum.add(static_cast<int>(left), static_cast<int>(right), value);
+      }
+      b.rigid_body("A", b.bob, b.rod, b.m, sum);
+    });
+  };
+  EXPECT_EQ(in_two_frames(0.5, 0.5, 4), "");
+  EXPECT_EQ(in_two_frames(0.5, 0.25, 4), "the inertia of A is not symmetric");
+  EXPECT_EQ(in_two_frames(3, 3, 4), "the inertia of A is indefinite: about some axis its moment is negative");
+  EXPECT_EQ(in_two_frames(0.5, 0.5, 9), none);
+  EXPECT_EQ(body(m,
+                 [](auto& b) {
+                   kanexpr::mechanics::dyadic d = b.inertia(b.rod, b.m, b.m, b.m, b.m / 4, b.m / 8, b.m / 8);
+                   d.parts[0].value(0, 1) = b.m / 3;
+                   return d;
+                 }),
+            "the inertia of A is not symmetric");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
+            "a potential energy is zero; 1/2 of whole numbers is 0 in C++");
   EXPECT_EQ(told([&](auto& b) {
               b.rigid_body("A", b.bob, b.rod, b.m, of({1, 2, 3.1, 0, 0, 0})(b));
               b.effective_inertia("A");

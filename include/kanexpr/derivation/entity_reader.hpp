@@ -98,12 +98,21 @@ protected:
   }
 
 private:
+  /// What is used as a frame or point and is none.
+  constexpr void no_such(std::string_view kind, std::string_view called, std::string_view whom,
+                         std::string_view instead, std::string_view its_own) {
+    if (instead.empty())
+      return fail({called, ", which ", whom, " uses as a ", kind, ", is not a ", kind,
+                   ", or is described only later"});
+    const bool has_own = !its_own.empty();
+    fail({called, ", which ", whom, " uses as a ", kind, ", is ", instead, has_own ? "; its " : "",
+          has_own ? kind : "", has_own ? " is " : "", its_own});
+  }
+
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
     if (r.unparsed) return fail_by_unparsed(r.called, whom);
     if (!words_belong(r.beside, r.called)) return;
-    if (r.calls_itself.empty())
-      return fail(
-          {r.called, ", which ", whom, " uses as a frame, is not a frame, or is described only later"});
+    if (r.calls_itself.empty()) return no_such("frame", r.called, whom, r.instead, r.its_own);
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("frame ", r.called, r.fits);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
@@ -122,9 +131,7 @@ private:
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (r.unparsed) return fail_by_unparsed(r.called, whom);
     if (!words_belong(r.beside, r.called)) return;
-    if (r.calls_itself.empty())
-      return fail(
-          {r.called, ", which ", whom, " uses as a point, is not a point, or is described only later"});
+    if (r.calls_itself.empty()) return no_such("point", r.called, whom, r.instead, r.its_own);
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))

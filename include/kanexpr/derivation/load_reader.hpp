@@ -68,7 +68,10 @@ private:
     case load_word::potential_energy: {
       const problem whom = name_of(r);
       const expression energy = scalar_of(r.value, {"", whom.view()}, whom.view());
-      if (!mistake_) m_.potential_energies.push(energy);
+      if (mistake_) return;
+      if (energy.is_zero() && !holds_bound(r.value))
+        return fail({whom.view(), " is zero; 1/2 of whole numbers is 0 in C++"});
+      m_.potential_energies.push(energy);
       break;
     }
     case load_word::spring: return evaluate_spring(r);

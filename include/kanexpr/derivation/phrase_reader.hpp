@@ -33,6 +33,7 @@ protected:
   /// What a phrase of several expressions, one after another, stands for.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
+    const phrase* const before = reading_; // which mentions what this one belongs to
     reading_ = &p;
     for (int i = 0; i < p.size && !mistake_; ++i) {
       const int known = m_.g->size();
@@ -40,6 +41,7 @@ protected:
       if (p.tokens[i].what <= describe::word::normalized && m_.g->size() != known)
         look_for_no_number(known, p.tokens[i], whom);
     }
+    reading_ = before;
     return stack;
   }
 

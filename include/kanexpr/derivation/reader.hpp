@@ -58,11 +58,17 @@ private:
     check_written(p, "values<...>");
     if (mistake_) return;
     const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
-    const phrase right{shape::scalar, p.tokens + 1, p.size - 2};
-    if (s == nullptr || !is_whole(right))
+    phrase right{shape::scalar, p.tokens + 1, p.size - 2};
+    if (s == nullptr && p.kind == shape::equation) { // 2.5 == m
+      s = p.tokens[p.size - 2].symbol;
+      right.tokens = p.tokens;
+    }
+    if (s == nullptr || !is_whole(right)) {
+      const std::string_view held = name_in(p);
       return fail(
           {"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
-           p.size > 0 ? " with " : "", name_in(p)});
+           held.empty() ? "" : " with ", held});
+    }
     if (s->kind != symbolic::symbol_kind::parameter)
       return fail({kind_of(*s), s->called.view(), " is given a value; only parameters have one"});
     if (is_bound(s->called)) return fail({"parameter ", s->called.view(), " is given two values"});
@@ -106,6 +112,9 @@ private:
                    r.instead.empty() ? "not a body" : r.instead});
     if (r.called != r.calls_itself) return slip("body ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("body ", r.called, r.fits);
+    if (r.has_whole_zeros && r.about == nullptr && !r.inertia_changes && !r.effective)
+      return fail({"the inertia of ", r.called,
+                   " is zero, as 1/2 is in C++; a body without an inertia is a particle<...>"});
     if (!r.instead_of_inertia.empty())
       return fail({"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is no inertia"});
     for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one

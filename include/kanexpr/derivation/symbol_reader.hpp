@@ -125,6 +125,9 @@ protected:
   constexpr void claim(const symbol_record& r, std::string_view list) {
     if (r.is_named) return claim_name(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
+    if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
+      return fail(
+          {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
     fail({mechanics::check_name(called, list).view()});
@@ -155,6 +158,11 @@ protected:
     claim(r, "values");
   }
   constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
+  constexpr bool holds_bound(const phrase& p) const {
+    for (int i = 0; i < p.size; ++i)
+      if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
+    return false;
+  }
   /// After all that the model says was read.
   constexpr void check_values_are_used() {
     for (int i = 0; i < bound_.size(); ++i)

@@ -15,6 +15,14 @@ constexpr void give_inertia(body_record& r) {
     r.instead_of_inertia = type_name<Inertia>();
 }
 
+template <class T>
+constexpr bool is_whole_zero(const T& x) {
+  if constexpr (plain_number<T> && std::integral<T>)
+    return x == T{};
+  else
+    return false;
+}
+
 } // namespace describe
 
 /// Inertia about the mass centre from its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
@@ -27,6 +35,7 @@ struct inertia : describe::inertia_words {
     if (r.fits)
       r.fits =
           describe::arguments_of("inertia<Frame, Ixx, Iyy, Izz, Ixy, Iyz, Izx>", sizeof...(scalars), 3, 6);
+    r.has_whole_zeros = (describe::is_whole_zero(scalars) && ...);
     for (int i = 0; i < 6; ++i) r.inertia[i] = describe::given_phrases<scalars...>[i];
   }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/misuse.hpp>
 #include <kanexpr/describe/token.hpp>
 
 #include <concepts>
@@ -82,6 +83,20 @@ constexpr token with(symbolic::operation function) {
   return t;
 }
 
+constexpr token misused(misuse what) {
+  token t = with(word::misused);
+  t.index = static_cast<int>(what);
+  return t;
+}
+
+/// What is done with a number. To C++ 1/2 is the whole number 0, which nobody writes here on purpose.
+template <plain_number T, class Step>
+constexpr token done_with(T value, Step what, misuse of_nothing) {
+  if constexpr (std::integral<T>)
+    if (value == T{}) return misused(of_nothing);
+  return with(what);
+}
+
 } // namespace describe
 
 template <int a>
@@ -131,20 +146,26 @@ constexpr auto operator-(T x, const scalar<a>& y) {
   return describe::constant(x) - y;
 }
 template <int a, describe::plain_number T>
-constexpr auto operator*(const scalar<a>& x, T y) {
-  return x * describe::constant(y);
+constexpr scalar<a + 2> operator*(const scalar<a>& x, T y) {
+  return describe::join<scalar<a + 2>>(
+      x.tokens, describe::constant(y).tokens,
+      describe::done_with(y, describe::word::multiply, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
-constexpr auto operator*(T x, const scalar<a>& y) {
-  return describe::constant(x) * y;
+constexpr scalar<a + 2> operator*(T x, const scalar<a>& y) {
+  return describe::join<scalar<a + 2>>(
+      describe::constant(x).tokens, y.tokens,
+      describe::done_with(x, describe::word::multiply, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
 constexpr auto operator/(const scalar<a>& x, T y) {
   return x / describe::constant(y);
 }
 template <int a, describe::plain_number T>
-constexpr auto operator/(T x, const scalar<a>& y) {
-  return describe::constant(x) / y;
+constexpr scalar<a + 2> operator/(T x, const scalar<a>& y) {
+  return describe::join<scalar<a + 2>>(
+      describe::constant(x).tokens, y.tokens,
+      describe::done_with(x, describe::word::divide, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
 constexpr auto operator==(const scalar<a>& x, T y) {
@@ -229,8 +250,10 @@ constexpr auto pow(const scalar<a>& x, const scalar<b>& exponent) {
   return describe::function_of(symbolic::operation::power, x, exponent);
 }
 template <int a, describe::plain_number T>
-constexpr auto pow(const scalar<a>& x, T exponent) {
-  return pow(x, describe::constant(exponent));
+constexpr scalar<a + 2> pow(const scalar<a>& x, T exponent) {
+  return describe::join<scalar<a + 2>>(
+      x.tokens, describe::constant(exponent).tokens,
+      describe::done_with(exponent, symbolic::operation::power, describe::misuse::zero_power));
 }
 template <int a, describe::plain_number T>
 constexpr auto pow(T x, const scalar<a>& exponent) {

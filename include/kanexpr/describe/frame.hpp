@@ -9,10 +9,17 @@ namespace describe {
 template <class Frame>
 constexpr frame_record record_frame() {
   frame_record r;
-  if constexpr (requires { Frame::orientation(); })
-    r = Frame::orientation(); // else no frame: it has no name for itself
-  else
+  if constexpr (requires { Frame::orientation(); }) {
+    r = Frame::orientation();
+  } else { // it has no name for itself
     r.unparsed = is_unparsed<Frame>();
+    if constexpr (requires { Frame::content(); }) {
+      r.instead = "a body";
+      if (Frame::content().frame != nullptr) r.its_own = Frame::content().frame->called;
+    } else if constexpr (requires { Frame::place(); }) {
+      r.instead = "a point";
+    }
+  }
   r.called = type_name<Frame>();
   if constexpr (requires { sizeof(Frame); })
     r.beside = find_misfit<Frame>(); // else it is described only later

@@ -60,7 +60,6 @@ constexpr misfit find_misfit() {
   if (is_frame && is_body) return misfit::frame_and_body;
   if (is_point && is_body) return misfit::point_and_body;
   if (is_load && (is_frame || is_point || is_body)) return misfit::entity_and_load;
-  if (__is_base_of(whole_systems, Entity)) return misfit::entity_and_system;
   // a base that is there, and that a pointer cannot be converted to, is there more than once, or private
   constexpr Entity* e = nullptr;
   if constexpr (is_frame && !requires { static_cast<orientation_words*>(e); })
@@ -81,6 +80,8 @@ constexpr misfit find_misfit() {
   if (moves && !is_point) return misfit::velocity_of_no_point;
   if (is_fixed && !is_point) return misfit::fixing_of_no_point;
   if (__is_base_of(inertia_words, Entity)) return misfit::inertia_beside;
+  if (!is_frame && !is_point && !is_body && !is_load) return misfit::none;
+  if (__is_base_of(whole_systems, Entity)) return misfit::entity_and_system;
   if (__is_base_of(system_words, Entity)) return misfit::word_beside;
   return misfit::none;
 }

@@ -24,6 +24,8 @@ enum class misuse : unsigned char {
   function,
   points,
   seen_motion,
+  zero_factor,
+  zero_power,
 };
 
 /// How a sentence about a part of a model goes on that holds it.
@@ -55,6 +57,10 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " uses position_of for something else than two points: position_of<point, from>";
   case misuse::seen_motion:
     return " names a frame or point too many: motions are those in the inertial frame, velocity_of<point>";
+  case misuse::zero_factor:
+    return " holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q, and 0.0 for a "
+           "zero that is meant";
+  case misuse::zero_power: return " holds a power of 0, which is what 1/2 is in C++; write pow(x, 0.5)";
   }
   return "";
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/describe/misuse.hpp>
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/vector.hpp>
 
@@ -8,12 +7,6 @@
 
 /// What may stand beside an operator, whether it makes sense there or not.
 namespace kanexpr::describe {
-
-constexpr token misused(misuse what) {
-  token t = with(word::misused);
-  t.index = static_cast<int>(what);
-  return t;
-}
 
 template <int a>
 constexpr const scalar<a>& operand(const scalar<a>& x) {

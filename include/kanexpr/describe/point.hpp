@@ -9,10 +9,17 @@ namespace describe {
 template <class Point>
 constexpr point_record record_point() {
   point_record r;
-  if constexpr (requires { Point::place(); })
-    r = Point::place(); // else no point: it has no name for itself
-  else
+  if constexpr (requires { Point::place(); }) {
+    r = Point::place();
+  } else { // it has no name for itself
     r.unparsed = is_unparsed<Point>();
+    if constexpr (requires { Point::content(); }) {
+      r.instead = "a body";
+      r.its_own = Point::content().center->called;
+    } else if constexpr (requires { Point::orientation(); }) {
+      r.instead = "a frame";
+    }
+  }
   r.called = type_name<Point>();
   if constexpr (requires { sizeof(Point); })
     r.beside = find_misfit<Point>(); // else it is described only later

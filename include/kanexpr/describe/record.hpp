@@ -87,7 +87,9 @@ struct frame_record {
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
-  bool turns_apart = false; ///< from its orientation
+  bool turns_apart = false;   ///< from its orientation
+  std::string_view instead{}; ///< what it is, if it is no frame
+  std::string_view its_own{}; ///< the frame of that
   misfit beside = misfit::none;
 };
 
@@ -102,6 +104,8 @@ struct point_record {
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
+  std::string_view instead{}; ///< what it is, if it is no point
+  std::string_view its_own{}; ///< the point of that
   misfit beside = misfit::none;
 };
 
@@ -119,6 +123,7 @@ struct body_record {
   const point_record* about = nullptr;
   std::string_view instead_of_inertia{}; ///< what stands in its place and is none
   std::string_view instead{};            ///< what it is, if it is no body
+  bool has_whole_zeros = false;          ///< for all scalars of its inertia
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not be that of a distribution of mass
   misfit beside = misfit::none;

@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/check_changing_inertia.hpp>
 #include <kanexpr/mechanics/check_direction_cosines.hpp>
+#include <kanexpr/mechanics/check_dyadic.hpp>
 #include <kanexpr/mechanics/check_inertia.hpp>
 #include <kanexpr/mechanics/check_kinematics.hpp>
 #include <kanexpr/mechanics/check_loads.hpp>
@@ -31,6 +32,7 @@ public:
     for (const point& p : m_.points) check(p);
     for (const body& b : m_.bodies) check(b);
     if (!found_) found_ = checking_loads(m_, held_).run();
+    if (!found_) found_ = checking_dyadics(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
     return found_;
   }
@@ -75,7 +77,7 @@ private:
       geometry(f.angle, "the angle of frame ", f.called);
     if (f.kind == orientation::matrix)
       for (int i = 0; i < 9; ++i) geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
-    if (!found_) found_ = check_direction_cosines(f);
+    if (!found_) found_ = check_direction_cosines(m_, f);
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
     // the frames whose motion this one's is measured from

@@ -14,6 +14,7 @@ struct numeric_inertia {
   double at[3][3]{};
   bool known = true;
 
+  constexpr numeric_inertia() = default;
   constexpr explicit numeric_inertia(const matrix3& m) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -57,10 +58,6 @@ struct numeric_inertia {
   }
 };
 
-} // namespace detail
-
-namespace detail {
-
 /// The way from a body's mass centre to the point that its inertia is about, if that is numbers in the axes
 /// of the inertia, and the mass is one.
 struct numeric_way {
@@ -68,6 +65,7 @@ struct numeric_way {
   double mass = 0;
   double r[3]{};
 
+  constexpr numeric_way() = default;
   constexpr numeric_way(const mechanism& m, const body& b, int axes) {
     if (b.about == none || b.about == b.center || !b.mass.is_constant()) return;
     sequence<int> above; // points from which the mass centre is offset
@@ -88,6 +86,33 @@ struct numeric_way {
     known = mass < 1e30;
   }
 };
+
+/// Of an inertia whose largest entry is 1, and was `largest` before.
+constexpr problem check_principal_values(const mechanism& m, const body& b, numeric_inertia inertia,
+                                         double largest, const numeric_way& way) {
+  const std::string_view called = b.called.view();
+  if (!inertia.positive(1, 1e-9))
+    return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
+  constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
+  const double whole = inertia.trace();
+  bool is_given[3]{}, is_planar = false; // of a planar motion one moment matters, and others are left zero
+  for (int i = 0; i < 3; ++i) {
+    is_given[i] = symbolic::elementary::abs(inertia.at[i][i]) > 1e-12;
+    is_planar = is_planar || !is_given[i];
+  }
+  if (way.known) inertia.move_to_center(way.mass / largest, way.r);
+  bool is_too_small = way.known && !is_planar && !inertia.positive(1, rounded * whole);
+  for (int i = 0; i < 3; ++i)
+    is_too_small = is_too_small || (way.known && is_given[i] && inertia.at[i][i] < -rounded * whole);
+  if (is_too_small)
+    return sentence({"the inertia of ", called, " about ", m.points[b.about].called.view(),
+                     " is less than what its mass alone has there"});
+  if (!is_planar && !inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
+    return sentence({"the inertia of ", called,
+                     " is that of no body: one principal moment is larger than the other two together; if it "
+                     "is meant, write effective_inertia<...> around it"});
+  return {};
+}
 
 } // namespace detail
 
@@ -112,22 +137,8 @@ constexpr problem check_inertia(const mechanism& m, const body& b) {
   inertia.scale(1 / largest);
   if (!inertia.symmetric()) return sentence({"the inertia of ", called, " is not symmetric"});
   if (b.effective) return {};
-  if (!inertia.positive(1, 1e-9))
-    return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
-  // of a planar motion one moment matters, and the others are left zero
-  if (given(0, 0).is_zero() || given(1, 1).is_zero() || given(2, 2).is_zero()) return {};
-  constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
-  const double whole = inertia.trace();
-  const detail::numeric_way way(m, b, b.inertia.parts[0].left);
-  if (way.known) inertia.move_to_center(way.mass / largest, way.r);
-  if (way.known && !inertia.positive(1, rounded * whole))
-    return sentence({"the inertia of ", called, " about ", m.points[b.about].called.view(),
-                     " is less than what its mass alone has there"});
-  if (!inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
-    return sentence({"the inertia of ", called,
-                     " is that of no body: one principal moment is larger than the other two together; if it "
-                     "is meant, write effective_inertia<...> around it"});
-  return {};
+  return detail::check_principal_values(m, b, inertia, largest,
+                                        detail::numeric_way(m, b, b.inertia.parts[0].left));
 }
 
 } // namespace kanexpr::mechanics

@@ -6,7 +6,7 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether a node is positive wherever parameters are: of sums, products, quotients and roots.
+/// Whether a node is positive wherever parameters are: of sums, products, quotients, powers and the like.
 constexpr bool is_positive(const symbolic::graph& g, int id) {
   using symbolic::operation;
   const symbolic::node& n = g[id];
@@ -16,7 +16,10 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case operation::add:
   case operation::multiply:
   case operation::divide: return is_positive(g, n.a) && (n.a == n.b || is_positive(g, n.b));
-  case operation::sqrt: return is_positive(g, n.a);
+  case operation::sqrt:
+  case operation::power: return is_positive(g, n.a);
+  case operation::exp:
+  case operation::abs: return true;
   default: return false;
   }
 }

@@ -263,7 +263,9 @@ public:
   }
   /// Of coordinates, parameters, time and inputs.
   void potential_energy(expression energy) {
-    if (inspect_.own(energy, "a potential energy")) m_.potential_energies.push(energy);
+    if (!inspect_.own(energy, "a potential energy")) return;
+    if (energy.is_zero()) inspect_.fail({"a potential energy is zero; 1/2 of whole numbers is 0 in C++"});
+    m_.potential_energies.push(energy);
   }
   /// A straight spring, which pulls two points to each other with stiffness·(distance − natural length).
   void spring(point_id at, point_id other, expression stiffness, expression natural_length) {

@@ -1,0 +1,106 @@
+// Numbers that are others than they seem.
+#include "shapes.hpp"
+
+// expect: the potential energy with k holds the factor 0, which is what 1/2 is in C++; write q/2 or
+// expect: rational<1, 2>*q, and 0.0 for a zero that is meant
+namespace n1 {
+struct System : loaded<potential_energy<1 / 2 * k * q * q>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: an inertia scalar of Rod holds the factor 0, which is what 1/2 is in C++; write q/2 or
+// expect: rational<1, 2>*q, and 0.0 for a zero that is meant
+namespace n2 {
+struct Rod : rigid_body<Rod, P, A, m, inertia<A, 0, 1 / 12 * m * l * l, 1 / 12 * m * l * l>> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: the offset of point Tip holds the factor 0, which is what 1/2 is in C++; write q/2 or
+// expect: rational<1, 2>*q, and 0.0 for a zero that is meant
+namespace n3 {
+struct Tip : offset<Tip, O, 1 / 2 * l * A::x> {};
+struct System : loaded<force<Tip, F * N::x>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: the force at P holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q, and
+// expect: 0.0 for a zero that is meant
+namespace n4 {
+struct System : loaded<force<P, F * (1 / 2) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: the torque on A holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q, and
+// expect: 0.0 for a zero that is meant
+namespace n5 {
+struct System : loaded<torque<A, 1 / 2 / l * N::z>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: the torque on A holds a power of 0, which is what 1/2 is in C++; write pow(x, 0.5)
+namespace n6 {
+struct System : loaded<torque<A, pow(T, 1 / 2) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: the inertia of Rod is zero, as 1/2 is in C++; a body without an inertia is a particle<...>
+namespace n7 {
+struct Rod : rigid_body<Rod, P, A, m, inertia<A, 0, 1 / 12, 1 / 12>> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: the potential energy is zero; 1/2 of whole numbers is 0 in C++
+namespace n8 {
+struct System : loaded<potential_energy<1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: the offset of point Tip is written with ^; a power is written pow(x, n)
+namespace n9 {
+struct Tip : offset<Tip, O, l * q ^ 2 * A::x> {};
+struct System : loaded<force<Tip, F * N::x>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: values<...> takes equations such as m == 2.5 for parameters, and holds another expression
+namespace n10 {
+struct System : told<values<2.5>> {};
+void f() { use<System>(); }
+} // namespace n10
+
+// expect: the mass of Bead is negative
+namespace n11 {
+struct Bead : particle<Bead, P, -abs(m)> {};
+struct System : pendulum_with<Bead> {};
+void f() { use<System>(); }
+} // namespace n11
+
+// expect: the mass of Bead is negative
+namespace n12 {
+struct Bead : particle<Bead, P, -m * exp(-l)> {};
+struct System : pendulum_with<Bead> {};
+void f() { use<System>(); }
+} // namespace n12
+
+// expect: a name that begins with a_parameter_with_a_n is longer than a name can be, 60 letters
+namespace n13 {
+constexpr parameter<"a_parameter_with_a_name_of_58_letters_and_of_an_index_too_", 1234567> much;
+struct Bead : particle<Bead, P, much> {};
+struct System : pendulum_with<Bead> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// Whose other side is a parameter as well as any.
+namespace n14 {
+struct System : told<loads<weight>, values<2 == m, 9.81 - 0.01 == g>> {};
+using eom = equations_of_motion<System>;
+static_assert(eom::parameters::SizeAtCompileTime == 1);
+} // namespace n14
+
+// expect: the value of parameter l is not a number: it holds m
+namespace n15 {
+struct System : told<loads<weight>, values<l == m>> {};
+void f() { use<System>(); }
+} // namespace n15
