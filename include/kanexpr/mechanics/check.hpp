@@ -117,7 +117,7 @@ private:
     for (const dyadic::part& p : b.inertia.parts) {
       for (int i = 0; i < 9; ++i) mass(p.value(i / 3, i % 3), "the inertia of ", called);
       for (int i = 0; i < 3; ++i)
-        if (p.left == p.right && p.value(i, i).is_constant() &&
+        if (b.inertia.parts.size() == 1 && p.left == p.right && p.value(i, i).is_constant() &&
             m_.g->number_at(p.value(i, i).node()).negative())
           fail({"a moment of inertia of ", called, " is negative"});
       for (int i = 0; i < 3; ++i) {
