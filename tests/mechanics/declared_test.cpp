@@ -114,18 +114,125 @@ TEST(angular_velocity, may_be_a_spin_whose_angle_is_left_out) {
             "an angle; if that is meant, write changing_inertia<...>");
 }
 
-// A disc of which only yaw and lean are coordinates, and its speeds lie along the axes that lean.
+std::string left_out(const std::string& what, const std::string& axes, const std::string& frame) {
+  return what + " is given along axes of " + axes + " and depends on the angle of " + frame +
+         " that is left out; give " + frame +
+         " that angle, or write angular_velocity_apart_from_orientation<...>";
+}
+
+// A disc of which only yaw and lean are coordinates, and its speeds lie along the axes that lean. These are
+// not axes of a frame that spins with the disc.
 TEST(angular_velocity, may_mix_the_spin_that_is_left_out_with_the_rest) {
-  for (const double factor : {1.0, 2.0}) {
-    bench b(false);
-    const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
-                   lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0));
-    b.angular_velocity(lean, b.n, b.along(lean, b.u[0], b.u[1], b.number(factor) * b.u[2]));
-    b.kinematic_equation(b.dot(b.q[0]) - b.u[2] / cos(b.q[1]));
-    b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
-    b.kinematic_equation(b.dot(b.q[2]) - b.q[0]);
-    b.rigid_body("Disc", b.o, lean, b.number(2), b.inertia(lean, b.number(1), b.number(2), b.number(1)));
-    EXPECT_EQ(told(b), factor == 1 ? "" : apart("L"));
+  for (const bool own : {false, true})
+    for (const double factor : {1.0, 2.0}) {
+      bench b(false);
+      const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
+                     lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0)),
+                     disc = own ? lean : b.rotated("R", lean, b.number(0), b.along(lean, 0, 1, 0));
+      b.angular_velocity(disc, b.n, b.along(lean, b.u[0], b.u[1], b.number(factor) * b.u[2]));
+      b.kinematic_equation(b.dot(b.q[0]) - b.u[2] / cos(b.q[1]));
+      b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
+      b.kinematic_equation(b.dot(b.q[2]) - b.q[0]);
+      b.rigid_body("Disc", b.o, disc, b.number(2), b.inertia(disc, b.number(1), b.number(2), b.number(1)));
+      EXPECT_EQ(told(b), factor > 1 ? apart(own ? "L" : "R")
+                         : own      ? left_out("the angular velocity of frame L", "L", "L")
+                                    : "");
+    }
+}
+
+// A wheel on an arm, whose angle is left out, and what can be put on it.
+struct wheel : bench {
+  frame_id arm = rotated("A", n, q[0], along(n, 0, 0, 1)),
+           hub = rotated("W", arm, number(0), along(arm, 1, 0, 0));
+  point_id end = offset("E", o, along(arm, 0, 2, 0));
+
+  wheel() {
+    angular_velocity(hub, arm, along(arm, speed("spin"), number(0), number(0)));
+    rigid_body("Wheel", end, hub, number(1), inertia(hub, number(2), number(1), number(1)));
+  }
+};
+
+TEST(angle_that_is_left_out, matters_to_what_lies_off_its_axis) {
+  const auto with = [](auto more) {
+    wheel b;
+    more(b);
+    return told(b);
+  };
+  const auto bead = [](wheel& b, const vector& at) {
+    b.particle("Bead", b.offset("P", b.end, at), b.number(1));
+  };
+  EXPECT_EQ(with([&](wheel& b) { bead(b, b.along(b.hub, 3, 0, 0)); }), "");
+  EXPECT_EQ(with([&](wheel& b) { bead(b, b.along(b.arm, 0, 1, 3)); }), "");
+  EXPECT_EQ(with([&](wheel& b) { bead(b, b.along(b.hub, 3, 0, 1e-6)); }),
+            left_out("the offset of point P", "W", "W"));
+  EXPECT_EQ(with([&](wheel& b) { b.offset("Mark", b.end, b.along(b.hub, 0, 0, 1)); }), ""); // carries nothing
+  // through a point, and a frame that is fixed in the wheel
+  EXPECT_EQ(with([&](wheel& b) {
+              const frame_id rim = b.rotated("R", b.hub, b.parameter("tilt"), b.along(b.hub, 0, 1, 0));
+              const point_id at = b.offset("Rim", b.end, b.along(rim, 1, 0, 0));
+              b.force(b.offset("P", at, b.along(b.arm, 1, 0, 0)), b.along(b.n, 1, 0, 0));
+            }),
+            left_out("the offset of point Rim", "R", "W"));
+  // about the same axis, and about another
+  for (const bool same : {true, false})
+    EXPECT_EQ(
+        with([&](wheel& b) {
+          const frame_id pin = b.rotated("R", b.hub, b.q[1], b.along(b.hub, same ? 1 : 0, same ? 0 : 1, 0));
+          b.rigid_body("Pin", b.end, pin, b.number(1), b.inertia(pin, b.number(2), b.number(2), b.number(2)));
+        }),
+        same ? "" : left_out("the axis of frame R", "W", "W"));
+}
+
+TEST(angle_that_is_left_out, matters_to_loads_and_constraints_along_axes_that_turn) {
+  const auto with = [](auto more) {
+    wheel b;
+    more(b, b.along(b.hub, 1, 0, 0), b.along(b.hub, 0, 1, 0));
+    return told(b);
+  };
+  EXPECT_EQ(with([](wheel& b, const vector& along, const vector&) {
+              b.force(b.end, along), b.torque(b.hub, along);
+              b.velocity_constraint(b.along(b.n, b.u[0], b.u[1], b.u[2]), along);
+            }),
+            "");
+  EXPECT_EQ(with([](wheel& b, const vector&, const vector& across) { b.force(b.end, across); }),
+            left_out("a force on E", "W", "W"));
+  EXPECT_EQ(with([](wheel& b, const vector&, const vector& across) { b.torque(b.hub, across); }),
+            left_out("a torque on W", "W", "W"));
+  EXPECT_EQ(with([](wheel& b, const vector&, const vector& across) {
+              b.velocity_constraint(b.along(b.n, b.u[0], b.u[1], b.u[2]), across);
+            }),
+            left_out("a direction of velocity constraint 1", "W", "W"));
+  // a velocity is the same in whatever axes it is written
+  EXPECT_EQ(with([](wheel& b, const vector&, const vector&) {
+              b.force(b.end, b.along(b.hub, b.number(0), -b.u[0], b.u[1]));
+            }),
+            "");
+}
+
+// A pendulum whose angle was forgotten, and one with a spin that it does not have.
+TEST(angle_that_is_left_out, is_not_that_of_a_pendulum) {
+  for (const bool forgotten : {true, false}) {
+    bench b;
+    const frame_id a = b.rotated("A", b.n, forgotten ? b.number(0) : b.q[0], b.along(b.n, 0, 0, 1));
+    const expression zero = b.number(0);
+    b.angular_velocity(a, b.n, b.along(a, forgotten ? zero : b.u[0], zero, b.u[0]));
+    b.particle("Bob", b.offset("P", b.o, b.along(a, 1, 2, 0)), b.number(1));
+    EXPECT_EQ(told(b),
+              left_out(forgotten ? "the offset of point P" : "the angular velocity of frame A", "A", "A"));
+  }
+}
+
+// By two speeds of its own, one after another, nothing but a ball at its centre turns.
+TEST(angle_that_is_left_out, is_not_a_single_one_of_two_speeds) {
+  for (const double offset : {0.0, 1.0}) {
+    bench b;
+    const expression v = b.speed("v"), w = b.speed("w"), zero = b.number(0);
+    const frame_id arm = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
+                   ball = b.rotated("B", arm, zero, b.along(arm, 0, 0, 1));
+    b.angular_velocity(ball, arm, b.along(arm, w, zero, v));
+    b.rigid_body("Ball", b.offset("P", b.o, b.along(ball, 0, 0, offset)), ball, b.number(1),
+                 b.inertia(ball, b.number(2), b.number(2), b.number(2)));
+    EXPECT_EQ(told(b), offset > 0 ? left_out("the offset of point P", "B", "B") : "");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/check_dyadic.hpp>
 #include <kanexpr/mechanics/check_inertia.hpp>
 #include <kanexpr/mechanics/check_kinematics.hpp>
+#include <kanexpr/mechanics/check_left_out_angles.hpp>
 #include <kanexpr/mechanics/check_loads.hpp>
 #include <kanexpr/mechanics/check_turning.hpp>
 #include <kanexpr/mechanics/partition.hpp>
@@ -62,13 +63,16 @@ private:
   /// At generic states.
   constexpr void what_is_declared() {
     bool declared = false, apart = false;
+    sequence<left_out_angle> angles;
     for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
     if (declared) {
       checking_turning turning(m_, held_);
       found_ = turning.run();
       apart = turning.is_any_apart();
+      angles = turning.left_out_angles();
     }
     if (!found_) found_ = checking_inertia(m_, held_, apart).run();
+    if (!found_) found_ = checking_left_out_angles(m_, held_, angles).run();
   }
 
   constexpr void check_frame(int place) {

@@ -9,6 +9,13 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
+/// What a frame turns about apart from its orientation, in its own axes: more than one axis if not by a
+/// single angle.
+struct left_out_angle {
+  int frame = none;
+  span_of_triples axes{};
+};
+
 /// An equality that holds at one generic state holds at all; axes that stay are looked for at three.
 ///
 /// What of a declared angular velocity the orientation does not say has to be the spin of angles that the
@@ -25,7 +32,7 @@ public:
 
   constexpr problem run() {
     bool open = false; // whether something is to be explained
-    for (int state = 0, looked = 0; state < 6 && looked < (open ? 3 : 1); ++state) {
+    for (int state = 0, looked = 0; state < 6 && looked < (is_any_apart_ ? 3 : 1); ++state) {
       motion_.draw();
       if (motion_.has_free_speeds() && !take(false)) continue;
       if (take(true)) ++looked;
@@ -48,6 +55,13 @@ public:
   }
 
   constexpr bool is_any_apart() const { return is_any_apart_; }
+
+  constexpr sequence<left_out_angle> left_out_angles() const {
+    sequence<left_out_angle> found;
+    for (const turning& t : declared_)
+      if (t.all.size() != 0 && !m_.frames[t.frame].turns_apart) found.push({t.frame, t.all});
+    return found;
+  }
 
 private:
   /// Of a frame, in its own axes at all states.
@@ -87,6 +101,7 @@ private:
   }
 
   constexpr bool is_explained(const turning& t) const {
+    // by two speeds of its own the orientation is unknown, and other checks ask what depends on it
     if (t.bound.size() == 0 || t.free.size() > 1) return true;
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
     if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);

@@ -1,0 +1,10 @@
+// expect: the offset of point G is given along axes of B and depends on the angle of B that is left out
+#include "pendulum.hpp"
+
+struct B : rotated<B, N, 0, N::z>, angular_velocity<N, u * N::z> {};
+struct G : offset<G, O, l * B::x> {};
+struct Ball : particle<Ball, G, m> {};
+
+struct System : pendulum_with<Ball> {};
+
+int main() { use<System>(); }
