@@ -100,16 +100,18 @@ constexpr problem check_symbol_among_words(const describe::token& t, std::string
 /// What stands beside the words of a system, or beside one of them: `struct System : kane_system<…>,
 /// loads<…>`.
 template <class Told>
-constexpr problem word_beside(std::string_view called) {
+constexpr problem word_beside() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
   if constexpr (__is_base_of(describe::load_words, Told)) {
-    return sentence({"a load stands beside the words of ", called, "; write it in loads<...>, among them"});
+    return sentence(
+        {"a load stands beside the words of ", type_name<Told>(), "; write it in loads<...>, among them"});
   } else if constexpr (describe::has_word_beside<Told>()) {
-    return sentence({called, " is described as a system and as a part of one; give each a name of its own"});
+    return sentence(
+        {type_name<Told>(), " is described as a system and as a part of one; give each a name of its own"});
   } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
     std::string_view word = "a word";
     if constexpr (requires { Told::word; }) word = Told::word;
-    return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", called,
+    return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", type_name<Told>(),
                      "; write it among them, between the < > of its system"});
   } else {
     return {};
@@ -120,7 +122,7 @@ constexpr problem word_beside(std::string_view called) {
 template <class Told>
 constexpr problem check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
-    return word_beside<Told>(type_name<Told>());
+    return word_beside<Told>();
   else if constexpr (requires { Told::content(); })
     return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});
@@ -185,7 +187,7 @@ constexpr problem check_words() {
     else
       return sentence({called, " is derived from two systems; give each a name of its own"});
   } else {
-    if (const problem beside = word_beside<System>(called)) return beside;
+    if (const problem beside = word_beside<System>()) return beside;
     const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
     problem found = check_method<System>(called);
