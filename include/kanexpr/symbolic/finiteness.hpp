@@ -37,6 +37,7 @@ public:
   /// The symbols in divisors, roots and arguments that leave the finite numbers first, but for divisors that
   /// something else looks at.
   constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
+    if (!any_begins_) return {};
     sequence<char> is_known(g_.size(), 0), reached(g_.size(), 0);
     for (int id : known_divisors) is_known[id] = 1;
     for (int id = g_.size() - 1; id >= 0; --id) {
@@ -53,38 +54,36 @@ public:
   }
 
 private:
-  constexpr void look_at(int id) {
+  constexpr void look_at(int id) { // and write down no more than is true: compilers are slow in it
     const node& n = g_[id];
-    if (is_leaf(n.op)) {
-      is_never_negative_[id] = g_.is_constant(id) && !g_.number_at(id).negative();
-      return;
-    }
+    if (n.op == operation::symbol) return;
     const int a = n.a, b = is_binary(n.op) && !is_numbered(n.op) ? n.b : n.a;
-    const bool both = is_never_negative_[a] != 0 && is_never_negative_[b] != 0;
+    bool is_never_negative = false, begins = false;
     switch (n.op) {
-    case operation::add: is_never_negative_[id] = both; break;
-    case operation::multiply: is_never_negative_[id] = both || a == b; break;
-    case operation::divide:
-      is_never_negative_[id] = both;
-      begins_[id] = !(g_.is_constant(b) || is_sure_[b] != 0);
+    case operation::constant: is_never_negative = !g_.number_at(id).negative(); break;
+    case operation::multiply:
+      is_never_negative = a == b || (is_never_negative_[a] != 0 && is_never_negative_[b] != 0);
       break;
+    case operation::add: is_never_negative = is_never_negative_[a] != 0 && is_never_negative_[b] != 0; break;
+    case operation::divide: begins = !(g_.is_constant(b) || is_sure_[b] != 0); break;
     case operation::sqrt:
-      is_never_negative_[id] = 1;
-      begins_[id] = is_never_negative_[a] == 0; // rounding can make it so
+      is_never_negative = true;
+      begins = is_never_negative_[a] == 0; // rounding can make it so
       break;
-    case operation::abs: is_never_negative_[id] = 1; break;
-    case operation::exp:
-      is_never_negative_[id] = 1;
-      begins_[id] = 1;
-      break;
+    case operation::abs: is_never_negative = true; break;
     case operation::power:
     case operation::asin:
     case operation::acos:
-    case operation::log: begins_[id] = 1; break;
+    case operation::exp:
+    case operation::log: begins = true; break;
     default: break; // a tangent is as large as rounding lets it be
     }
+    if (is_never_negative) is_never_negative_[id] = 1;
+    if (begins) begins_[id] = 1;
+    any_begins_ = any_begins_ || begins;
+    if (n.op == operation::constant) return;
     const bool solves = n.op >= operation::pair; // and its status is another
-    may_fail_[id] = begins_[id] != 0 || solves || may_fail_[a] != 0 || may_fail_[b] != 0;
+    if (begins || solves || may_fail_[a] != 0 || may_fail_[b] != 0) may_fail_[id] = 1;
   }
 
   /// Marks the operands that, not being finite, leave the result no finite number.
@@ -107,6 +106,7 @@ private:
   const graph& g_;
   const sequence<int>& outputs_;
   sequence<char> live_, is_sure_, is_never_negative_, begins_, may_fail_;
+  bool any_begins_ = false;
 };
 
 /// A sum as it is written: no rule lets something cancel in it.
