@@ -22,7 +22,9 @@ public:
     const auto add = [&](const sequence<expression>& all) {
       for (const expression& e : all) outputs.push(e.node());
     };
-    add(places_), add(moves_), add(by_q_.entries), add(by_u_.entries), add(s_.coordinate_rates), add(wanted);
+    add(places_), add(by_q_.entries);
+    if (!places_.empty()) placing_.emplace(*m_.g, outputs);
+    add(moves_), add(by_u_.entries), add(s_.coordinate_rates), add(wanted);
     evaluate_.emplace(*m_.g, outputs);
     rates_.emplace(*m_.g, symbolic::nodes_of(moves_));
     generic_.emplace(*m_.g, evaluate_->live(), &m_, 1.0);
@@ -53,20 +55,19 @@ private:
 
   /// Newton's method from a configuration that was drawn.
   constexpr bool place() {
-    evaluate();
-    if (places_.empty()) return true;
-    double step = 1;
+    double step = places_.empty() ? 0 : 1;
     for (int steps = 0; steps < 40 && step > 1e-12; ++steps) {
+      placing_->at([&](int id) { return symbols_[id].value; });
       numbers rows{places_.size(), m_.coordinates.size() + 1, {}};
       for (int i = 0; i < rows.rows; ++i) {
-        for (int j = 0; j < m_.coordinates.size(); ++j) rows.entries.push(value(by_q_(i, j)));
-        rows.entries.push(value(places_[i]));
+        for (int j = 0; j < m_.coordinates.size(); ++j) rows.entries.push((*placing_)[by_q_(i, j).node()]);
+        rows.entries.push((*placing_)[places_[i].node()]);
       }
       keep_norms(rows);
       step = change(rows, m_.coordinates);
       normalize();
-      evaluate();
     }
+    evaluate();
     if (!(step >= 0 && step <= 1e-12)) return false;
     for (const expression& f : places_)
       if (!symbolic::elementary::detail::is_finite(value(f)) || !vanishes(f)) return false;
@@ -190,7 +191,7 @@ private:
   symbolic::typical_sizes sizes_;
   sequence<symbolic::rated> symbols_;
   sequence<expression> places_{}, moves_{};
-  std::optional<symbolic::evaluation> evaluate_{};
+  std::optional<symbolic::evaluation> placing_{}, evaluate_{}; ///< of Newton's steps, of everything
   std::optional<symbolic::rate_evaluation> rates_{};
   std::optional<detail::generic_values> generic_{};
 };
