@@ -122,15 +122,6 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   return values;
 }
 
-/// Divides a scale by the largest of so many entries.
-template <class Entry>
-constexpr void rescale(double& scale, Entry entry, int count) {
-  double most = 0;
-  for (int k = 0; k < count; ++k)
-    if (entry(k) > most) most = entry(k);
-  if (most > 0) scale /= most;
-}
-
 /// The same matrices with rows and columns scaled, all alike, so that the largest entry of each is near 1.
 /// What comes out does not depend on the units of rows and columns: scales are first handed on from entry to
 /// entry along a tree of rows and columns, which only places of entries decide.
