@@ -76,7 +76,8 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
     if (adds[c.size() + i] != 0)
       return sentence({"acceleration constraint ", counted(i + 1).view(),
                        " does not follow from the constraints on the velocities"});
-  consistent_states states(s, configuration, configuration.rows, c, c.size(), m.acceleration_constraints);
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), m.acceleration_constraints,
+                           true);
   const int i = first_that_never_vanishes(states, m.acceleration_constraints);
   if (i == none) return {};
   return sentence({"acceleration constraint ", counted(i + 1).view(),

@@ -94,6 +94,8 @@ constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
 constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
                                        const symbolic::matrix& configuration) {
   if (c.repeated.empty()) return {};
+  consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
+  if (first_that_never_vanishes(anywhere, c.repeated) == none) return {}; // as most, in any configuration
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
   const int i = first_that_never_vanishes(states, c.repeated);
   if (i == none) return {};

@@ -31,14 +31,16 @@ public:
   }
 
   constexpr problem run() {
-    bool open = false; // whether something is to be explained
-    for (int state = 0, looked = 0; state < 6 && looked < (is_any_apart_ ? 3 : 1); ++state) {
+    bool open = false;  // whether something is to be explained
+    bool moves = false; // whether its axis may move in a frame
+    for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
       motion_.draw();
       if (motion_.has_free_speeds() && !take(false)) continue;
       if (take(true)) ++looked;
       for (const turning& t : declared_) {
         is_any_apart_ = is_any_apart_ || t.all.size() != 0;
         open = open || t.bound.size() != 0;
+        moves = moves || (t.all.size() != 0 && !is_wheel(t.frame));
       }
     }
     if (open)
@@ -106,6 +108,19 @@ private:
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
     if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);
     return own_is_fixed && (t.by_angles.size() == 0 || is_ball(t.frame));
+  }
+
+  /// Whether a frame says nothing but that it spins about an axis of its parent.
+  constexpr bool is_wheel(int place) const {
+    const frame& f = m_.frames[place];
+    if (f.kind != orientation::about_basis || f.reference != f.parent || !is_fixed_in_parent(place))
+      return false;
+    for (const vector::part& p : f.angular_velocity.parts) {
+      if (p.frame != place && p.frame != f.parent) return false;
+      for (int i = 0; i < 3; ++i)
+        if (i != f.axis && !p.value[i].is_zero()) return false;
+    }
+    return true;
   }
 
   constexpr bool is_fixed_in_parent(int place) const {

@@ -3,8 +3,6 @@
 #include <kanexpr/mechanics/constraints.hpp>
 #include <kanexpr/symbolic/evaluate_rate.hpp>
 
-#include <optional>
-
 namespace kanexpr::mechanics {
 
 /// States that satisfy constraints, with rates of the speeds that do; nobody chose them otherwise. What holds
@@ -12,62 +10,77 @@ namespace kanexpr::mechanics {
 class consistent_states {
 public:
   /// The first so many constraints on the configuration, with their derivatives, and on the velocities;
-  /// `wanted` is what is looked at.
+  /// `wanted` is what is looked at, and may hold rates of coordinates and speeds if `has_rates`.
   constexpr consistent_states(const skeleton& s, const symbolic::matrix& configuration, int configurations,
-                              const constraints& c, int velocities, const sequence<expression>& wanted)
-      : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()) {
-    for (int i = 0; i < configurations; ++i) places_.push(m_.configuration_constraints[i]);
-    for (int i = 0; i < velocities; ++i) moves_.push(c.on_velocities[i].value);
-    sequence<int> outputs;
-    const auto add = [&](const sequence<expression>& all) {
-      for (const expression& e : all) outputs.push(e.node());
-    };
-    add(places_), add(by_q_.entries);
-    if (!places_.empty()) placing_.emplace(*m_.g, outputs);
-    add(moves_), add(by_u_.entries), add(s_.coordinate_rates), add(wanted);
-    evaluate_.emplace(*m_.g, outputs);
-    rates_.emplace(*m_.g, symbolic::nodes_of(moves_));
-    generic_.emplace(*m_.g, evaluate_->live(), &m_, 1.0);
-  }
+                              const constraints& c, int velocities, const sequence<expression>& wanted,
+                              bool has_rates = false)
+      : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()),
+        has_rates_(has_rates), places_(first(configurations, m_.configuration_constraints)),
+        moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
+        rates_(*m_.g, has_rates ? symbolic::nodes_of(moves_) : sequence<int>()),
+        generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
   /// Goes to another; false where none is found from what was drawn.
   constexpr bool next() {
-    generic_->draw();
-    for (int id : evaluate_->live())
-      if ((*m_.g)[id].op == symbolic::operation::symbol) symbols_[id] = {(*generic_)[id], 0};
+    generic_.draw();
+    for (int id : evaluate_.live())
+      if ((*m_.g)[id].op == symbolic::operation::symbol) symbols_[id] = {generic_[id], 0};
     for (const sequence<expression>* all : {&m_.auxiliary_speeds, &m_.speed_rates, &m_.coordinate_rates})
       for (const expression& e : *all) symbols_[e.node()] = {};
-    return place() && move() && accelerate();
+    return place() && move() && (!has_rates_ || accelerate());
   }
 
   /// Whether an expression is nothing there beside its terms.
   constexpr bool vanishes(expression e) const {
-    const double value = (*evaluate_)[e.node()];
+    const double value = evaluate_[e.node()];
     return !symbolic::elementary::detail::is_finite(value) ||
-           symbolic::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, *evaluate_)[e.node()];
+           symbolic::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
   }
 
 private:
-  constexpr void evaluate() {
-    evaluate_->at([&](int id) { return symbols_[id].value; });
+  static constexpr sequence<expression> first(int count, const sequence<expression>& all) {
+    sequence<expression> some;
+    for (int i = 0; i < count; ++i) some.push(all[i]);
+    return some;
   }
-  constexpr double value(expression e) const { return (*evaluate_)[e.node()]; }
+  static constexpr sequence<expression> values_of(const constraints& c) {
+    sequence<expression> values;
+    for (const velocity_constraint& v : c.on_velocities) values.push(v.value);
+    return values;
+  }
+  constexpr sequence<int> outputs(const sequence<expression>& wanted) const {
+    sequence<int> nodes;
+    const auto add = [&](const sequence<expression>& all) {
+      for (const expression& e : all) nodes.push(e.node());
+    };
+    if (!places_.empty()) add(places_), add(by_q_.entries);
+    if (!moves_.empty()) add(moves_), add(by_u_.entries);
+    if (has_rates_) add(s_.coordinate_rates);
+    add(wanted);
+    return nodes;
+  }
+
+  constexpr void evaluate() {
+    evaluate_.at([&](int id) { return symbols_[id].value; });
+  }
+  constexpr double value(expression e) const { return evaluate_[e.node()]; }
 
   /// Newton's method from a configuration that was drawn.
   constexpr bool place() {
-    double step = places_.empty() ? 0 : 1;
+    evaluate();
+    if (places_.empty()) return true;
+    double step = 1;
     for (int steps = 0; steps < 40 && step > 1e-12; ++steps) {
-      placing_->at([&](int id) { return symbols_[id].value; });
       numbers rows{places_.size(), m_.coordinates.size() + 1, {}};
       for (int i = 0; i < rows.rows; ++i) {
-        for (int j = 0; j < m_.coordinates.size(); ++j) rows.entries.push((*placing_)[by_q_(i, j).node()]);
-        rows.entries.push((*placing_)[places_[i].node()]);
+        for (int j = 0; j < m_.coordinates.size(); ++j) rows.entries.push(value(by_q_(i, j)));
+        rows.entries.push(value(places_[i]));
       }
       keep_norms(rows);
       step = change(rows, m_.coordinates);
       normalize();
+      evaluate();
     }
-    evaluate();
     if (!(step >= 0 && step <= 1e-12)) return false;
     for (const expression& f : places_)
       if (!symbolic::elementary::detail::is_finite(value(f)) || !vanishes(f)) return false;
@@ -96,11 +109,11 @@ private:
     for (const prescribed_rate& p : m_.prescribed_rates)
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
     if (!moves_.empty()) {
-      rates_->at([&](int id) { return symbols_[id]; });
+      rates_.at([&](int id) { return symbols_[id]; });
       numbers rows{moves_.size(), m_.speeds.size() + 1, {}};
       for (int i = 0; i < rows.rows; ++i) {
         for (int j = 0; j < m_.speeds.size(); ++j) rows.entries.push(value(by_u_(i, j)));
-        rows.entries.push((*rates_)[moves_[i].node()].rate);
+        rows.entries.push(rates_[moves_[i].node()].rate);
       }
       if (change(rows, m_.speed_rates) < 0) return false;
     }
@@ -190,10 +203,11 @@ private:
   const symbolic::matrix &by_q_, &by_u_;
   symbolic::typical_sizes sizes_;
   sequence<symbolic::rated> symbols_;
-  sequence<expression> places_{}, moves_{};
-  std::optional<symbolic::evaluation> placing_{}, evaluate_{}; ///< of Newton's steps, of everything
-  std::optional<symbolic::rate_evaluation> rates_{};
-  std::optional<detail::generic_values> generic_{};
+  bool has_rates_;
+  sequence<expression> places_, moves_;
+  symbolic::evaluation evaluate_;
+  symbolic::rate_evaluation rates_;
+  detail::generic_values generic_;
 };
 
 /// The first of some expressions that vanishes nowhere where constraints hold, as far as states are found
@@ -201,13 +215,13 @@ private:
 constexpr int first_that_never_vanishes(consistent_states& states, const sequence<expression>& wanted) {
   sequence<char> vanishes(wanted.size(), 0);
   int looked = 0;
-  for (int attempts = 0; attempts < 12 && looked < 3; ++attempts) {
+  for (int attempts = 0; attempts < 12 && looked < 3 && vanishes.contains(0); ++attempts) {
     if (!states.next()) continue;
     ++looked;
     for (int i = 0; i < wanted.size(); ++i)
       if (vanishes[i] == 0 && states.vanishes(wanted[i])) vanishes[i] = 1;
   }
-  return looked < 2 ? none : vanishes.find(0);
+  return vanishes.contains(0) && looked < 2 ? none : vanishes.find(0);
 }
 
 } // namespace kanexpr::mechanics
