@@ -16,8 +16,8 @@ struct constraints {
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
   sequence<expression> remainder{}; ///< c, what is left when nothing moves
-  sequence<expression> repeated{};  ///< rates of configuration constraints that are left out
-  sequence<int> repeats{};          ///< these configuration constraints
+  sequence<expression> repeated{};  ///< rates that are left out, where more than J u has to agree
+  sequence<int> repeats{};          ///< the configuration constraints that they are of
 
   constexpr int size() const { return on_velocities.size(); }
 };
@@ -86,7 +86,10 @@ constexpr constraints form_constraints(motion& k) {
   constraints out;
   symbolic::substitution at_rest(*m.g);
   for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
+  bool is_all_by_speeds = true;
   for (int i = 0; i < all.size(); ++i) {
+    const expression remainder = at_rest.in(all[i].value);
+    is_all_by_speeds = is_all_by_speeds && remainder.is_zero();
     if (kept[i] == 0) {
       out.repeated.push(drop.in(all[i].value));
       out.repeats.push(i - given);
@@ -95,8 +98,9 @@ constexpr constraints form_constraints(motion& k) {
     out.on_velocities.push({drop.in(all[i].value), drop.in(all[i].vanishing), all[i].direction});
     out.node.push(nodes[i]);
     out.of_configuration.push(i < given ? none : i - given);
-    out.remainder.push(at_rest.in(all[i].value));
+    out.remainder.push(remainder);
   }
+  if (is_all_by_speeds) out.repeated.clear(), out.repeats.clear();
   const int speeds = m.speeds.size();
   out.jacobian = symbolic::matrix(*m.g, out.size(), speeds);
   out.by_auxiliary = symbolic::matrix(*m.g, out.size(), m.ways() - speeds);
