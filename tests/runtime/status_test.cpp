@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <type_traits>
@@ -241,6 +242,26 @@ TEST(status, names_the_speed_that_a_mass_of_zero_leaves_alone) {
   for (const double mass : {0.0, 1e-200}) {
     for (double* m : {&b.p[m1], &b.p[m2], &b.p[m3], &b.p[I1], &b.p[I2], &b.p[I3]}) *m = mass;
     expect_status<System>(b.x, b.p, b.r, mass > 0 ? "" : cause);
+  }
+}
+
+// What is no number, or infinite, is not singular.
+TEST(status, does_not_call_singular_what_is_not_finite) {
+  using namespace four_bar;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (const double wrong : {infinite, -infinite, std::numeric_limits<double>::quiet_NaN()}) {
+    const auto expect_not_finite = [&](auto change) {
+      four_bars b;
+      change(b);
+      expect_status<System>(b.x, b.p, b.r, "the results are not finite at this state");
+    };
+    expect_not_finite([&](four_bars& b) { b.p[m1] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.p[g] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.p[l2] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.r[T] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.x[q1] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.x[q3] = wrong; });
+    expect_not_finite([&](four_bars& b) { b.x[u1] = wrong; });
   }
 }
 

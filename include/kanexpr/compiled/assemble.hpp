@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
-#include <kanexpr/compiled/never_set.hpp>
+#include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/correction.hpp>
-#include <kanexpr/compiled/never_set.hpp>
+#include <kanexpr/compiled/not_finite.hpp>
 
 #include <type_traits>
 
@@ -20,6 +20,10 @@
 namespace kanexpr {
 
 namespace compiled {
+
+/// Two sentences of which the one ends like the other, so that a controller keeps one.
+inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
+                                  step_not_finite = state_not_finite.substr(16);
 
 /// The inputs at an instant, from a vector or a function.
 template <class R, class Time, class X>
@@ -45,7 +49,7 @@ status conclude(Time& t, state<System, T>& x, const Time& after, state<System, T
   if constexpr (correct::is_needed)
     if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i)
-    if (!lower::scalar_math<T>::is_finite(next(i))) return status("the state after the step is not finite");
+    if (!lower::scalar_math<T>::is_finite(next(i))) return status(state_not_finite);
   t = after;
   x = next;
   return {};
@@ -63,7 +67,8 @@ struct semi_implicit_euler {
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
-    return compiled::never_set<System>::blamed_for(attempted(t, x, h, p, r), p, r);
+    const status s = attempted(t, x, h, p, r);
+    return s ? s : compiled::not_finite<System>::cause_of(s, x, p, compiled::inputs_at(r, t, x));
   }
 
   /// Operations of one step, beside the sums of the method itself.
@@ -75,6 +80,7 @@ struct semi_implicit_euler {
 private:
   template <class Time, class T, class P, class R>
   static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
+    if (!lower::scalar_math<Time>::is_finite(Time(t + h))) return status(compiled::step_not_finite);
     const T length = lower::scalar_math<T>::from(h);
     const auto& given = compiled::inputs_at(r, t, x);
     state<System, T> next = x;
@@ -98,7 +104,8 @@ struct runge_kutta_4 {
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
-    return compiled::never_set<System>::blamed_for(attempted(t, x, h, p, r), p, r);
+    const status s = attempted(t, x, h, p, r);
+    return s ? s : compiled::not_finite<System>::cause_of(s, x, p, compiled::inputs_at(r, t, x));
   }
 
   /// Operations of one step, beside the sums of the method itself.
@@ -109,6 +116,7 @@ struct runge_kutta_4 {
 private:
   template <class Time, class T, class P, class R>
   static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
+    if (!lower::scalar_math<Time>::is_finite(Time(t + h))) return status(compiled::step_not_finite);
     constexpr int size = eom::coordinates + eom::speeds;
     constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
     constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};

@@ -41,18 +41,6 @@ constexpr gap gap_in(const std::complex<Real>& value) {
   return real != gap::none ? real : gap_in(value.imag());
 }
 
-/// Whether a value was never set, told from its bits: for controllers that have no arithmetic of doubles.
-template <class Scalar>
-constexpr bool was_never_set(const Scalar& value) {
-  constexpr unsigned sought = 0xff8 | static_cast<unsigned>(gap::never_set), without_sign = 0xfff;
-  if constexpr (std::is_same_v<Scalar, float>)
-    return (std::bit_cast<std::uint32_t>(value) >> 19 & without_sign) == sought;
-  else if constexpr (std::is_same_v<Scalar, double>)
-    return (std::bit_cast<std::uint64_t>(value) >> 48 & 0x7fff) == (0x7000 | sought);
-  else
-    return gap_in(value) == gap::never_set;
-}
-
 /// What is wrong with the value of a symbol, as a sentence; empty: nothing.
 constexpr mechanics::problem told_of(gap found, const derivation::survey& known, int place,
                                      std::string_view system) {

@@ -2,6 +2,9 @@
 
 #include <kanexpr/mechanics/problem.hpp>
 
+#include <cstdint>
+#include <type_traits>
+
 namespace kanexpr::derivation {
 
 struct cause_sizes {
@@ -14,7 +17,8 @@ struct cause_sizes {
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
-  int end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
+  /// as small as can be, for controllers
+  std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int> end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
 
   constexpr std::string_view operator[](int i) const {
@@ -26,7 +30,7 @@ struct cause_list {
   }
   constexpr void push(const mechanics::problem& p) {
     for (char letter : p.view()) letters[sizes.letters++] = letter;
-    end[sizes.count++] = sizes.letters;
+    end[sizes.count++] = static_cast<std::remove_reference_t<decltype(*end)>>(sizes.letters);
   }
 };
 
@@ -39,7 +43,7 @@ template <cause_sizes sizes, cause_sizes room>
 constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};
   out.sizes = sizes;
-  for (int i = 0; i < sizes.count; ++i) out.end[i] = from.end[i];
+  for (int i = 0; i < sizes.count; ++i) out.end[i] = static_cast<std::remove_reference_t<decltype(*out.end)>>(from.end[i]);
   for (int i = 0; i < sizes.letters; ++i) out.letters[i] = from.letters[i];
   return out;
 }

@@ -4,12 +4,17 @@
 
 namespace kanexpr::lower {
 
-/// Whether a measure is more than `least` of its scale, whatever their signs are; what is no number is not.
+/// Whether a measure is more than `least` of its scale, whatever their signs are. One that is infinite or no
+/// number is not called singular: the results that rest on it are not finite, and that is looked at last.
 template <class T>
 [[gnu::always_inline]] inline bool is_regular(const T& measure, const T& scale, double least) {
   using math = scalar_math<T>;
-  return math::exceeds(math::template by_name<symbolic::operation::abs>(measure),
-                       T(math::from(least) * math::template by_name<symbolic::operation::abs>(scale)));
+  const T size = math::template by_name<symbolic::operation::abs>(measure);
+  const T bound = T(math::from(least) * math::template by_name<symbolic::operation::abs>(scale));
+  if constexpr (std::is_arithmetic_v<T>)
+    return !(size - bound <= 0); // beside infinity, infinity leaves no number
+  else
+    return math::exceeds(size, bound) || !math::is_finite(measure);
 }
 
 /// What a status asks of a measure: to be finite, or to be regular beside its scale.

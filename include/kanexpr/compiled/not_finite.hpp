@@ -1,0 +1,64 @@
+#pragma once
+
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derivation/causes.hpp>
+#include <kanexpr/mechanics/status.hpp>
+
+/// Why a result is not finite: a parameter, an input or an entry of a state that is not.
+namespace kanexpr::compiled {
+
+/// The first entry of parameters or inputs that is no finite number, as a sentence; empty: there is none.
+template <class System, symbols_of which, class Vector>
+mechanics::problem gap_among(const Vector& values) {
+  if constexpr (requires { Vector::SizeAtCompileTime; })
+    return first_gap(values, survey_of<System>, range_of(which, survey_of<System>), type_name<System>());
+  else
+    return {};
+}
+template <class System, class P, class R>
+mechanics::problem gap_among(const P& p, const R& r) {
+  const mechanics::problem found = gap_among<System, symbols_of::parameters>(p);
+  return found ? found : gap_among<System, symbols_of::inputs>(r);
+}
+
+/// "m has no finite value" for every symbol of a system, with room for any sentence.
+template <class System>
+constexpr auto causes_of_gaps() {
+  constexpr const derivation::survey& known = survey_of<System>;
+  derivation::cause_list<derivation::cause_sizes{known.symbols(),
+                                                 known.symbols() * mechanics::problem::capacity}>
+      all{};
+  for (int i = 0; i < known.symbols(); ++i)
+    all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));
+  return all;
+}
+
+/// The same for statuses, which keep no sentences.
+template <class System>
+struct not_finite {
+  static constexpr auto causes =
+      derivation::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
+
+  /// Of a failure: what was not finite before it, or else what it says.
+  template <class X, class P, class R>
+  [[gnu::cold, gnu::noinline]] static status cause_of(const status& failure, const X& x, const P& p,
+                                                      const R& r) {
+    int place = place_in<symbols_of::parameters>(p);
+    if (place < 0) place = place_in<symbols_of::state>(x);
+    if (place < 0) place = place_in<symbols_of::inputs>(r);
+    return place < 0 ? failure : status(causes[place]);
+  }
+
+private:
+  /// Of the first value that is not finite, among all symbols; negative: there is none.
+  template <symbols_of which, class Vector>
+  static int place_in(const Vector& values) {
+    constexpr symbol_range range = range_of(which, survey_of<System>);
+    if constexpr (requires { Vector::SizeAtCompileTime; })
+      for (int i = 0; i < range.size; ++i)
+        if (!lower::scalar_math<typename Vector::Scalar>::is_finite(values[i])) return range.first + i;
+    return -1;
+  }
+};
+
+} // namespace kanexpr::compiled
