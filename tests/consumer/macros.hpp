@@ -1,7 +1,7 @@
 #pragma once
 
-// As in Windows.h, complex.h, termios.h, sys/sysmacros.h, Xlib.h, QObject and Arduino.h. Not here is
-// Arduino's abs, which is a word of models.
+// As in Windows.h, complex.h, termios.h, sys/sysmacros.h, Xlib.h, QObject, macOS's AssertMacros.h and
+// Arduino.h. Not here is Arduino's abs, which is a word of models.
 
 #define min(a, b) harm
 #define max(a, b) harm
@@ -51,6 +51,8 @@
 #define slots
 #define emit
 #define foreach harm
+
+#define check(x) harm
 
 #define round(x) harm
 #define degrees(x) harm

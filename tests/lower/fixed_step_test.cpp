@@ -227,7 +227,8 @@ std::string refused(Step step, double h, const pendulum::parameters& p, const In
 
 TEST(fixed_step, names_what_is_not_finite) {
   using namespace simple_pendulum;
-  constexpr double infinite = std::numeric_limits<double>::infinity(), none = std::nan("");
+  constexpr double infinite = std::numeric_limits<double>::infinity(),
+                   none = std::numeric_limits<double>::quiet_NaN();
   const auto check = [&](auto step) {
     const pendulum::parameters good = conservative();
     const pendulum::inputs still(0.0);
@@ -250,8 +251,9 @@ TEST(fixed_step, names_what_is_not_finite) {
   };
   check(runge_kutta_4<System>());
   check(semi_implicit_euler<System>());
-  EXPECT_EQ(refused(semi_implicit_euler<System>(), 1e300, conservative(), pendulum::inputs(0.0), 3, {0.4, 1e300}),
-            "the state after the step is not finite");
+  EXPECT_EQ(
+      refused(semi_implicit_euler<System>(), 1e300, conservative(), pendulum::inputs(0.0), 3, {0.4, 1e300}),
+      "the state after the step is not finite");
 }
 
 TEST(fixed_step, takes_no_memory) {

@@ -169,9 +169,9 @@ TEST(check_consistency, tells_of_a_norm) {
   x[f2] = 0.1;
   auto model = derive<Two>();
   const Eigen::VectorXd y = x;
-  EXPECT_EQ(check_consistency<Two>(x).cause(), "the norm of quaternion 2 is off by 0.005");
+  EXPECT_EQ(check_consistency<Two>(x).cause(), "the norm of the quaternion f0, f1, f2 and f3 is 1.004987562");
   EXPECT_EQ(check_consistency(model, y, Eigen::VectorXd(), Eigen::VectorXd()).cause(),
-            "the norm of quaternion 2 is off by 0.005");
+            "the norm of the quaternion f0, f1, f2 and f3 is 1.004987562");
 }
 
 // Per quaternion: squares and their sum, a root, a division, four products.

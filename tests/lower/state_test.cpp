@@ -8,7 +8,10 @@
 
 #include <cmath>
 #include <complex>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -79,8 +82,18 @@ TEST(vectors_by_name, tell_what_is_missing_or_wrong) {
   r = {{T1, 1}, {T2, 2}, {T1, 1}};
   EXPECT_EQ(r.problem().view(), "input T1 has two values");
   r = {{T1, 1}, {T2, 2}, {unknown, 3}};
-  EXPECT_EQ(r.problem().view(),
-            "input T1 stands in a list of values with a name that System does not have there");
+  EXPECT_EQ(r.problem().cause(), "System has no input T3");
+  r[T1] = 1;
+  EXPECT_EQ(r.problem().cause(), "System has no input T3");
+  for (const auto& [name, told] : {std::pair("weight", "weight"), std::pair("weights", "weigh..."),
+                                   std::pair("l\u00e4", "l\u00e4"), std::pair("", "")}) {
+    std::ostringstream out;
+    out << eom::parameters{{m1, 2}, {name, 3}}.problem();
+    EXPECT_EQ(out.str(), std::string("System has no parameter ") + told);
+  }
+  EXPECT_EQ((eom::state{{q1, 0.1}, {"q3", 0}}.problem().cause()), "System has no coordinate or speed q3");
+  EXPECT_EQ((kanexpr::input_values<System, float>{{T1, 1}, {unknown, 2}}.problem().cause()),
+            "a name in the list that gave the value of input T1 is not one of System");
   r = {{T1, 1}, {T2, std::nan("")}};
   EXPECT_EQ(r.problem().view(), "the value of input T2 is not a number");
   EXPECT_EQ(eom::state({{q1, 0.1}, {q2, 0.2}, {u1, 1}}).problem().view(), "speed u2 has no value");
@@ -91,6 +104,14 @@ TEST(vectors, are_made_of_all_their_numbers) {
   EXPECT_EQ(x, some_state());
   const kanexpr::state<System, float> single{1, 2, 3, 4};
   EXPECT_EQ(single, Eigen::Vector4f(1, 2, 3, 4));
+  eom::state assigned;
+  assigned = {0.1, 0.2, 0.3, 0.4};
+  EXPECT_EQ(assigned, some_state());
+  assigned = 2 * some_state();
+  EXPECT_EQ(assigned, Eigen::Vector4d(0.2, 0.4, 0.6, 0.8));
+  eom::parameters p;
+  p = {1.1, 0.6, 0.4, 0.35, 0.9, 0.07, 0.02, 9.81, 0.03, 0.02};
+  EXPECT_EQ(p, some_parameters());
   const double numbers[]{1, 2};
   EXPECT_EQ(eom::inputs(numbers), Eigen::Vector2d(1, 2));
 }

@@ -140,3 +140,34 @@ struct Ball : particle<Ball, G, m> {};
 struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n21
+
+// expect: the force at P is written with [ ]; what a model holds has no entries
+namespace n22 {
+struct System : loaded<force<P, q[0] * N::x>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: the force at P is written with arguments, as in q(t); symbols are written alone
+namespace n23 {
+struct System : loaded<force<P, q(t) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: the torque on A is written with arguments, as in q(t); symbols are written alone
+namespace n24 {
+struct System : loaded<torque<A, N::z(q)>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: the force at Q takes a product of more than two vectors at once
+namespace n25 {
+struct System : loaded<force<Q, cross(N::x, N::y, N::z)>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: the damping of the damper between P and O is written with !=, <, >, <= or >=; models have
+// expect: equations only, with ==
+namespace n26 {
+struct System : loaded<damper<P, O, (u <=> q)>> {};
+void f() { use<System>(); }
+} // namespace n26

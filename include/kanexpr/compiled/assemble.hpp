@@ -75,6 +75,7 @@ public:
   Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
     return quaternions::residual(x);
   }
+  static mechanics::problem quaternion_called(int k) { return quaternions::called(k); }
   kanexpr::status normalize_quaternions(state<System>& x) const {
     return quaternions::normalize(x, numeric::norm_range{});
   }

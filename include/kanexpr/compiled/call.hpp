@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
@@ -139,11 +140,14 @@ struct call {
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };
 
-/// What a call gives that cannot be made: it fits wherever a result is used, so that its mistake stays the
-/// only error.
+/// What a call gives that cannot be made: it fits wherever a result is used, a vector, matrix or number with
+/// a status, so that its mistake stays the only error.
 template <class T>
 struct no_result : Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> {
-  operator T() const { return lower::scalar_math<T>::from(0); }
+  T value{};
+  kanexpr::status status{};
+  operator T() const { return value; }
+  const T& operator[](Eigen::Index) const { return value; }
 };
 
 } // namespace kanexpr::compiled

@@ -14,6 +14,7 @@ template <class System, symbols_of which, class Scalar>
 struct entry {
   int place; ///< in the vector; negative: no symbol there has the name
   Scalar value;
+  std::string_view name{}; ///< where it was given by name
 
   template <class Symbol, class Value>
     requires requires(const Symbol& symbol) { describe::shape_of(symbol); }
@@ -21,7 +22,8 @@ struct entry {
       : place(place_in<System, which, Symbol>::place), value(taken(number)) {}
 
   template <std::convertible_to<std::string_view> Name, class Value>
-  entry(const Name& name, const Value& number) : place(place_called(name)), value(taken(number)) {}
+  entry(const Name& called, const Value& number)
+      : place(place_called(called)), value(taken(number)), name(called) {}
 
 private:
   template <class Value>

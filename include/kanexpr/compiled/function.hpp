@@ -70,7 +70,7 @@ auto no_result_of() {
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
-    return Eigen::Matrix<T, size.rows, size.columns>();
+    return with_status<Eigen::Matrix<T, size.rows, size.columns>>();
   else
     return no_result<T>();
 }
@@ -202,9 +202,10 @@ private:
 
   template <class T, int i>
   [[gnu::always_inline]] static bool passes(const lower::evaluation<code, T>& done) noexcept {
-    return lower::passes<code::tells_finiteness && i == guards - 1, T>(
-        done.template result<first_guard + 2 * i>(), done.template result<first_guard + 2 * i + 1>(),
-        mechanics::least_regularity<T>());
+    constexpr bool of_finiteness = code::tells_finiteness && i == guards - 1;
+    return lower::passes<of_finiteness, T>(done.template result<first_guard + 2 * i>(),
+                                           done.template result<first_guard + 2 * i + 1>(),
+                                           mechanics::least_regularity<T>());
   }
 
   template <class T, int first, auto one>

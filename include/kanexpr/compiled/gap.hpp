@@ -18,6 +18,21 @@ constexpr double number_for(gap why) {
   return std::bit_cast<double>(quiet | static_cast<std::uint64_t>(why) << 48);
 }
 
+/// A vector cannot hold more than its numbers, so the name that a list has and the system does not is in the
+/// lower bits of not-a-number: six letters, or the first five and a mark that there are more.
+inline constexpr std::size_t letters_kept = 6;
+inline constexpr char more_letters = 1;
+
+constexpr double number_for_unknown(std::string_view name) {
+  std::uint64_t letters = 0;
+  for (std::size_t i = 0; i < letters_kept; ++i) {
+    const bool is_mark = i + 1 == letters_kept && name.size() > letters_kept;
+    const char letter = is_mark ? more_letters : i < name.size() ? name[i] : '\0';
+    letters = letters << 8 | static_cast<unsigned char>(letter);
+  }
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number_for(gap::beside_unknown)) | letters);
+}
+
 constexpr gap gap_in(double value) {
   namespace of = symbolic::elementary::detail;
   if (of::is_finite(value)) return gap::none;
@@ -41,6 +56,18 @@ constexpr gap gap_in(const std::complex<Real>& value) {
   return real != gap::none ? real : gap_in(value.imag());
 }
 
+/// "System has no parameter ll", by what is left of the name.
+constexpr mechanics::problem unknown_told_of(double value, const symbol_range& range,
+                                             std::string_view system) {
+  std::uint64_t letters = std::bit_cast<std::uint64_t>(value) << 16;
+  symbolic::name kept;
+  for (; letters >> 56 > static_cast<unsigned char>(more_letters); letters <<= 8) {
+    const char letter = static_cast<char>(letters >> 56);
+    kept.append(std::string_view(&letter, 1));
+  }
+  return mechanics::sentence({system, " has no ", range.symbol, " ", kept.view(), letters == 0 ? "" : "..."});
+}
+
 /// What is wrong with the value of a symbol, as a sentence; empty: nothing.
 constexpr mechanics::problem told_of(gap found, const derivation::survey& known, int place,
                                      std::string_view system) {
@@ -51,7 +78,7 @@ constexpr mechanics::problem told_of(gap found, const derivation::survey& known,
   case gap::set_twice: return mechanics::sentence({symbol().view(), " has two values"});
   case gap::beside_unknown:
     return mechanics::sentence(
-        {symbol().view(), " stands in a list of values with a name that ", system, " does not have there"});
+        {"a name in the list that gave the value of ", symbol().view(), " is not one of ", system});
   case gap::infinite: return mechanics::sentence({"the value of ", symbol().view(), " is infinite"});
   case gap::not_a_number: return mechanics::sentence({"the value of ", symbol().view(), " is not a number"});
   }
@@ -63,8 +90,11 @@ template <class Vector>
 mechanics::problem first_gap(const Vector& values, const derivation::survey& known, const symbol_range& range,
                              std::string_view system) {
   for (int i = 0; i < range.size && i < static_cast<int>(values.size()); ++i)
-    if (const gap found = gap_in(values[i]); found != gap::none)
+    if (const gap found = gap_in(values[i]); found != gap::none) {
+      if constexpr (std::is_same_v<typename Vector::Scalar, double>)
+        if (found == gap::beside_unknown) return unknown_told_of(values[i], range, system);
       return told_of(found, known, range.first + i, system);
+    }
   return {};
 }
 

@@ -14,7 +14,6 @@ public:
   static constexpr int coordinates = compiled::survey_of<System>.coordinates;
   static constexpr int speeds = compiled::survey_of<System>.speeds;
   using vector::vector;
-  using vector::operator=;
 
   auto q() { return this->template head<coordinates>(); }
   auto q() const { return this->template head<coordinates>(); }
@@ -30,7 +29,6 @@ class parameter_values : public compiled::value_vector<System, compiled::symbols
 
 public:
   using vector::vector;
-  using vector::operator=;
 };
 
 /// The inputs of a system, with access by name, `r[T1]`, of prescribed quantities `r[theta]` and
@@ -41,7 +39,6 @@ class input_values : public compiled::value_vector<System, compiled::symbols_of:
 
 public:
   using vector::vector;
-  using vector::operator=;
 };
 
 } // namespace kanexpr

@@ -27,6 +27,20 @@ public:
     return found;
   }();
 
+  /// "the quaternion e0, e1, e2 and e3"
+  static constexpr mechanics::problem called(int k) {
+    mechanics::problem p = mechanics::sentence({"the quaternion "});
+    int left = 0;
+    for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
+    bool is_first = true;
+    for (int i = 0; i < known.coordinates; ++i) {
+      if (known.quaternion_of[i] != k + 1) continue;
+      p = mechanics::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
+      is_first = false, --left;
+    }
+    return p;
+  }
+
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
   template <class X>
   [[gnu::always_inline]] static kanexpr::status normalize(X& x, const numeric::norm_range& from) {
@@ -97,16 +111,8 @@ private:
   }();
 
   template <int k>
-  static constexpr auto far_from_one = derivation::only_cause([] {
-    mechanics::problem p = mechanics::sentence({"the norm of the quaternion "});
-    for (std::size_t i = 0; i < size<k>; ++i)
-      p = mechanics::sentence({p.view(),
-                               i == 0            ? ""
-                               : i + 1 < size<k> ? ", "
-                                                 : " and ",
-                               known.names[places<k>[i]].view()});
-    return mechanics::sentence({p.view(), " is far from 1"});
-  });
+  static constexpr auto far_from_one = derivation::only_cause(
+      [] { return mechanics::sentence({"the norm of ", called(k).view(), " is far from 1"}); });
 
   template <class X, int... k>
   [[gnu::always_inline]] static kanexpr::status for_each(X& x, const numeric::norm_range& from,

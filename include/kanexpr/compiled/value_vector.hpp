@@ -11,7 +11,8 @@
 namespace kanexpr::compiled {
 
 /// What the vectors of a system have in common: fixed-size Eigen vectors with access by name, `x[q1]`, which
-/// are made of numbers, of any Eigen vector or by name, `{{q1, 0.1}, {u1, 2}}`.
+/// are made of numbers, of any Eigen vector or by name, `{{q1, 0.1}, {u1, 2}}`. What is assigned becomes one
+/// first: with Eigen's assignments beside it, `x = {0.1, 2}` could mean two things.
 ///
 /// In a list of names every symbol needs a value, but for the dependent ones, which the constraints give and
 /// which are zero here. What has none, or two, is not a number, and `problem()` says why.
@@ -19,7 +20,6 @@ template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
   using base = Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1>;
-  using base::operator=;
   using base::operator[];
 
   /// A state is zero; parameters and inputs are not numbers until they are set.
@@ -41,12 +41,6 @@ public:
   value_vector(const value_vector<Other, given, OtherScalar>&) {
     static_cast<void>(exchanged<System, which, Other, given>::possible);
   }
-  template <class Other, symbols_of given, class OtherScalar>
-    requires(given != which)
-  value_vector& operator=(const value_vector<Other, given, OtherScalar>&) {
-    static_cast<void>(exchanged<System, which, Other, given>::possible);
-    return *this;
-  }
 
   /// All numbers in their order.
   template <class First, class... More>
@@ -65,11 +59,6 @@ public:
       std::copy_n(column, given, this->data());
   }
   explicit value_vector(const Scalar* entries) : base(entries) {}
-
-  value_vector& operator=(std::initializer_list<entry<System, which, Scalar>> named) {
-    read(named);
-    return *this;
-  }
 
   template <describe::expression_of_a_model Symbol>
   Scalar& operator[](const Symbol&) {
@@ -108,19 +97,19 @@ private:
 
   void read(std::initializer_list<entry<System, which, Scalar>> named) {
     std::array<bool, static_cast<std::size_t>(range.size) + 1> set{};
-    bool all_known = true;
+    const entry<System, which, Scalar>* unknown = nullptr;
     for (int i = 0; i < range.size; ++i)
       (*this)(i) = dependent[static_cast<std::size_t>(i)] ? from(0) : from(number_for(gap::never_set));
-    for (const auto& [place, value] : named) {
-      if (place < 0) {
-        all_known = false;
+    for (const auto& given : named) {
+      if (given.place < 0) {
+        if (unknown == nullptr) unknown = &given;
         continue;
       }
-      bool& again = set[static_cast<std::size_t>(place)];
-      (*this)(place) = again ? from(number_for(gap::set_twice)) : value;
+      bool& again = set[static_cast<std::size_t>(given.place)];
+      (*this)(given.place) = again ? from(number_for(gap::set_twice)) : given.value;
       again = true;
     }
-    if (!all_known) this->setConstant(from(number_for(gap::beside_unknown)));
+    if (unknown != nullptr) this->setConstant(from(number_for_unknown(unknown->name)));
   }
 };
 

@@ -18,7 +18,8 @@ template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
   /// as small as can be, for controllers
-  std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int> end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
+  std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int>
+      end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
 
   constexpr std::string_view operator[](int i) const {
@@ -43,7 +44,8 @@ template <cause_sizes sizes, cause_sizes room>
 constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};
   out.sizes = sizes;
-  for (int i = 0; i < sizes.count; ++i) out.end[i] = static_cast<std::remove_reference_t<decltype(*out.end)>>(from.end[i]);
+  for (int i = 0; i < sizes.count; ++i)
+    out.end[i] = static_cast<std::remove_reference_t<decltype(*out.end)>>(from.end[i]);
   for (int i = 0; i < sizes.letters; ++i) out.letters[i] = from.letters[i];
   return out;
 }

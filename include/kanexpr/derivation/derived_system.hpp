@@ -19,8 +19,8 @@ public:
   derived_system& operator=(const derived_system&) = delete;
 
   /// Looks for mistakes in what was read.
-  constexpr void check() {
-    if (!mistake()) mistake_ = mechanics::check(mechanism_);
+  constexpr void check_model() {
+    if (!mistake()) mistake_ = mechanics::check_mechanism(mechanism_);
   }
 
   /// Forms what the equations start from, and takes up loads that speak of motion and the constraints.

@@ -219,7 +219,7 @@ constexpr survey survey_of() {
   if constexpr (requires { System::record; }) {
     if (s.mistake) return s;
     derived_system system(System::record);
-    system.check();
+    system.check_model();
     constexpr const system_record& told = System::record;
     if (told.configuration_constraints.size + told.velocity_constraints.size + told.auxiliary.size +
             told.acceleration_constraints.size + told.dependent.size !=

@@ -14,6 +14,11 @@ namespace describe {
 /// What `dot(q) = u` stands for, a mistake.
 template <class X, class Y>
 constexpr auto assigned(const X& x, const Y& y);
+/// And `q[0]`, and `q(t)`.
+template <class X>
+constexpr auto with_index(const X& x);
+template <class X>
+constexpr auto with_arguments(const X& x);
 
 } // namespace describe
 
@@ -25,6 +30,14 @@ struct scalar {
   template <class T>
   constexpr auto operator=(const T& other) const {
     return describe::assigned(*this, other);
+  }
+  template <class T>
+  constexpr auto operator[](const T&) const {
+    return describe::with_index(*this);
+  }
+  template <class... T>
+  constexpr auto operator()(const T&...) const {
+    return describe::with_arguments(*this);
   }
 };
 

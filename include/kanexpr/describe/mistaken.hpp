@@ -26,6 +26,14 @@ template <class X, class Y>
 constexpr auto assigned(const X& x, const Y& y) {
   return misused<equation>(x, y, misuse::assignment);
 }
+template <class X>
+constexpr auto with_index(const X& x) {
+  return misused<scalar>(x, misuse::index);
+}
+template <class X>
+constexpr auto with_arguments(const X& x) {
+  return misused<scalar>(x, misuse::arguments);
+}
 
 } // namespace describe
 
@@ -52,6 +60,11 @@ constexpr auto operator<=(const X& x, const Y& y) {
 template <class X, class Y>
   requires describe::operands_of_a_model<X, Y>
 constexpr auto operator>=(const X& x, const Y& y) {
+  return describe::misused<equation>(x, y, describe::misuse::comparison);
+}
+template <class X, class Y>
+  requires describe::operands_of_a_model<X, Y>
+constexpr auto operator<=>(const X& x, const Y& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
 template <class X, class Y>
@@ -152,6 +165,15 @@ constexpr auto operator--(const X& x, int) {
 template <describe::expression_of_a_model X>
 constexpr auto dot(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::rate);
+}
+
+template <describe::expression_of_a_model X, class Y, class Z, class... More>
+constexpr auto dot(const X& x, const Y&, const Z&, const More&...) {
+  return describe::misused<scalar>(x, describe::misuse::operands);
+}
+template <describe::expression_of_a_model X, class Y, class Z, class... More>
+constexpr auto cross(const X& x, const Y&, const Z&, const More&...) {
+  return describe::misused<vector>(x, describe::misuse::operands);
 }
 
 template <describe::expression_of_a_model X>

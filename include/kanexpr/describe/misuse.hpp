@@ -26,6 +26,9 @@ enum class misuse : unsigned char {
   seen_motion,
   zero_factor,
   zero_power,
+  index,
+  arguments,
+  operands,
 };
 
 /// How a sentence about a part of a model goes on that holds it.
@@ -38,6 +41,10 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::denial: return " is written with !; a model holds numbers and vectors, not truth values";
   case misuse::junction: return " is written with && or ||; equations are written one by one, between commas";
   case misuse::comparison: return " is written with !=, <, >, <= or >=; models have equations only, with ==";
+  case misuse::index: return " is written with [ ]; what a model holds has no entries";
+  case misuse::arguments:
+    return " is written with arguments, as in q(t); symbols are written alone, and products with *";
+  case misuse::operands: return " takes a product of more than two vectors at once";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is no number";
   case misuse::inner_equation: return " holds == inside of an expression; it stands once, outermost";

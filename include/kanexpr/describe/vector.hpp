@@ -13,6 +13,14 @@ struct vector {
   constexpr auto operator=(const T& other) const {
     return describe::assigned(*this, other);
   }
+  template <class T>
+  constexpr auto operator[](const T&) const {
+    return describe::with_index(*this);
+  }
+  template <class... T>
+  constexpr auto operator()(const T&...) const {
+    return describe::with_arguments(*this);
+  }
 };
 
 /// A sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.

@@ -30,8 +30,8 @@ public:
       return sentence({"the system has no particle and no rigid body"});
     found_ = checking_kinematics(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
-    for (const point& p : m_.points) check(p);
-    for (const body& b : m_.bodies) check(b);
+    for (const point& p : m_.points) look_at(p);
+    for (const body& b : m_.bodies) look_at(b);
     if (!found_) found_ = checking_loads(m_, held_).run();
     if (!found_) found_ = checking_dyadics(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  constexpr void check(const point& p) {
+  constexpr void look_at(const point& p) {
     for (const vector::part& part : p.offset.parts)
       for (int i = 0; i < 3; ++i) geometry(part.value[i], "the offset of point ", p.called);
     if (p.moves_by_declaration()) velocity(p.velocity, "the velocity of point ", p.called);
@@ -113,7 +113,7 @@ private:
       }
   }
 
-  constexpr void check(const body& b) {
+  constexpr void look_at(const body& b) {
     const std::string_view called = b.called.view();
     if (b.mass.is_zero() && !has_inertia(b)) fail({"body ", called, " has no mass"});
     if (is_negative(b.mass)) fail({"the mass of ", called, " is negative"});
@@ -161,7 +161,7 @@ private:
 } // namespace detail
 
 /// The first mistake of a mechanism, or nothing.
-constexpr problem check(const mechanism& m) { return detail::checking(m).run(); }
+constexpr problem check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
 
 /// A mistake that shows only in the mass matrix.
 constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,

@@ -34,14 +34,14 @@ public:
   constexpr checking_loads(const mechanism& m, const contents& held) : m_(m), held_(held) {}
 
   constexpr problem run() {
-    for (const force& f : m_.forces) check(f);
-    for (const torque& t : m_.torques) check(t);
+    for (const force& f : m_.forces) look_at(f);
+    for (const torque& t : m_.torques) look_at(t);
     check_gravity();
     for (int i = 0; i < m_.potential_energies.size() && !found_; ++i)
       found_ =
           check_stillness(m_, held_, m_.potential_energies[i], "potential energy ", counted(i + 1).view());
-    for (const spring_damper& e : m_.spring_dampers) check(e);
-    for (const torsional_damper& e : m_.torsional_dampers) check(e);
+    for (const spring_damper& e : m_.spring_dampers) look_at(e);
+    for (const torsional_damper& e : m_.torsional_dampers) look_at(e);
     return found_;
   }
 
@@ -76,7 +76,7 @@ private:
     return sentence({point(p), " and ", point(other)});
   }
 
-  constexpr void check(const force& f) {
+  constexpr void look_at(const force& f) {
     if (f.against == f.point) fail({"a force acts between point ", point(f.point), " and itself"});
     const std::string_view u = rate_in(f.value);
     if (u.empty()) return;
@@ -84,7 +84,7 @@ private:
     fail_for_rate("the force between ", both_points(f.point, f.against).view(), u);
   }
 
-  constexpr void check(const torque& t) {
+  constexpr void look_at(const torque& t) {
     if (t.against == t.frame) fail({"a torque acts between frame ", frame(t.frame), " and itself"});
     const std::string_view u = rate_in(t.value);
     if (u.empty()) return;
@@ -92,13 +92,13 @@ private:
     fail_for_rate("the torque between ", both_frames(t.frame, t.against).view(), u);
   }
 
-  constexpr void check(const torsional_damper& e) {
+  constexpr void look_at(const torsional_damper& e) {
     if (e.frame == e.against) fail({"a torsional damper lies between frame ", frame(e.frame), " and itself"});
     if (const std::string_view u = rate_in(e.damping); !u.empty())
       fail_for_rate("the torsional damping between ", both_frames(e.frame, e.against).view(), u);
   }
 
-  constexpr void check(const spring_damper& e) {
+  constexpr void look_at(const spring_damper& e) {
     const std::string_view what = e.stiffness.is_zero() ? "damper" : "spring";
     if (e.point == e.other) return fail({"a ", what, " lies between point ", point(e.point), " and itself"});
     const problem names = both_points(e.point, e.other);

@@ -13,7 +13,14 @@ struct problem {
 
   constexpr explicit operator bool() const { return length != 0; }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
+  /// The same, as a status has it.
+  constexpr std::string_view cause() const { return view(); }
 };
+
+template <class Stream>
+auto operator<<(Stream& to, const problem& told) -> decltype(to << told.view()) {
+  return to << told.view();
+}
 
 namespace detail {
 

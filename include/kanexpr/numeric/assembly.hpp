@@ -39,9 +39,9 @@ using assembly_options = numeric::newton_options;
 namespace numeric {
 
 /// A sentence that ends in a number.
-inline mechanics::problem with_number(std::string_view before, double number) {
+inline mechanics::problem with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
-  const int length = std::snprintf(digits, sizeof digits, "%.3g", number);
+  const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number);
   return mechanics::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 
@@ -121,8 +121,11 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   report.configuration_residual =
       look_at(c.configuration_residual(x), c.configuration_terms(x), "configuration constraint ");
   report.velocity_residual = look_at(c.velocity_residual(x), c.velocity_terms(x), "velocity constraint ");
-  const auto norms = c.quaternion_residual(x);
-  look_at(norms, std::remove_cv_t<decltype(norms)>::Ones(norms.size()), "the norm of quaternion ");
+  const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
+  for (int i = 0; i < halves.size() && !report.reason; ++i)
+    if (const double norm = std::sqrt(1 + 2 * halves(i)); !(std::abs(norm - 1) <= tolerance))
+      report.reason = with_number(
+          mechanics::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
   return report;
 }
 

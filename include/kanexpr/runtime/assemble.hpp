@@ -50,12 +50,15 @@ public:
       left(i) = (numeric::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
+  mechanics::problem quaternion_called(int k) const {
+    return mechanics::sentence(
+        {"the quaternion ",
+         mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
+  }
   kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
-    for (const symbolic::sequence<int>& places : quaternions_)
-      if (!numeric::normalize(x, places, numeric::norm_range{})) {
-        far_from_one_ = mechanics::sentence(
-            {"the norm of the quaternion ",
-             mechanics::enumerated(mechanism_, mechanism_.coordinates, places).view(), " is far from 1"});
+    for (int k = 0; k < quaternions_.size(); ++k)
+      if (!numeric::normalize(x, quaternions_[k], numeric::norm_range{})) {
+        far_from_one_ = mechanics::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
         return kanexpr::status(far_from_one_.view());
       }
     return {};

@@ -29,7 +29,7 @@ public:
   builder& operator=(const builder&) = delete;
 
   /// The first mistake made while building, or else the first that the mechanism holds; empty: none.
-  problem check() const { return mistake() ? mistake() : mechanics::check(m_); }
+  problem(check)() const { return mistake() ? mistake() : mechanics::check_mechanism(m_); }
   const problem& mistake() const { return inspect_.mistake(); }
 
   const mechanics::mechanism& mechanism() const { return m_; }

@@ -20,16 +20,16 @@ public:
         all_(given) {
     const bool knows_rates = names_any(form_.qdot),
                knows_accelerations = names_any(form_.udot) || names_any(form_.lambda);
-    check(form_.f_c, "configuration constraint ");
-    check(form_.f_v, "velocity constraint ");
+    must_vanish(form_.f_c, "configuration constraint ");
+    must_vanish(form_.f_v, "velocity constraint ");
     complete(form_.qdot, form_.known.qdot);
     if (!names_all(form_.udot)) complete(form_.udot, e.get(mechanics::quantity::udot).entries);
     if (!form_.lambda.empty()) complete(form_.lambda, e.multipliers_at_given_rates().entries);
-    if (knows_rates) check(mechanics::summed(form_.f_0, form_.f_1), "kinematic differential equation ");
+    if (knows_rates) must_vanish(mechanics::summed(form_.f_0, form_.f_1), "kinematic differential equation ");
     if (!knows_accelerations) return;
-    check(form_.f_a, "the rate of velocity constraint ");
-    check(mechanics::summed(mechanics::summed(form_.f_2, form_.f_3), form_.f_4),
-          "dynamic differential equation ");
+    must_vanish(form_.f_a, "the rate of velocity constraint ");
+    must_vanish(mechanics::summed(mechanics::summed(form_.f_2, form_.f_3), form_.f_4),
+                "dynamic differential equation ");
   }
 
   /// Whether no symbol has a value.
@@ -76,7 +76,7 @@ private:
   }
 
   /// Equations that still hold a coordinate, a speed or a rate may be satisfied by what is left open.
-  void check(const symbols& zero, const std::string& what) {
+  void must_vanish(const symbols& zero, const std::string& what) {
     using kind = symbolic::symbol_kind;
     symbolic::matrix column(g_, zero.size(), 1);
     column.entries = zero;

@@ -23,7 +23,7 @@ class model {
 public:
   model() : system_(std::make_shared<derivation::derived_system>(System::record)) {
     (derivation::request<also>::visit(system_->reader()), ...);
-    system_->check();
+    system_->check_model();
     system_->derive();
   }
   model(const model&) = delete;
