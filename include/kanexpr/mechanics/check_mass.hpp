@@ -66,7 +66,7 @@ constexpr problem check_same_mass(const mechanism& m, const partition& speeds, c
   return sentence(
       {enumerated(m, kane ? m.speeds : m.coordinates, places, kane ? "speed" : "coordinate").view(),
        places.size() == 1 ? " moves no mass" : " move the same mass",
-       " in any configuration: the mass matrix is singular"});
+       " in any configuration: the mass matrix is singular, as far as numbers can tell"});
 }
 
 } // namespace kanexpr::mechanics
