@@ -17,8 +17,7 @@ public:
       : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()),
         has_rates_(has_rates), places_(first(configurations, m_.configuration_constraints)),
         moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
-        rates_(*m_.g, has_rates ? symbolic::nodes_of(moves_) : sequence<int>()),
-        generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
+        rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
   /// Goes to another; false where none is found from what was drawn.
   constexpr bool next() {
@@ -58,6 +57,11 @@ private:
     if (has_rates_) add(s_.coordinate_rates);
     add(wanted);
     return nodes;
+  }
+
+  constexpr sequence<int> outputs_with_rates() const {
+    if (has_rates_) return symbolic::nodes_of(moves_);
+    return {};
   }
 
   constexpr void evaluate() {
