@@ -167,6 +167,10 @@ TEST(linearization, says_what_it_does_not_know) {
   constexpr kanexpr::coordinate<"x"> x;
   EXPECT_THAT(model.linearize({{x, 1}}).problems(),
               ElementsAre("the operating point names x, which the system does not have"));
+  const linearization_point doubled{{q, 0}, {u, 0}, {q, 1}};
+  const std::string two = "the operating point gives q two values";
+  EXPECT_THAT(model.linearize(doubled).problems(), testing::Contains(two));
+  EXPECT_THAT(model.linearize({{u, 0}}, {{q, 1}, {"q", 1}}).problems(), testing::Contains(two));
   EXPECT_THAT(model.linearize({{q, x + 1}}).problems(),
               ElementsAre("the value of q at the operating point holds x, which the system does not have"));
 }

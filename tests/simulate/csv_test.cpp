@@ -138,6 +138,11 @@ TEST(csv, says_what_is_wrong_and_where) {
   expect_refused("\n\na,b\n1,2\n", "line 1 of run.csv is empty");
   expect_refused("t,q1,t\n", "line 1 of run.csv is no header: there is a column t already");
   expect_refused("t,,u1\n", "line 1 of run.csv is no header: a column has no name");
+  expect_refused("1,2\n3,4\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
+  expect_refused("nan\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
+  expect_refused("t;q1\n0,5;1,5\n", "line 1 of run.csv is separated by semicolons; it must be by commas");
+  expect_refused("1;2\n3;4\n", "line 1 of run.csv is separated by semicolons; it must be by commas");
+  expect_refused("t\tq1\n1\t2\n", "line 1 of run.csv is separated by tabs; it must be by commas");
   expect_refused("t,\"q1\n1,2\n", "line 1 of run.csv opens a quote that is not closed");
   expect_refused("t,\"q\"1\n", "line 1 of run.csv has text after a closing quote");
   expect_refused("\"two\nlines\",b\n1,2\n1,x\n", "line 4 of run.csv: 'x' in column b is not a number");

@@ -238,6 +238,55 @@ TEST(events, that_were_zero_since_the_start_happen_where_they_leave_it) {
   EXPECT_NEAR(run.state[h], restitution, 1e-8);
 }
 
+// A function that is zero at first leaves it within a step: by a jump, or steadily.
+template <integrator by>
+void happen_where_a_function_leaves_zero() {
+  for (const bool jumps : {true, false}) {
+    int handled = 0;
+    const event<System> leaves(
+        "leaves", [=](double t, auto&, auto&, auto&) { return t < 0.5 ? 0
+                                                              : jumps ? 1
+                                                                      : t - 0.5; },
+        crossing::rising, [&](moment<System>&) { ++handled; });
+    const auto run = simulate<System, by>(start, ball, {0, 0.6}, {.events = {leaves}});
+    ASSERT_TRUE(run) << run.cause();
+    ASSERT_EQ(run.events.size(), 1u) << jumps;
+    EXPECT_EQ(handled, 1);
+    EXPECT_NEAR(run.events[0].t, 0.5, 1e-14);
+    const auto at = run.trajectory.at(run.events[0].t);
+    EXPECT_NEAR(at->x[h], height - gravity_strength * 0.125, 1e-7);
+    EXPECT_NEAR(run.state[h], height - gravity_strength * 0.18, 1e-7);
+  }
+}
+
+TEST(events, happen_where_a_function_leaves_zero) {
+  happen_where_a_function_leaves_zero<integrator::adams>();
+  happen_where_a_function_leaves_zero<integrator::bdf>();
+  happen_where_a_function_leaves_zero<integrator::explicit_runge_kutta>();
+  happen_where_a_function_leaves_zero<integrator::implicit_runge_kutta>();
+  happen_where_a_function_leaves_zero<integrator::differential_algebraic>();
+}
+
+TEST(events, at_the_start_happen_also_in_no_time) {
+  for (const double speed : {-3.0, 0.0, 3.0}) {
+    const auto run =
+        simulate<System>({{h, 0}, {v, speed}}, ball, {0, 0}, {.events = {contact(after_event::stop)}});
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_EQ(run.events.size(), speed > 0 ? 0u : 1u) << speed;
+    EXPECT_EQ(run.stopped_by_event, speed <= 0);
+  }
+}
+
+TEST(events, of_a_function_that_is_always_zero_do_not_happen) {
+  for (const crossing direction : {crossing::rising, crossing::falling, crossing::either}) {
+    const auto run = simulate<System>(
+        start, ball, {0, 1},
+        {.events = {{"nothing", [](double, auto&, auto&, auto&) { return 0.0; }, direction}}});
+    ASSERT_TRUE(run) << run.cause();
+    EXPECT_TRUE(run.events.empty());
+  }
+}
+
 TEST(events, at_the_end_happen) {
   const auto run =
       simulate<System>(start, ball, {0, 0.25},

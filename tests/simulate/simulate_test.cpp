@@ -168,6 +168,11 @@ TEST(simulate, ends_where_the_step_size_collapses) {
   EXPECT_TRUE(run.trajectory.back().x.allFinite());
 }
 
+TEST(simulate, names_the_least_step_that_ends_it) {
+  EXPECT_THAT(run_with({.inputs = idle, .least_step = 0.5}).cause(),
+              testing::EndsWith("; the least step is 0.5"));
+}
+
 TEST(simulate, ends_after_the_most_steps) {
   EXPECT_THAT(run_with({.inputs = idle, .most_steps = 5}).cause(),
               testing::EndsWith("the most steps that are allowed were taken"));

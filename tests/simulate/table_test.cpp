@@ -55,6 +55,7 @@ TEST(table, refuses_columns_that_do_not_fit) {
   expect_refused("u1", {1}, "column u1 has 1 number, the columns before it 3");
   expect_refused("u1", {}, "column u1 has 0 numbers, the columns before it 3");
   expect_refused("", {1, 2, 3}, "a column has no name");
+  expect_refused(std::string("q\0r", 3), {1, 2, 3}, "the name of a column holds a zero byte");
 }
 
 TEST(table, may_have_no_rows) {

@@ -40,7 +40,11 @@ public:
 
   linearization_point() = default;
   linearization_point(std::initializer_list<entry> entries) {
-    for (const entry& e : entries) set(e.what, e.value);
+    for (const entry& e : entries) {
+      const std::size_t known = entries_.size();
+      set(e.what, e.value);
+      if (entries_.size() == known) doubled_.push_back(e.what);
+    }
   }
 
   linearization_point& set(const symbol_name& what, const point_value& value) {
@@ -57,13 +61,17 @@ public:
   linearization_point with(const linearization_point& other) const {
     linearization_point both = *this;
     for (const entry& e : other.entries_) both.set(e.what, e.value);
+    both.doubled_.insert(both.doubled_.end(), other.doubled_.begin(), other.doubled_.end());
     return both;
   }
 
   const std::vector<entry>& entries() const { return entries_; }
+  /// What one list names twice, which is a mistake.
+  const std::vector<symbol_name>& doubled() const { return doubled_; }
 
 private:
   std::vector<entry> entries_{};
+  std::vector<symbol_name> doubled_{};
 };
 
 } // namespace kanexpr

@@ -17,6 +17,8 @@ public:
 
   std::vector<symbolic::replacement> read(const linearization_point& point) {
     std::vector<symbolic::replacement> found;
+    for (const symbol_name& what : point.doubled())
+      problems_.push_back("the operating point gives " + what.name() + " two values");
     for (const linearization_point::entry& e : point.entries()) {
       const std::optional<symbolic::expression> symbol = symbol_of(e.what);
       if (!symbol.has_value()) {

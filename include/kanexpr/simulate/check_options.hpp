@@ -1,12 +1,12 @@
 #pragma once
 
 #include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/simulate/digits.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -15,12 +15,6 @@
 
 /// What is wrong with the way a simulation is asked for, before its first step.
 namespace kanexpr::simulated {
-
-inline std::string digits(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", number);
-  return text;
-}
 
 /// In bytes; unlimited where the system does not tell.
 inline double memory_of_machine() {

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <kanexpr/simulate/csv_number.hpp>
 #include <kanexpr/simulate/table.hpp>
 
-#include <charconv>
 #include <istream>
-#include <system_error>
 
 namespace kanexpr {
 
@@ -31,6 +30,7 @@ public:
       return false;
     }
     fields_.clear();
+    has_quotes_ = false;
     at_ = 0;
     do {
       if (!skip_blanks() || !(holds('"') ? quoted() : plain())) return false;
@@ -39,6 +39,8 @@ public:
   }
 
   const std::vector<std::string>& fields() const { return fields_; }
+  /// Whether a field is in quotes, as only a name has to be.
+  bool has_quotes() const { return has_quotes_; }
   /// The line at which the record begins, from 1.
   long line() const { return line_; }
   /// What is wrong with it, as the end of a sentence; empty: nothing.
@@ -83,6 +85,7 @@ private:
 
   bool quoted() {
     std::string field;
+    has_quotes_ = true;
     ++at_;
     for (std::size_t quote = text_.find('"', at_);; quote = text_.find('"', at_)) {
       field.append(text_, at_, quote - at_);
@@ -105,18 +108,10 @@ private:
   std::istream& in_;
   std::string text_{}, mistake_{};
   std::size_t at_ = 0;
+  bool has_quotes_ = false;
   long line_ = 0, last_ = 0;
   std::vector<std::string> fields_{};
 };
-
-/// A number by its text; the end of a sentence about what it is instead, or empty.
-inline std::string_view read_number(std::string_view text, double& number) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc::result_out_of_range) return " is too large or too small for a double";
-  if (error != std::errc() || end != text.data() + text.size()) return " is not a number";
-  return {};
-}
 
 class table_reader {
 public:
@@ -139,11 +134,20 @@ private:
     const bool found = records_.next();
     if (!well_formed()) return false;
     if (!found) return refuse(source() + (in_.eof() ? " is empty" : " cannot be read"));
+    if (!records_.has_quotes() && !is_of_names(records_.fields())) return false;
     for (const std::string& name : records_.fields())
       if (const outcome added = header_.add(name, {}); !added)
         return refuse(line() + " is no header: " + added.cause());
     columns_.resize(header_.columns());
     return true;
+  }
+
+  bool is_of_names(const std::vector<std::string>& fields) {
+    for (const auto& [mark, called] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
+      if (fields.size() == 1 && fields.front().find(mark) != std::string::npos)
+        return refuse(line() + " is separated by " + called + "; it must be by commas");
+    if (!std::ranges::all_of(fields, is_number)) return true;
+    return refuse(line() + " holds numbers; it must hold the names of the columns");
   }
 
   bool row() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/simulate/csv_number.hpp>
 #include <kanexpr/simulate/table.hpp>
 
 #include <charconv>
@@ -14,8 +15,8 @@ namespace simulated {
 /// A name as a field: in quotes if it would not be read back without them.
 inline std::string csv_field(const std::string& name) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  if (name.find_first_of(",\"\r\n") == std::string::npos && !name.empty() && !is_blank(name.front()) &&
-      !is_blank(name.back()) && !name.starts_with("\xEF\xBB\xBF"))
+  if (name.find_first_of(",;\t\"\r\n") == std::string::npos && !name.empty() && !is_number(name) &&
+      !is_blank(name.front()) && !is_blank(name.back()) && !name.starts_with("\xEF\xBB\xBF"))
     return name;
   std::string field = "\"";
   for (char c : name) field.append(c == '"' ? 2 : 1, c);

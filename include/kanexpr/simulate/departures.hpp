@@ -34,7 +34,8 @@ public:
     if (!none(waiting_)) find_margins(t, x);
     for (std::size_t i = 0; i < count(); ++i)
       if (waiting_[i] != 0 && std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
-    if (!none(waiting_)) look_ahead(t, x, 1e-3 * span, passed);
+    const double farthest = span > 0 ? 1e-3 * span : (std::numeric_limits<double>::max)();
+    if (!none(waiting_)) look_ahead(t, x, farthest, passed);
     around_.forget();
     return true;
   }
@@ -51,6 +52,14 @@ public:
       waiting_[i] = 0;
     }
     return found;
+  }
+
+  /// Whether one of the functions that `left` found is beyond zero.
+  bool is_beyond(double t, const state& x, const std::vector<int>& left) {
+    if (!evaluate(t, x, later_)) return false;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (left[i] * later_[i] > 0) return true;
+    return false;
   }
 
   /// How far ahead the rates of functions are looked at: a small part of a step.

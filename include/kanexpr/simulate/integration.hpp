@@ -128,23 +128,45 @@ private:
     if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
-    const double elapsed = stepper().time(), t = around_.time(elapsed);
+    double elapsed = stepper().time(), t = around_.time(elapsed);
     state x;
     std::copy_n(stepper().state(), x.size(), x.begin());
     if (!x.allFinite()) return fail_here(too_large(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
     if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
-    if (const std::vector<int> left = departures_.left(t, x, passed); is_any(left))
-      return pass_event(left) && restart();
+    const std::vector<int> left = departures_.left(t, x, passed);
+    if (is_any(left)) {
+      find_departure(left, elapsed, x);
+      t = around_.time(elapsed);
+    }
     elapsed_ = elapsed, result_.time = t, result_.state = x;
     if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);
     if (!sampling_.go_on(stepper(), elapsed, result_.state)) return fail_here("");
+    if (is_any(left)) return pass_event(left) && restart();
     if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
     return !options_.progress ||
            around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                answer::given ||
            fail_here("");
+  }
+
+  /// Goes back to where functions that were zero leave it: where the step begins, or in between, as a jump.
+  void find_departure(const std::vector<int>& left, double& elapsed, state& x) {
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * elapsed;
+    double before = elapsed_;
+    state middle = x;
+    if (departures_.is_beyond(result_.time, result_.state, left)) elapsed = before;
+    while (elapsed - before > rounding) {
+      const double half = before + (elapsed - before) / 2;
+      if (!sampling_.state_at(stepper(), half, middle)) break;
+      if (departures_.is_beyond(around_.time(half), middle, left))
+        elapsed = half, x = middle;
+      else
+        before = half;
+    }
+    around_.forget();
+    if (elapsed - elapsed_ <= 2 * rounding) elapsed = elapsed_, x = result_.state;
   }
 
   static std::string too_large(const state& x) {

@@ -98,6 +98,11 @@ public:
     if (!p.coefficients.empty() && p.begin < p.end) kept_.add(std::move(p));
   }
 
+  /// The state at a time of the last step.
+  bool state_at(solvers::stepper& s, double elapsed, state& x) {
+    return interpolate(s, elapsed, x) && bring_to_constraints(around_.time(elapsed), x);
+  }
+
 private:
   bool is_over() const { return schedule_.is_over(); }
   double next() const { return schedule_.next(); }

@@ -31,6 +31,7 @@ public:
 
   outcome add(std::string name, std::vector<double> values) {
     if (name.empty()) return outcome("a column has no name");
+    if (name.find('\0') != std::string::npos) return outcome("the name of a column holds a zero byte");
     if (place_of(name) < columns()) return outcome("there is a column " + name + " already");
     if (columns() != 0 && values.size() != rows())
       return outcome("column " + name + " has " + std::to_string(values.size()) +

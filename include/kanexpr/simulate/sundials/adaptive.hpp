@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/simulate/digits.hpp>
 #include <kanexpr/simulate/sundials/handles.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
@@ -193,13 +194,20 @@ private:
     return watch(t, y, values, of);
   }
 
+  /// What keeps steps long, beside rounding.
+  std::string limit() const {
+    if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
+    return "; the least step is " + simulated::digits(options_.least_step);
+  }
+
   /// Codes from −2 to −7 are those of all three.
   failure why(int flag) const {
     switch (flag) {
     case -2: return {"the tolerances ask for more digits than numbers have"};
     case -3:
-      return {"the step size collapsed: no step was short enough to keep the error within the tolerances"};
-    case -4: return {"the step size collapsed: the iteration within a step did not converge"};
+      return {"the step size collapsed: no step was short enough to keep the error within the tolerances" +
+              limit()};
+    case -4: return {"the step size collapsed: the iteration within a step did not converge" + limit()};
     case -5:
     case -6:
     case -7: return {"the linear equations within a step could not be solved"};
