@@ -107,9 +107,11 @@ private:
           sizes_(i) = (std::max)({sizes_(i), std::abs(o.change(i)), std::abs(start_(i) + o.change(i))});
   }
 
-  /// Errors of a speed do not matter that would in the whole span move each coordinate by much less than its
-  /// own error.
+  /// Errors of a speed do not matter that would move each coordinate by less than its own error: by a tenth
+  /// in the motion's own time, or by much less in the whole span.
   void heed_coordinates(double span) {
+    const bool has_time = has_own_time_ && !outlooks_.empty();
+    const double most = has_time ? 0.1 / outlooks_.back().ahead : 1e-4 / span;
     constexpr auto n = static_cast<Eigen::Index>(state::coordinates);
     for (Eigen::Index j = n; j < sizes_.size(); ++j) {
       state beside = start_, rates;
@@ -120,7 +122,7 @@ private:
       for (Eigen::Index i = 0; i < n; ++i)
         if (const double moved = std::abs(rates(i) - rates_(i)) / more; moved > 0 && sizes_(i) > 0)
           least = (std::min)(least, sizes_(i) / moved);
-      if (std::isfinite(least)) sizes_(j) = (std::max)(sizes_(j), 1e-4 * least / span);
+      if (std::isfinite(least)) sizes_(j) = (std::max)(sizes_(j), most * least);
     }
   }
 
