@@ -1,5 +1,6 @@
 // builds: sanitize no-exceptions
 // Which quaternions the kinematic differential equations keep at norm 1.
+#include <kanexpr/mechanics/generic_states.hpp>
 #include <kanexpr/mechanics/unit_quaternions.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
@@ -97,6 +98,21 @@ TEST(unit_quaternions, are_coordinates_and_each_in_one_place) {
   b.kinematics_of(b.body, b.n);
   b.kinematic_equation(b.dot(q) - v);
   EXPECT_EQ(b.kept(), all_four);
+}
+
+// A part of length one alone would be 1 or -1, where other parts have vanished.
+TEST(unit_quaternions, have_all_parts_at_generic_states) {
+  turning_body b;
+  for (const double sign : {1.0, -1.0}) {
+    kanexpr::symbolic::matrix one(b.graph(), 1, 1);
+    one(0, 0) = b.number(1) + b.number(sign) * b.e[0];
+    const auto states = kanexpr::mechanics::at_generic_states(one, &b.mechanism());
+    ASSERT_EQ(states.size(), 3);
+    for (const auto& state : states) {
+      EXPECT_GT(state(0, 0), 0);
+      EXPECT_LT(state(0, 0), 2);
+    }
+  }
 }
 
 } // namespace

@@ -154,7 +154,8 @@ private:
       size += symbolic::elementary::abs(mass) * dot(r, r);
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
-    return length(rate.x) + length(rate.y) + length(rate.z) > 1e-9 * size * turns;
+    // rates that are solved for have fewer digits than what they are solved from
+    return length(rate.x) + length(rate.y) + length(rate.z) > 1e-7 * size * turns;
   }
   /// a⊗b by its columns.
   static constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }

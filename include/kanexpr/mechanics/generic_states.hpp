@@ -52,6 +52,8 @@ public:
     const symbolic::typical_sizes sizes(g);
     for (int id : live)
       if (g[id].op == symbolic::operation::symbol) symbols_.push(id), size_.push(sizes[id]);
+    if (of != nullptr)
+      for (const frame& f : of->frames) complete(f.quaternion);
     value_.resize(symbols_.size(), 0.0);
     if (numeric::equal(beside_typical, 1.0)) return;
     const sequence<char> is_angle = parts_of_arguments(g, live);
@@ -80,6 +82,15 @@ public:
   constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
 
 private:
+  /// A quaternion of which a part is live: the others too have their share in its length.
+  constexpr void complete(const sequence<expression>& quaternion) {
+    bool any = false;
+    for (const expression& e : quaternion) any = any || symbols_.contains(e.node());
+    for (const expression& e : quaternion)
+      if (any && g_[e.node()].op == symbolic::operation::symbol && !symbols_.contains(e.node()))
+        symbols_.push(e.node()), size_.push(1);
+  }
+
   const graph& g_;
   const mechanism* of_;
   sequence<int> symbols_{};
