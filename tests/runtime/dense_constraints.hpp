@@ -29,9 +29,11 @@ template <int i>
 using spring = force<P<i>, -k * q<i> * N::x>;
 
 template <int i>
-constexpr auto bound = u<0> * cos(q<0> + i) + u<1> * (a + sin(i * q<1>)) + u<2> * cos(i * q<2> - a) +
-                           u<3> * (i - q<3>)+u<4> * sin(q<4> + i * i) + u<5> * (a - i * q<5>) ==
-                       sin(i * t);
+constexpr double n = i; // a whole number 0 is no factor
+template <int i>
+constexpr auto bound = u<0> * cos(q<0> + i) + u<1> * (a + sin(n<i> * q<1>)) + u<2> * cos(n<i> * q<2> - a) +
+                           u<3> * (i - q<3>)+u<4> * sin(q<4> + i * i) + u<5> * (a - n<i> * q<5>) ==
+                       sin(n<i> * t);
 
 struct System
     : kane_system<
