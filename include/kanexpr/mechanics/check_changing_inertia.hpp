@@ -155,7 +155,7 @@ private:
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
     // rates that are solved for have fewer digits than what they are solved from
-    return length(rate.x) + length(rate.y) + length(rate.z) > 1e-7 * size * turns;
+    return length(rate.x) + length(rate.y) + length(rate.z) > size * (1e-7 * turns + motion.rounding());
   }
   /// a⊗b by its columns.
   static constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }

@@ -91,7 +91,7 @@ private:
       if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
       const triple said = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
                    below = motion_.by_orientation(reference);
-      const double rounding = 1e-9 * (length(said) + length(own) + length(below));
+      const double rounding = 1e-9 * (length(said) + length(own) + length(below)) + motion_.rounding();
       const triple left = in_own_axes(t.frame, said - (own - below));
       if (!with_free_speeds) t.before = left;
       if (length(left) > rounding) (with_free_speeds ? t.all : t.bound).add(left);

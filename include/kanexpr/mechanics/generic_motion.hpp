@@ -67,6 +67,14 @@ public:
   constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
   /// Its angular velocity in the inertial frame as the equations of motion use it.
   constexpr triple turning(int f) const { return frames_[f].turning; }
+  /// What rounding may make of an angular velocity that is zero: all are solved for together.
+  constexpr double rounding() const {
+    double fastest = 0;
+    for (const pose& p : frames_)
+      for (const triple& w : {p.by_orientation, p.turning})
+        if (length(w) > fastest) fastest = length(w);
+    return 1e-14 * fastest;
+  }
   /// A declared angular velocity in its reference.
   constexpr triple declared(int f) const { return vector_of(m_.frames[f].angular_velocity); }
 
