@@ -43,6 +43,9 @@ constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>&
   return found;
 }
 
+/// In place of what sizes are beside typical ones: as if units said nothing.
+inline constexpr double all_one = 0;
+
 /// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
 class generic_values {
 public:
@@ -56,6 +59,10 @@ public:
       for (const frame& f : of->frames) complete(f.quaternion);
     value_.resize(symbols_.size(), 0.0);
     if (numeric::equal(beside_typical, 1.0)) return;
+    if (numeric::equal(beside_typical, all_one)) {
+      for (double& size : size_) size = 1;
+      return;
+    }
     const sequence<char> is_angle = parts_of_arguments(g, live);
     for (int i = 0; i < symbols_.size(); ++i)
       if (is_angle[symbols_[i]] == 0) size_[i] *= beside_typical;
@@ -198,7 +205,7 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
 
 /// What is tried beside typical sizes before a model is accused: of how large symbols are it may say too
 /// little.
-inline constexpr double other_sizes[]{1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
+inline constexpr double other_sizes[]{detail::all_one, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
 inline constexpr double clearly = 1e-5; ///< what is left there of a whole that does not vanish
 
 /// Rows that were found independent, as an orthonormal basis.

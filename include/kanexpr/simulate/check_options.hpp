@@ -39,7 +39,7 @@ inline std::string check_span(const time_span& span) {
   if (length > 0 && length < 1000 * std::numeric_limits<double>::epsilon() * latest)
     return "the time span, " + digits(length) + " s, is too short: times up to " + digits(latest) +
            " can be told apart to " + digits(std::nextafter(latest, 2 * latest) - latest) + " s";
-  if (length > 0 && shortest_step(span) < std::numeric_limits<double>::min())
+  if (length > 0 && shortest_step(span) < (std::numeric_limits<double>::min)())
     return "the time span, " + digits(length) + " s, is shorter than numbers can divide";
   return {};
 }
