@@ -32,11 +32,9 @@ public:
     built.derived.constrain();
     found.expect(built.derived.mistake().view().empty(), std::string(built.derived.mistake().view()));
     if (!found.reason().empty()) return;
-    compare(built, changed, in, rows, found);
     result_of rates(built.b, built.derived);
     rates.at(m);
-    found.expect(static_cast<bool>(rates.status()) || !is_compared_,
-                 "refused a regular state: " + std::string(rates.status().cause()));
+    compare(built, changed, in, rows, rates.status(), found);
     if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
     hostile.visit(built.b, built.derived, found);
@@ -47,7 +45,7 @@ public:
 
 private:
   void compare(recipe::bound_mechanism& built, const recipe::in_units& changed, const recipe::units& in,
-               const std::vector<double>& rows, errors& found) {
+               const std::vector<double>& rows, const kanexpr::status& told, errors& found) {
     using elimination::product;
     using elimination::transposed;
     using kanexpr::mechanics::quantity;
@@ -73,7 +71,8 @@ private:
     const VectorXd rest = -product(inverse_of_square, expected_.linear.bias);
     const double conditioning = 1 + inverse_of_square.norm() * j.norm();
     if (!(conditioning < most_conditioning)) return;
-    is_compared_ = true;
+    found.expect(static_cast<bool>(told), "refused a regular state: " + std::string(told.cause()));
+    if (!told) return; // numbers mean nothing
     found.compare("dependency", in_old_units(built.found(quantity::dependency), dependent, forces), a,
                   conditioning);
     found.compare("acceleration bias",
@@ -111,7 +110,6 @@ private:
 
   dice d_;
   recipe::constrained expected_;
-  bool is_compared_ = false;
 };
 
 } // namespace soak
