@@ -75,7 +75,10 @@ public:
 
 private:
   /// Large elements are few in most arrays, and each that there is room for is initialized.
-  static constexpr int first_capacity = sizeof(T) > 40 ? 2 : 8;
+  struct element {
+    T value;
+  };
+  static constexpr int first_capacity = sizeof(element) > 40 ? 2 : 8;
 
   constexpr int push_and_grow(const T& value) {
     const T kept = value; // may live in this very array
