@@ -11,10 +11,10 @@
 namespace kanexpr::simulated {
 
 /// How large the coordinates and speeds of a motion are, in whatever units, as far as its beginning tells:
-/// their values there, and what they become in the time in which the motion changes. What does not move at
-/// all is 1 if it is an angle, and as large as the largest of the other coordinates if it is none, or as what
-/// would move them if the angles stood otherwise, or 1; a speed takes its coordinate through its size in that
-/// time, and is not much smaller.
+/// their values there, and what they become in the time in which the motion changes. An angle is at least 1.
+/// Another coordinate that does not move at all is as large as the largest of these, or as what would move
+/// them if the angles stood otherwise, or 1; a speed takes its coordinate through its size in that time, and
+/// is not much smaller.
 template <class System>
 class state_sizes {
 public:
@@ -62,8 +62,9 @@ private:
     const double way = longest_way(around, t, x, angles);
     if (!(longest > nothing * way)) longest = way;
     for (int j = 0; j < coordinates; ++j) {
-      const double usual = angles[static_cast<std::size_t>(j)] || !(longest > 0) ? 1 : longest;
-      if (!(sizes_(j) > nothing * usual)) sizes_(j) = usual;
+      const bool is_angle = angles[static_cast<std::size_t>(j)];
+      const double usual = is_angle || !(longest > 0) ? 1 : longest;
+      if (is_angle || !(sizes_(j) > nothing * usual)) sizes_(j) = (std::max)(sizes_(j), usual);
     }
   }
 
