@@ -37,4 +37,18 @@ constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame
   return i + shifted(point_mass, express(m, r, frame)).inertia;
 }
 
+/// Adds what a body's inertia is made of to the expressions that are wanted as numbers, and gives the way
+/// from its mass centre to the point that the inertia is about.
+constexpr vector collect_inertia(const mechanism& m, const body& b, sequence<expression>& wanted) {
+  wanted.push(b.mass);
+  for (const dyadic::part& p : b.inertia.parts)
+    for (int i = 0; i < 9; ++i) wanted.push(p.value(i / 3, i % 3));
+  vector from_center;
+  if (b.about != none && b.about != b.center)
+    from_center = position_from_origin(m, b.about) - position_from_origin(m, b.center);
+  for (const vector::part& p : from_center.parts)
+    for (int i = 0; i < 3; ++i) wanted.push(p.value[i]);
+  return from_center;
+}
+
 } // namespace kanexpr::mechanics

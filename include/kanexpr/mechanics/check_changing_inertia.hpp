@@ -24,16 +24,7 @@ public:
   constexpr problem run() {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
-    for (doubt& d : doubtful_) {
-      const body& b = m_.bodies[d.body];
-      wanted.push(b.mass);
-      for (const dyadic::part& p : b.inertia.parts)
-        for (int i = 0; i < 9; ++i) wanted.push(p.value(i / 3, i % 3));
-      if (b.about != none)
-        d.from_center = position_from_origin(m_, b.about) - position_from_origin(m_, b.center);
-      for (const vector::part& p : d.from_center.parts)
-        for (int i = 0; i < 3; ++i) wanted.push(p.value[i]);
-    }
+    for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
     generic_motion motion(m_, held_, wanted);
     for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
       motion.draw();
