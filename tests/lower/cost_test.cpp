@@ -1,5 +1,5 @@
 // The models must not become dearer than they are known to be.
-#include <kanexpr/derivation/cost.hpp>
+#include <kanexpr/derive/cost.hpp>
 #include <models/iiwa.hpp>
 #include <models/pendulum6.hpp>
 #include <models/puma.hpp>

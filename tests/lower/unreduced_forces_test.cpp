@@ -2,7 +2,7 @@
 #include "lower/complex_steps.hpp"
 #include "lower/unreduced_forces.hpp"
 
-#include <kanexpr/derivation/cost.hpp>
+#include <kanexpr/derive/cost.hpp>
 #include <models/double_pendulum.hpp>
 #include <models/four_bar.hpp>
 #include <models/n_pendulum_cart.hpp>

@@ -4,7 +4,7 @@
 #include "build_recipe.hpp"
 #include "random_constraints.hpp"
 
-#include <kanexpr/mechanics/observe.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 
 namespace recipe {
 

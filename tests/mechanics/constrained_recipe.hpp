@@ -9,7 +9,7 @@
 #include "random_mechanism.hpp"
 #include "random_springs.hpp"
 
-#include <kanexpr/symbolic/sequence.hpp>
+#include <kanexpr/base/sequence.hpp>
 
 #include <algorithm>
 

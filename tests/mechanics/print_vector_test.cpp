@@ -1,5 +1,5 @@
 // builds: sanitize no-exceptions
-#include <kanexpr/mechanics/print_vector.hpp>
+#include <kanexpr/mechanics/model/print_vector.hpp>
 
 #include <gtest/gtest.h>
 

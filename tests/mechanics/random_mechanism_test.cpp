@@ -4,7 +4,7 @@
 #include "random_springs.hpp"
 
 #include <gtest/gtest.h>
-#include <kanexpr/mechanics/observe.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // What springs, dampers and potential energies do to motion, energy and forces of constraints.
 #include "workbench.hpp"
 
-#include <kanexpr/mechanics/time_derivative.hpp>
+#include <kanexpr/mechanics/skeleton/time_derivative.hpp>
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // builds: sanitize no-exceptions
 // Which quaternions the kinematic differential equations keep at norm 1.
-#include <kanexpr/mechanics/generic_states.hpp>
-#include <kanexpr/mechanics/unit_quaternions.hpp>
+#include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 #include <gtest/gtest.h>

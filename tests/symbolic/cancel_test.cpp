@@ -1,11 +1,11 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/cancel.hpp>
-#include <kanexpr/symbolic/differentiate.hpp>
-#include <kanexpr/symbolic/expand.hpp>
-#include <kanexpr/symbolic/print.hpp>
-#include <kanexpr/symbolic/substitute.hpp>
+#include <kanexpr/symbolic/algebra/cancel.hpp>
+#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

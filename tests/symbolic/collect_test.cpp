@@ -1,8 +1,8 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/collect.hpp>
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/algebra/collect.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

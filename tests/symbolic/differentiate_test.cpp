@@ -1,7 +1,7 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
 
 #include <gtest/gtest.h>
 

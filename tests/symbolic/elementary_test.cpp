@@ -1,4 +1,4 @@
-#include "kanexpr/symbolic/elementary.hpp"
+#include "kanexpr/symbolic/numbers/elementary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // builds: sanitize
 #include "scrambled_formula.hpp"
 
-#include <kanexpr/symbolic/differentiate.hpp>
-#include <kanexpr/symbolic/equality.hpp>
-#include <kanexpr/symbolic/linear_system.hpp>
-#include <kanexpr/symbolic/print.hpp>
-#include <kanexpr/symbolic/substitute.hpp>
+#include <kanexpr/symbolic/algebra/equality.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

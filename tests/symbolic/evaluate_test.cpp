@@ -2,8 +2,8 @@
 #include "entry_squares.hpp"
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/evaluate.hpp>
-#include <kanexpr/symbolic/linear_system.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "linear_systems.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
 #include <gtest/gtest.h>
 

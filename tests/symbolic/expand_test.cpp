@@ -1,9 +1,9 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/expand.hpp>
-#include <kanexpr/symbolic/linear_system.hpp>
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

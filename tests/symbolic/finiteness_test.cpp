@@ -1,6 +1,6 @@
 // Which results have to be looked at to know that all are finite.
-#include <kanexpr/symbolic/expression.hpp>
-#include <kanexpr/symbolic/finiteness.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/sizes/finiteness.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // builds: sanitize no-exceptions
 #include "symbols.hpp"
 
-#include <kanexpr/symbolic/latex.hpp>
+#include <kanexpr/symbolic/print/latex.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "linear_systems.hpp"
 #include "symbols.hpp"
 
-#include <kanexpr/symbolic/differentiate.hpp>
-#include <kanexpr/symbolic/limit.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/limits/limit.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/differentiate.hpp>
-#include <kanexpr/symbolic/limit.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/limits/limit.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

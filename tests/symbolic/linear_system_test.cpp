@@ -2,10 +2,10 @@
 #include "linear_systems.hpp"
 #include "symbols.hpp"
 
-#include <kanexpr/symbolic/accumulate.hpp>
-#include <kanexpr/symbolic/latex.hpp>
-#include <kanexpr/symbolic/print.hpp>
-#include <kanexpr/symbolic/substitute.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/print/latex.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "evaluate_graph.hpp"
 
-#include <kanexpr/symbolic/linear_system.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <random>
 

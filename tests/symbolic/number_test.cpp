@@ -1,5 +1,5 @@
 // builds: sanitize no-exceptions
-#include <kanexpr/symbolic/graph.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // builds: sanitize no-exceptions
 #include "symbols.hpp"
 
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "evaluate_graph.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/solve.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 // builds: sanitize
 #include "random_formula.hpp"
 
-#include <kanexpr/symbolic/substitute.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // builds: sanitize
 #include "scrambled_formula.hpp"
 
-#include <kanexpr/symbolic/print.hpp>
-#include <kanexpr/symbolic/trigonometric_form.hpp>
+#include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <kanexpr/symbolic/expression.hpp>
-#include <kanexpr/symbolic/units.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/sizes/units.hpp>
 
 #include <gtest/gtest.h>
 

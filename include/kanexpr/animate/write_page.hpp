@@ -2,7 +2,7 @@
 
 #include <kanexpr/animate/animated.hpp>
 #include <kanexpr/animate/page_text.hpp>
-#include <kanexpr/simulate/outcome.hpp>
+#include <kanexpr/base/outcome.hpp>
 
 #include <fstream>
 #include <iterator>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
-#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <type_traits>

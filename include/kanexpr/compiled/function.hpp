@@ -3,7 +3,7 @@
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
-#include <kanexpr/derivation/derivation.hpp>
+#include <kanexpr/derive/derivation.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/regular.hpp>

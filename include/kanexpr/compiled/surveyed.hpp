@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/derivation/model_error.hpp>
-#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derive/survey.hpp>
 
 namespace kanexpr::compiled {
 

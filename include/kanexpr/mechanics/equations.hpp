@@ -1,18 +1,18 @@
 #pragma once
 
-#include <kanexpr/mechanics/check.hpp>
-#include <kanexpr/mechanics/check_constraints.hpp>
-#include <kanexpr/mechanics/check_lagrange.hpp>
-#include <kanexpr/mechanics/check_mass.hpp>
-#include <kanexpr/mechanics/configuration_step.hpp>
-#include <kanexpr/mechanics/dynamics.hpp>
-#include <kanexpr/mechanics/energy.hpp>
-#include <kanexpr/mechanics/linearizer.hpp>
-#include <kanexpr/mechanics/positive_mass.hpp>
+#include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/checks/check_constraints.hpp>
+#include <kanexpr/mechanics/checks/check_lagrange.hpp>
+#include <kanexpr/mechanics/checks/check_mass.hpp>
+#include <kanexpr/mechanics/constraints/configuration_step.hpp>
+#include <kanexpr/mechanics/dynamics/dynamics.hpp>
+#include <kanexpr/mechanics/dynamics/energy.hpp>
+#include <kanexpr/mechanics/dynamics/positive_mass.hpp>
+#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
-#include <kanexpr/mechanics/singular.hpp>
-#include <kanexpr/mechanics/system_form.hpp>
-#include <kanexpr/symbolic/terms.hpp>
+#include <kanexpr/symbolic/sizes/terms.hpp>
 
 #include <optional>
 

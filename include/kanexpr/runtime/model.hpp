@@ -1,13 +1,13 @@
 #pragma once
 
-#include <kanexpr/derivation/derivation.hpp>
-#include <kanexpr/derivation/linearization_request.hpp>
-#include <kanexpr/mechanics/print_vector.hpp>
+#include <kanexpr/derive/derivation.hpp>
+#include <kanexpr/derive/linearization_request.hpp>
+#include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/runtime/linearization.hpp>
 #include <kanexpr/runtime/point_reader.hpp>
-#include <kanexpr/symbolic/latex.hpp>
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/print/latex.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <memory>
 #include <string>

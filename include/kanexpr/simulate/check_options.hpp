@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
-#include <kanexpr/simulate/digits.hpp>
+#include <kanexpr/base/digits.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
-#include <kanexpr/compiled/unit_quaternions.hpp>
+#include <kanexpr/steps/assemble.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <utility>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
 #include <kanexpr/simulate/check_options.hpp>
 #include <kanexpr/simulate/departures.hpp>
 #include <kanexpr/simulate/moving_system.hpp>
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 #include <kanexpr/simulate/state_sizes.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
-#include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim_search.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <cmath>
 #include <string>

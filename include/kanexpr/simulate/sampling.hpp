@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/constraint_projection.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/trial_steps.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
 #include <cmath>

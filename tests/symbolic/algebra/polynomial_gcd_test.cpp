@@ -1,5 +1,5 @@
 // builds: sanitize
-#include <kanexpr/symbolic/algebra/polynomial_gcd.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial_gcd.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "evaluate_graph.hpp"
 
-#include <kanexpr/symbolic/taylor/operation.hpp>
+#include <kanexpr/symbolic/limits/operation.hpp>
 
 #include <gtest/gtest.h>
 
