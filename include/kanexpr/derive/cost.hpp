@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/derived_system.hpp>
-#include <kanexpr/lower/tape.hpp>
+#include <kanexpr/derive/cut.hpp>
 
 #include <initializer_list>
 
@@ -9,19 +8,14 @@ namespace kanexpr::derivation {
 
 /// What `function<System, wanted…>::cost()` says, by the same derivation while the program runs.
 template <class System>
-constexpr symbolic::cost cost_of(std::initializer_list<mechanics::quantity> wanted) {
+symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
+  std::vector<request> all;
+  for (const quantity one : wanted) all.push_back({.what = request::kind::result, .wanted = one});
   derived_system system(System::record);
-  system.derive();
-  symbolic::sequence<int> outputs;
-  for (const mechanics::quantity one : wanted) {
-    const symbolic::matrix result = system.equations().get(one);
-    for (const expression& entry : result.entries) outputs.push(entry.node());
-  }
-  for (const mechanics::guard& g : system.equations().guards_of(outputs)) {
-    outputs.push(g.measure.node());
-    outputs.push(g.scale.node());
-  }
-  return lower::cost_of(lower::tape_of(system.graph(), outputs));
+  go_on(system, stage::constrained);
+  for (const stage next : {stage::equations, stage::linearized})
+    if (stage_for(all) >= next) go_on(system, next);
+  return lower::cost_of(lower::tape_of(system.graph(), nodes_for(system, all).nodes));
 }
 
 } // namespace kanexpr::derivation

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/derive/image_reader.hpp>
+#include <kanexpr/derive/image_writer.hpp>
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
@@ -14,6 +16,14 @@ public:
   constexpr explicit derived_system(const system_record& from)
       : mechanism_(graph_), reader_(from, mechanism_) {
     reader_.read();
+  }
+  /// Goes on where a derivation of the same record was set aside.
+  constexpr derived_system(const system_record& from, const image& aside)
+      : mechanism_(graph_), reader_(from, mechanism_) {
+    equations_.emplace(mechanism_, mechanics::equations::set_aside{});
+    reader_.know(*equations_);
+    image_reader read(aside, graph_, mechanism_);
+    each_part(*this, read);
   }
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
@@ -34,6 +44,12 @@ public:
     if (!mistake()) equations_->constrain();
   }
 
+  /// Sets the derivation aside. Only without a mistake, and after `derive`.
+  constexpr void write(image& into) const {
+    image_writer write(into, graph_);
+    each_part(*this, write);
+  }
+
   constexpr const problem& mistake() const {
     if (reader_.mistake()) return reader_.mistake();
     if (mistake_ || !equations_.has_value()) return mistake_;
@@ -51,6 +67,13 @@ public:
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:
+  template <class Self, class Visit>
+  static constexpr void each_part(Self& self, Visit& visit) {
+    visit(self.mechanism_);
+    visit(self.reader_);
+    visit(*self.equations_);
+  }
+
   symbolic::graph graph_{};
   mechanism mechanism_;
   derivation::reader reader_;

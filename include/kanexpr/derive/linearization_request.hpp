@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/derivation.hpp>
+#include <kanexpr/derive/request.hpp>
 
 /// What can be asked of a linearization beside its quantities.
 namespace kanexpr::derivation {
@@ -17,12 +17,9 @@ struct at_given_rates {
 };
 
 template <at_given_rates wanted>
-struct request<wanted> {
-  static constexpr extent of(const survey& s) { return request<wanted.wanted>::of(s); }
-  static constexpr void visit(reader&) {}
-  static constexpr symbolic::matrix form(reader&, mechanics::equations& e) {
-    return e.at_given_rates(wanted.wanted);
-  }
+struct requested<wanted> {
+  static constexpr request value{
+      .what = request::kind::result, .wanted = wanted.wanted, .is_at_given_rates = true};
 };
 
 /// How expressions of the model answer to changes of the state, or of the inputs.
@@ -32,21 +29,10 @@ struct sensitivity {
 };
 
 template <bool to_inputs, auto... outputs, sensitivity<to_inputs, outputs...> wanted>
-struct request<wanted> {
-  static constexpr int rows = (0 + ... + request<outputs>::of({}).rows);
-  static constexpr extent of(const survey& s) { return {rows, to_inputs ? s.inputs : s.states()}; }
-  static constexpr void visit(reader& r) { (request<outputs>::visit(r), ...); }
-  static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
-    sequence<expression> all;
-    (collect(all, request<outputs>::with_rates(r, e)), ...);
-    const mechanics::explicit_linearization l = e.linearized().outputs(all);
-    return e.in_motion(to_inputs ? l.input : l.state);
-  }
-
-private:
-  static constexpr void collect(sequence<expression>& all, const symbolic::matrix& more) {
-    for (const expression& each : more.entries) all.push(each);
-  }
+struct requested<wanted> {
+  static constexpr phrase words[]{requested<outputs>::value.phrases[0]...};
+  static constexpr request value{
+      .what = request::kind::sensitivity, .phrases = words, .is_to_inputs = to_inputs};
 };
 
 } // namespace kanexpr::derivation

@@ -25,8 +25,27 @@ namespace kanexpr::mechanics {
 class equations {
 public:
   constexpr explicit equations(const mechanism& m) : s_(skeleton_of(m)), m_(&m) {}
+  /// To be read from what was set aside.
+  struct set_aside {};
+  constexpr equations(const mechanism& m, set_aside) : s_{&m}, m_(&m) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
+
+  /// What was formed, but for what is formed again at little cost. There is no mistake.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.s_);
+    visit(self.constraints_);
+    visit(self.configuration_);
+    visit(self.speeds_);
+    visit(self.coordinates_);
+    visit(self.step_blocks_);
+    visit(self.dynamics_);
+    visit(self.is_constrained_);
+    visit(self.is_mass_checked_);
+    visit(self.is_mass_regular_);
+    visit(self.linearizer_);
+  }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
   constexpr void constrain() {

@@ -23,6 +23,25 @@ public:
     }
   }
 
+  /// Whether the frames and points that a phrase mentions are read already.
+  constexpr bool has_all_of(const phrase& p) const {
+    for (int i = 0; i < p.size; ++i) {
+      const describe::token& t = p.tokens[i];
+      if (t.frame != nullptr && !frames_.contains(t.frame)) return false;
+      if (t.point != nullptr && !points_.contains(t.point)) return false;
+    }
+    return true;
+  }
+
+  /// What is known of symbols and entities, where there is no mistake and nothing is being read.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    phrase_reader::each_member(self, visit);
+    visit(self.frames_);
+    visit(self.places_of_frames_);
+    visit(self.points_);
+  }
+
   /// The number of a frame that `whom` mentions; it and all that it hangs on are read if they were not yet.
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)

@@ -24,7 +24,7 @@ protected:
     m_.derived_by = mechanics::method::lagrange;
     m_.take_rates_as_speeds();
     for (const expression& u : m_.speeds)
-      claim_name(m_.g->symbol_at(u.node()).called, "rates of coordinates");
+      claim_name(m_.g->symbol_at(u.node()).called, symbol_list::rates_of_coordinates);
   }
 
   constexpr void visit_lagrangian() {

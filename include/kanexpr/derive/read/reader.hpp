@@ -31,23 +31,23 @@ private:
   constexpr void read_lists() {
     for (int i = 0; i < from_.coordinates.size; ++i)
       if (const symbol_record* s =
-              listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, "coordinates"))
+              listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
         m_.coordinate(s->called);
     read_rates();
     for (int i = 0; i < from_.speeds.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, "speeds"))
+      if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, symbol_list::speeds))
         m_.speed(s->called);
     for (int i = 0; i < from_.auxiliary.size; ++i)
       if (const symbol_record* s =
-              listed_symbol(from_.auxiliary[i], symbolic::symbol_kind::speed, "auxiliary speeds"))
+              listed_symbol(from_.auxiliary[i], symbolic::symbol_kind::speed, symbol_list::auxiliary_speeds))
         m_.auxiliary_speed(s->called);
     for (int i = 0; i < from_.values.size; ++i) read_value(from_.values[i]);
     for (int i = 0; i < from_.parameters.size; ++i)
       if (const symbol_record* s =
-              listed_symbol(from_.parameters[i], symbolic::symbol_kind::parameter, "parameters"))
+              listed_symbol(from_.parameters[i], symbolic::symbol_kind::parameter, symbol_list::parameters))
         m_.parameter(s->called);
     for (int i = 0; i < from_.inputs.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, "inputs"))
+      if (const symbol_record* s = listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
         place_input(*s);
     for (int i = 0; i < from_.inputs.size && !mistake_; ++i)
       check_derivative(*from_.inputs[i].tokens[0].symbol);

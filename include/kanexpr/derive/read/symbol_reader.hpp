@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/problem.hpp>
+#include <kanexpr/derive/read/symbol_list.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
@@ -65,6 +66,16 @@ public:
     return m_.zero();
   }
 
+  /// What is known of symbols, where there is no mistake.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.bound_);
+    visit(self.bound_values_);
+    visit(self.bound_is_used_);
+    visit(self.claimed_);
+    visit(self.is_time_claimed_);
+  }
+
   /// Takes a parameter that the model itself does not speak of, behind all others.
   constexpr void admit_parameter(const symbol_record& r) {
     if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
@@ -86,15 +97,15 @@ protected:
   }
 
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
-                                               std::string_view list) {
+                                               symbol_list list) {
     if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", list, " holds something that is not a symbol", p.size > 1 ? ", with " : "",
+      fail({"the list of ", derivation::called(list), " holds something that is not a symbol", p.size > 1 ? ", with " : "",
             name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({kind_of(*s), s->called.view(), " stands in the list of ", list});
+      fail({kind_of(*s), s->called.view(), " stands in the list of ", derivation::called(list)});
       return nullptr;
     }
     claim(*s, list);
@@ -122,7 +133,7 @@ protected:
   }
 
   /// Takes the name of a symbol, which has to be one.
-  constexpr void claim(const symbol_record& r, std::string_view list) {
+  constexpr void claim(const symbol_record& r, symbol_list list) {
     if (r.is_named) return claim_name(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
     if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
@@ -130,22 +141,22 @@ protected:
           {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
-    fail({mechanics::check_name(called, list).view()});
+    fail({mechanics::check_name(called, derivation::called(list)).view()});
   }
 
   /// A name means one thing in a system.
-  constexpr void claim_name(const symbolic::name& called, std::string_view list, int mark = 0) {
+  constexpr void claim_name(const symbolic::name& called, symbol_list list, int mark = 0) {
     for (const claimed& other : claimed_)
       if (other.called == called) {
         if (other.list == list && other.mark != mark)
-          fail({"two of the ", list, " are called ", called.view()});
+          fail({"two of the ", derivation::called(list), " are called ", called.view()});
         else if (other.list == list)
-          fail({called.view(), " is listed twice among the ", list});
-        else if (other.list == "values")
+          fail({called.view(), " is listed twice among the ", derivation::called(list)});
+        else if (other.list == symbol_list::values)
           fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
         else
-          fail({"the name ", called.view(), " is used twice: among the ", other.list, " and among the ",
-                list});
+          fail({"the name ", called.view(), " is used twice: among the ", derivation::called(other.list),
+                " and among the ", derivation::called(list)});
       }
     claimed_.push({called, list, mark});
   }
@@ -155,7 +166,7 @@ protected:
     bound_.push(r.called);
     bound_values_.push(number);
     bound_is_used_.push(0);
-    claim(r, "values");
+    claim(r, symbol_list::values);
   }
   constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
   constexpr bool holds_bound(const phrase& p) const {
@@ -211,7 +222,7 @@ private:
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
       const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};
       if (has(m_.inputs, one.called)) continue;
-      claim(one, "inputs");
+      claim(one, symbol_list::inputs);
       place_input(one);
     }
   }
@@ -233,14 +244,14 @@ private:
           {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
       return m_.zero();
     }
-    claim(r, kind == "input" ? "inputs" : "parameters");
+    claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
   }
 
   /// A name that is taken.
   struct claimed {
     symbolic::name called{};
-    std::string_view list{};
+    symbol_list list{};
     int mark = 0; ///< which symbol of that name it is
   };
 
@@ -260,7 +271,7 @@ private:
   }
 
   constexpr void claim_time() {
-    if (!is_time_claimed_) claim_name("t", "symbols for the time");
+    if (!is_time_claimed_) claim_name("t", symbol_list::times);
     is_time_claimed_ = true;
   }
 

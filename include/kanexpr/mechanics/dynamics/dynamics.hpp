@@ -14,6 +14,24 @@ public:
   constexpr dynamics(const skeleton& s, const constraints& c, const partition& speeds)
       : s_(s), m_(*s.model), constraints_(c), speeds_(speeds) {}
 
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.lagrange_);
+    visit(self.has_dependent_);
+    visit(self.has_coupling_);
+    visit(self.has_lambda_);
+    visit(self.dependent_);
+    visit(self.free_mass_);
+    visit(self.coupling_);
+    visit(self.mass_);
+    visit(self.lambda_);
+    visit(self.free_force_);
+    visit(self.force_);
+    visit(self.udot_);
+    visit(self.pivots_);
+  }
+
   constexpr bool has_dependent() const { return has_dependent_; }
 
   /// How the dependent speeds and their rates follow from the independent ones.

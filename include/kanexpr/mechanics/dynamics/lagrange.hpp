@@ -29,6 +29,12 @@ class lagrange_equations {
 public:
   constexpr explicit lagrange_equations(const skeleton& s) : s_(s), m_(*s.model) {}
 
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.gradient_);
+  }
+
   /// M = ∂p/∂q̇; symmetric.
   constexpr symbolic::matrix mass_matrix() {
     const sequence<expression>& p = gradient().momenta;

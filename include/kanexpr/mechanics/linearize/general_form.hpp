@@ -34,6 +34,27 @@ struct general_form {
   };
   linear_parts known{};
 
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.q);
+    visit(self.u);
+    visit(self.lambda);
+    visit(self.r);
+    visit(self.qdot);
+    visit(self.udot);
+    visit(self.coordinates);
+    visit(self.speeds);
+    visit(self.f_c);
+    visit(self.f_v);
+    visit(self.f_a);
+    visit(self.f_0);
+    visit(self.f_1);
+    visit(self.f_2);
+    visit(self.f_3);
+    visit(self.f_4);
+    visit(self.known);
+  }
+
   constexpr int states() const { return coordinates.independent.size() + speeds.independent.size(); }
   constexpr int inputs() const { return r.size(); }
   /// Of the rates q̇ and u̇ and the multipliers, n + o + k.

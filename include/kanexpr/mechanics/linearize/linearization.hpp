@@ -21,6 +21,12 @@ struct explicit_linearization {
   constexpr explicit_linearization(graph& g, int rows, int states, int inputs)
       : state(g, rows, states), input(g, rows, inputs) {}
 
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.state);
+    visit(self.input);
+  }
+
   /// The entry of a row by the state first, then by the inputs.
   constexpr expression& operator()(int i, int j) {
     return j < state.columns ? state(i, j) : input(i, j - state.columns);

@@ -16,8 +16,21 @@ class linearizer {
 public:
   constexpr linearizer(graph& g, const general_form& form, directions which = directions::along_constraints)
       : g_(g), form_(form), variations_(g, form_, which) {}
+  /// To be read from what was set aside.
+  constexpr explicit linearizer(graph& g) : g_(g), variations_(g, form_) {}
   linearizer(const linearizer&) = delete;
   linearizer& operator=(const linearizer&) = delete;
+
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.form_);
+    visit(self.variations_);
+    visit(self.implicit_);
+    visit(self.explicit_);
+    visit(self.rates_);
+    visit(self.pivots_);
+  }
 
   constexpr const general_form& form() const { return form_; }
   constexpr const mechanics::variations& variations() const { return variations_; }
@@ -225,7 +238,7 @@ private:
   }
 
   graph& g_;
-  const general_form form_;
+  general_form form_{};
   mechanics::variations variations_;
   implicit_linearization implicit_{};
   explicit_linearization explicit_{};

@@ -26,6 +26,19 @@ public:
     if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, of_u_, form.known.on_u);
   }
 
+  /// To be read from what was set aside.
+  constexpr variations(graph& g, const general_form& form) : g_(g), form_(form) {}
+
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.of_q_);
+    visit(self.of_u_);
+    visit(self.symbols_);
+    visit(self.coordinates_);
+    visit(self.speeds_);
+    visit(self.blocks_);
+  }
+
   constexpr int size() const { return symbols_.size(); }
   /// Those of coordinates and speeds, which come first.
   constexpr int states() const { return size() - form_.inputs(); }

@@ -15,6 +15,12 @@ struct components {
   constexpr components() = default;
   constexpr components(expression x_, expression y_, expression z_) : x(x_), y(y_), z(z_) {}
   constexpr explicit components(graph& g) : x(g, graph::zero), y(g, graph::zero), z(g, graph::zero) {}
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.x);
+    visit(self.y);
+    visit(self.z);
+  }
 
   constexpr expression& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
   constexpr const expression& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
@@ -100,6 +106,10 @@ struct matrix3 {
 
   constexpr matrix3() = default;
   constexpr explicit matrix3(graph& g) : row{components(g), components(g), components(g)} {}
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    for (auto& each : self.row) visit(each);
+  }
 
   constexpr expression& operator()(int i, int j) { return row[i][j]; }
   constexpr const expression& operator()(int i, int j) const { return row[i][j]; }

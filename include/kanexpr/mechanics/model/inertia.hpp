@@ -18,6 +18,15 @@ struct symmetric {
     const expression zero{g, graph::zero};
     xx = yy = zz = xy = yz = zx = zero;
   }
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.xx);
+    visit(self.yy);
+    visit(self.zz);
+    visit(self.xy);
+    visit(self.yz);
+    visit(self.zx);
+  }
   constexpr expression& operator()(int i, int j) { return this->*entry(i, j); }
   constexpr const expression& operator()(int i, int j) const { return this->*entry(i, j); }
   constexpr bool is_zero() const {
@@ -56,6 +65,12 @@ struct rigid_mass {
 
   constexpr rigid_mass() = default;
   constexpr explicit rigid_mass(graph& g) : mass(g, graph::zero), first_moment(g), inertia(g) {}
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.mass);
+    visit(self.first_moment);
+    visit(self.inertia);
+  }
 
   constexpr bool is_zero() const { return mass.is_zero() && first_moment.is_zero() && inertia.is_zero(); }
   constexpr bool is_constant() const {

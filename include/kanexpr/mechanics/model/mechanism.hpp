@@ -226,6 +226,37 @@ struct mechanism {
       : g(&owner), time(symbolic::variable(owner, {symbolic::symbol_kind::time, name("t"), 0})) {}
   mechanism(const mechanism&) = delete;
   mechanism& operator=(const mechanism&) = delete;
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.coordinates);
+    visit(self.speeds);
+    visit(self.parameters);
+    visit(self.inputs);
+    visit(self.coordinate_rates);
+    visit(self.speed_rates);
+    visit(self.time);
+    visit(self.prescribed_rates);
+    visit(self.kinematics);
+    visit(self.configuration_constraints);
+    visit(self.velocity_constraints);
+    visit(self.acceleration_constraints);
+    visit(self.dependent_coordinates);
+    visit(self.dependent_speeds);
+    visit(self.auxiliary_speeds);
+    visit(self.frames);
+    visit(self.points);
+    visit(self.bodies);
+    visit(self.forces);
+    visit(self.torques);
+    visit(self.potential_energies);
+    visit(self.spring_dampers);
+    visit(self.torsional_dampers);
+    visit(self.has_gravity);
+    visit(self.gravity);
+    visit(self.derived_by);
+    visit(self.has_lagrangian);
+    visit(self.lagrangian);
+  }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
   constexpr expression one() const { return {*g, graph::one}; }

@@ -11,6 +11,8 @@ public:
   constexpr expression(graph& owner, int node) : graph_(&owner), node_(node) {}
 
   constexpr int node() const { return node_; }
+  /// Whether it is of a graph at all.
+  constexpr bool is_given() const { return graph_ != nullptr; }
   constexpr graph& owner() const { return *graph_; }
   constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
   constexpr bool is_zero() const { return node_ == graph::zero; }

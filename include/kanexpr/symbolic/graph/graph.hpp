@@ -72,6 +72,22 @@ public:
     return append(wanted);
   }
 
+  /// Begins anew, with the numbers and symbols of a graph of which the nodes follow by `restore`.
+  constexpr void restart(sequence<number>&& numbers, sequence<symbol>&& symbols, int nodes) {
+    numbers_ = static_cast<sequence<number>&&>(numbers);
+    symbols_ = static_cast<sequence<symbol>&&>(symbols);
+    nodes_.clear();
+    nodes_.reserve(nodes);
+    int places = table_.size();
+    while (2 * nodes > places) places *= 4;
+    table_ = sequence<int>(places, -1);
+  }
+  /// A node in the order in which they stood in a graph.
+  constexpr void restore(const node& kept) {
+    table_[free_place(kept)] = nodes_.push(kept);
+    if (kept.op >= operation::pair) holds_lists_ = true;
+  }
+
 private:
   static constexpr unsigned hash(const number& value) {
     const std::uint64_t fraction =
@@ -112,13 +128,14 @@ private:
   }
   constexpr void rehash() {
     table_ = sequence<int>(4 * table_.size(), -1);
-    for (int id = 0; id < nodes_.size(); ++id) {
-      const node& kept = nodes_[id];
-      unsigned place =
-          kept.op == operation::constant ? hash(numbers_[kept.a]) : hash(kept.op, kept.a, kept.b);
-      while (table_[slot(place)] >= 0) ++place;
-      table_[slot(place)] = id;
-    }
+    for (int id = 0; id < nodes_.size(); ++id) table_[free_place(nodes_[id])] = id;
+  }
+  /// Where in the table a node goes that is not there yet.
+  constexpr int free_place(const node& added) const {
+    unsigned place =
+        added.op == operation::constant ? hash(numbers_[added.a]) : hash(added.op, added.a, added.b);
+    while (table_[slot(place)] >= 0) ++place;
+    return slot(place);
   }
 
   sequence<node> nodes_{};
