@@ -63,8 +63,10 @@ public:
 
   /// The node of a symbol; two symbols are the same where kind and name are.
   constexpr int variable(const symbol& wanted) {
-    for (int i = 0; i < symbols_.size(); ++i)
-      if (symbols_[i] == wanted) return find_or_append({operation::symbol, i, 0});
+    const symbol* const all = symbols_.begin();
+    for (int i = 0, end = symbols_.size(); i < end; ++i)
+      if (all[i].kind == wanted.kind && all[i].called.length == wanted.called.length && all[i] == wanted)
+        return find_or_append({operation::symbol, i, 0});
     return find_or_append({operation::symbol, symbols_.push(wanted), 0});
   }
 
