@@ -20,8 +20,9 @@ TEST(pictures, move) {
       {{m1, 1}, {m2, 1}, {d1, 0.5}, {d2, 0.5}, {l1, 1}, {I1, 0.1}, {I2, 0.1}, {g, 9.81}, {c1, 0}, {c2, 0}},
       {0, 1}, {.inputs = {{T1, 0}, {T2, 0}}, .output_every = 0.02});
   ASSERT_TRUE(run) << run.cause();
-#include <docs/pictures/animated.cpp>
 #include <docs/pictures/written.cpp>
+
+#include <docs/pictures/animated.cpp>
   EXPECT_EQ(a.find("sphere at Tip")->placements.size(), 51);
 }
 

@@ -23,11 +23,16 @@ namespace {
 using namespace kanexpr;
 
 TEST(simulation, is_of_a_pendulum) {
-#include <docs/simulation/by_name.cpp>
-#include <docs/simulation/dense.cpp>
-#include <docs/simulation/handed_on.cpp>
-#include <docs/simulation/inputs.cpp>
 #include <docs/simulation/pendulum.cpp>
+
+#include <docs/simulation/by_name.cpp>
+
+#include <docs/simulation/dense.cpp>
+
+#include <docs/simulation/handed_on.cpp>
+
+#include <docs/simulation/inputs.cpp>
+
 #include <docs/simulation/trajectory.cpp>
   EXPECT_EQ(path.size(), 1001);
   EXPECT_NEAR(run.state[q], 0.177082, 5e-7);
@@ -53,6 +58,7 @@ TEST(simulation, prescribes_an_angle) {
 TEST(simulation, has_events) {
   const docs::printed here;
 #include <docs/simulation/events.cpp>
+
 #include <docs/simulation/resting.cpp>
   EXPECT_EQ(here.text(), docs::text("docs/simulation/bounces.text"));
   const auto ended = simulate<System>(
