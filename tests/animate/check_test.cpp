@@ -25,8 +25,8 @@ TEST(picture_check, finds_nothing_wrong_with_a_sound_picture) {
 
 TEST(picture_check, wants_something_shown_and_up_told) {
   EXPECT_EQ(told<upright>(), "the picture shows nothing");
-  EXPECT_EQ(told<bob>(), "the picture is not told which way is up; write up<vector>");
-  EXPECT_EQ((told<upright, bob, ground<>, ground<1>>()), "the picture is told ground<...> twice");
+  EXPECT_EQ(told<bob>(), "the picture does not say which way is up; write up<vector>");
+  EXPECT_EQ((told<upright, bob, ground<>, ground<1>>()), "the picture lists ground<...> twice");
   EXPECT_EQ((told<up<q>, bob>()), "the direction of up is a scalar; it must be a vector");
 }
 

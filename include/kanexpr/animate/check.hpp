@@ -94,9 +94,9 @@ constexpr problem check_words() {
   if (found) return found;
   const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
-  if (times("up") == 0) return sentence({"the picture is not told which way is up; write up<vector>"});
+  if (times("up") == 0) return sentence({"the picture does not say which way is up; write up<vector>"});
   for (std::string_view word : {"up", "seen_from", "ground", "carried"})
-    if (times(word) > 1) return sentence({"the picture is told ", word, "<...> twice"});
+    if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
   (origins.look_at<Words>(), ...);
   return origins.mistake;

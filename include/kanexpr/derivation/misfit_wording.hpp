@@ -42,8 +42,7 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   case misfit::inertia_beside:
     return sentence({"an inertia stands beside ", called, "; it belongs into rigid_body<...>"});
   case misfit::word_beside:
-    return sentence(
-        {"a word of the system stands beside ", called, "; write it among those that the system is told"});
+    return sentence({"a word of the system stands beside ", called, "; write it among those of the system"});
   }
   return {};
 }
