@@ -321,9 +321,9 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
               b.fixed_in(b.bob, b.rod);
               b.velocity(b.bob, b.n, b.along(b.n, 0, 0, 0));
             }),
-            "how point P moves is said twice");
+            "point P is given two motions");
   EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0, 0, 0)); }),
-            "point O is an origin, fixed in the inertial frame, and is said to move");
+            "point O is an origin, fixed in the inertial frame, and is given a motion");
   EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0, 0, 0)); }),
             "the inertial frame N is given an angular velocity");
   EXPECT_EQ(told([](auto& b) {
@@ -348,12 +348,12 @@ TEST(builder_mistakes, looks_at_constraints) {
             "a velocity constraint is given a direction of no length");
   EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
   EXPECT_EQ(told([](auto& b) { b.dependent(b.m); }),
-            "something is said to be dependent that is neither a coordinate nor a speed");
+            "dependent is given something that is neither a coordinate nor a speed");
   EXPECT_EQ(told([](auto& b) {
               b.dependent(b.v);
               b.dependent(b.v);
             }),
-            "v is said to be dependent twice");
+            "v is made dependent twice");
 }
 
 TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {

@@ -116,7 +116,7 @@ private:
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("frame ", r.called, r.fits);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
-      fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
+      fail({"inertial<...> names frame ", r.called, ", which is oriented relative to ", r.parent->called});
     if (r.orientation == describe::orientation_word::inertial && &r != from_.inertial)
       fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
             from_.inertial->called});
@@ -135,14 +135,14 @@ private:
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
-      fail({"point ", r.called, " is an origin, fixed in the inertial frame, and is said to move"});
+      fail({"point ", r.called, " is an origin, fixed in the inertial frame, and is given a motion"});
     if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)
         if (p->called == r.called) fail({"two points are called ", r.called});
     if (r.fixed_in != nullptr && r.reference != nullptr)
-      fail({"point ", r.called, " is said to be fixed in ", r.fixed_in->called,
-            " and to have a velocity of its own"});
+      fail({"point ", r.called, " is fixed in ", r.fixed_in->called,
+            " and is given a velocity of its own as well"});
   }
 
   constexpr int add_frame(const frame_record& r, int parent) {

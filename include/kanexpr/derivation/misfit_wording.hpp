@@ -32,7 +32,7 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   case misfit::two_angular_velocities:
     return sentence({"frame ", called, " is given two angular velocities"});
   case misfit::two_velocities: return sentence({"point ", called, " is given two velocities"});
-  case misfit::two_fixings: return sentence({"point ", called, " is said to be fixed in two frames"});
+  case misfit::two_fixings: return sentence({"point ", called, " is fixed in two frames"});
   case misfit::angular_velocity_of_no_frame:
     return sentence({"angular_velocity<...> stands beside ", called, ", which is no frame"});
   case misfit::velocity_of_no_point:

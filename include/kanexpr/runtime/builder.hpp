@@ -225,7 +225,7 @@ public:
         b.inertia_changes = true;
         return;
       }
-    inspect_.fail({"the inertia of ", body, " is said to change, and there is no such body"});
+    inspect_.fail({"changing_inertia names ", body, ", and there is no such body"});
   }
   /// Of a body with an inertia that no distribution of mass has, on purpose.
   void effective_inertia(std::string_view of) {
@@ -330,9 +330,9 @@ public:
     symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
     const int at = q >= 0 ? q : u;
     if (at < 0)
-      inspect_.fail({"something is said to be dependent that is neither a coordinate nor a speed"});
+      inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
     else if (places.contains(at))
-      inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is said to be dependent twice"});
+      inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is made dependent twice"});
     else
       places.push(at);
   }
@@ -367,9 +367,9 @@ private:
     const mechanics::point& at = m_.points[place(p)];
     if (at.parent == mechanics::none)
       return inspect_.fail(
-          {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is said to move"});
+          {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is given a motion"});
     if (at.fixed_in != mechanics::none || at.moves_by_declaration())
-      return inspect_.fail({"how point ", name_of(p), " moves is said twice"});
+      return inspect_.fail({"point ", name_of(p), " is given two motions"});
     return true;
   }
 
