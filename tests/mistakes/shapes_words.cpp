@@ -88,7 +88,7 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<2>, kinematics<d
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the rate of coordinate q stands in the list of speeds
+// expect: the rate of coordinate q is in the list of speeds
 namespace n15 {
 struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<dot(q)>, kinematics<dot(q) == u>, bodies<Bob>> {};

@@ -243,17 +243,17 @@ std::string told(Mistake mistake) {
 
 TEST(builder_mistakes, names_a_frame_or_point_that_does_not_exist) {
   EXPECT_EQ(told([](auto& b) { b.rotated("A", frame_id{7}, b.theta, b.along(b.n, 1, 0, 0)); }),
-            "A speaks of frame number 7, which does not exist");
+            "A names frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.along(frame_id{-1}, 1, 0, 0); }),
-            "a vector speaks of frame number -1, which does not exist");
+            "a vector names frame number -1, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.offset("A", point_id{9}, b.along(b.n, 1, 0, 0)); }),
-            "A speaks of point number 9, which does not exist");
+            "A names point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) {
               vector by_hand = b.along(b.n, 1, 0, 0);
               by_hand.parts[0].frame = 5;
               b.force(b.bob, by_hand);
             }),
-            "a force speaks of frame number 5, which does not exist");
+            "a force names frame number 5, which does not exist");
 }
 
 TEST(builder_mistakes, takes_no_expression_of_another_mechanism) {
@@ -343,7 +343,7 @@ TEST(builder_mistakes, looks_at_constraints) {
             "an acceleration constraint" + foreign);
   EXPECT_EQ(
       told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(frame_id{4}, 1, 0, 0)); }),
-      "a vector speaks of frame number 4, which does not exist");
+      "a vector names frame number 4, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0, 0, 0)); }),
             "a velocity constraint is given a direction of no length");
   EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
@@ -367,11 +367,11 @@ TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {
 
 TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(frame_id{7}, b.n); }),
-            "kinematics_of speaks of frame number 7, which does not exist");
+            "kinematics_of names frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.rod, b.n); }),
             "kinematics_of<R, N> is asked for, and frame R has no declared angular velocity");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.n, b.rod); }),
-            "kinematics_of<N, R> is asked for, and frame N does not stand in R");
+            "kinematics_of<N, R> is asked for, and frame N is not oriented relative to R");
 }
 
 TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {

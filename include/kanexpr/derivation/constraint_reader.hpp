@@ -51,7 +51,7 @@ protected:
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
     sequence<int>& places = coordinate ? m_.dependent_coordinates : m_.dependent_speeds;
     if (place == none)
-      return fail({"auxiliary speed ", s->called.view(), " stands in ", whom, "; it is zero at all times"});
+      return fail({"auxiliary speed ", s->called.view(), " appears in ", whom, "; it is zero at all times"});
     if (places.contains(place)) return fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
     places.push(place);
   }

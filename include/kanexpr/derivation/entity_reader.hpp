@@ -66,8 +66,7 @@ public:
       open_points_.pop();
       p.offset = vector_of(r->offset, {"the offset of point ", r->called}, r->called);
     } else if (frame(r->origin_of, r->called) != mechanism::inertial) {
-      fail({"origin ", r->called,
-            " does not stand in the inertial frame; a point that moves needs an offset"});
+      fail({"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
     }
     if (r->fixed_in != nullptr) p.fixed_in = frame(r->fixed_in, r->called);
     if (r->reference != nullptr) {
@@ -122,7 +121,7 @@ private:
             from_.inertial->called});
     if (&r == from_.inertial && r.reference != nullptr)
       fail({"the inertial frame ", r.called, " is given an angular velocity"});
-    if (open_frames_.contains(&r)) fail({"frame ", r.called, " stands in itself"});
+    if (open_frames_.contains(&r)) fail({"frame ", r.called, " is oriented relative to itself"});
     for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
       for (const frame_record* f : *list)
         if (f->called == r.called) fail({"two frames are called ", r.called});

@@ -94,7 +94,7 @@ protected:
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({kind_of(*s), s->called.view(), " stands in the list of ", list});
+      fail({kind_of(*s), s->called.view(), " is in the list of ", list});
       return nullptr;
     }
     claim(*s, list);
@@ -142,7 +142,7 @@ protected:
         else if (other.list == list)
           fail({called.view(), " is listed twice among the ", list});
         else if (other.list == "values")
-          fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
+          fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
         else
           fail({"the name ", called.view(), " is used twice: among the ", other.list, " and among the ",
                 list});
