@@ -79,7 +79,7 @@ public:
   }
 
 protected:
-  /// Whether an entity is told nothing twice, and only what belongs to it.
+  /// Whether an entity has no word twice, and only words that belong to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
     if (beside == describe::misfit::none) return true;
     fail({misfit_of(beside, called).view()});

@@ -5,7 +5,7 @@
 
 namespace kanexpr::derivation {
 
-/// What an entity is told that it cannot be told, or nothing.
+/// The word of an entity that it cannot have, or nothing.
 constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view called) {
   using describe::misfit;
   using mechanics::sentence;

@@ -10,7 +10,7 @@ struct survey {
   static constexpr int room = 512;
 
   problem mistake{};
-  bool follows_from_unparsed = false; ///< the compiler has told an error about it already
+  bool follows_from_unparsed = false; ///< the compiler has reported an error about it already
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -73,7 +73,7 @@ struct survey {
     default: return 0;
     }
   }
-  /// Place of a symbol among those of its kind, or -1. Rates of coordinates are told by the coordinates'
+  /// Place of a symbol among those of its kind, or -1. Rates of coordinates go by the coordinates'
   /// names.
   constexpr int place(symbolic::symbol_kind kind, const symbolic::name& called) const {
     for (int i = 0; i < count_of(kind); ++i)
@@ -118,7 +118,7 @@ constexpr problem word_beside() {
   }
 }
 
-/// What a system is told that is not one of its words.
+/// What a system holds that is not one of its words.
 template <class Told>
 constexpr problem check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
@@ -149,7 +149,7 @@ constexpr problem check_each_word(std::string_view system, const describe::syste
   return found;
 }
 
-/// Words of one method that are told to the other, or that do not go together.
+/// Words of one method in a system of the other, or words that do not go together.
 template <class System>
 constexpr problem check_method(std::string_view called) {
   const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;

@@ -23,7 +23,7 @@ public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
   constexpr const problem& mistake() const { return mistake_; }
-  /// Whether the mistake is that of a type of which the compiler has told one already.
+  /// Whether the mistake is that of a type of which the compiler has reported one already.
   constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { fail({because}); }

@@ -361,7 +361,7 @@ private:
     return inspect_.fresh("frames", called, m_.frames) && inspect_.present(parent, called);
   }
 
-  /// How a point moves is said once.
+  /// A point is given one motion.
   bool unsaid_motion(point_id p) {
     if (!inspect_.present(p, "a declared motion")) return false;
     const mechanics::point& at = m_.points[place(p)];
