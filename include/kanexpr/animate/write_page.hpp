@@ -36,7 +36,7 @@ inline std::string without_markup(const std::string& text) {
   return plain;
 }
 
-/// Fills the places of an empty page, in their order in the page: what stands in one place is not searched
+/// Fills the places of an empty page, in their order in the page: what is put in one place is not searched
 /// for the others.
 inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
                     const std::string& from) {

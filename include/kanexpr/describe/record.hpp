@@ -121,7 +121,7 @@ struct body_record {
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
-  std::string_view instead_of_inertia{}; ///< what stands in its place and is none
+  std::string_view instead_of_inertia{}; ///< what takes its place and is none
   std::string_view instead{};            ///< what it is, if it is no body
   bool has_whole_zeros = false;          ///< for all scalars of its inertia
   bool inertia_changes = false;
