@@ -149,7 +149,7 @@ template <class System>
   derived_from_nothing<System>();
 }
 
-/// Tells of a system that rests on what did not parse, unless the compiler has reported its error.
+/// Tells of a system that depends on what did not parse, unless the compiler has reported its error.
 template <class Told>
 inline void tell_in_code() noexcept {
   if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();

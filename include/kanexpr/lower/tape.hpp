@@ -106,7 +106,7 @@ private:
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> free(g_.size(), 0); // nodes that rest on no function: sums and products of what is given
+    sequence<char> free(g_.size(), 0); // nodes that depend on no function: sums and products of what is given
     sequence<int> gathered;
     for (int id = 0; id < g_.size(); ++id) {
       const symbolic::node& n = g_[id];
