@@ -202,7 +202,7 @@ private:
     return true;
   }
 
-  /// Parents come before what is oriented relative to them.
+  /// Parents come before the frames that are oriented relative to them.
   constexpr void place(int f) {
     const frame& own = m_.frames[f];
     pose p;
