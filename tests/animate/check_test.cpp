@@ -57,14 +57,14 @@ TEST(picture_check, wants_options_that_fit) {
   EXPECT_EQ((told<upright, show<sphere<P, 1>, opacity<0>>>()),
             "the opacity of the sphere at P is not above 0 and at most 1");
   EXPECT_EQ((told<upright, show<sphere<P, 1>, Bob>>()),
-            "the sphere at P is shown with Bob, which is no option of a shape");
+            "the sphere at P is shown with Bob, which is not an option of a shape");
 }
 
 TEST(picture_check, wants_shapes_within_show) {
-  EXPECT_EQ((told<upright, show<Bob>>()), "the picture shows Bob, which is no shape");
+  EXPECT_EQ((told<upright, show<Bob>>()), "the picture shows Bob, which is not a shape");
   EXPECT_EQ((told<upright, sphere<P, 1>>()),
             "sphere<...> stands among the words of the picture; write show<...> around it");
-  EXPECT_EQ((told<upright, bob, colour<"#ffffff">>()), "colour is no word of a picture");
+  EXPECT_EQ((told<upright, bob, colour<"#ffffff">>()), "colour is not a word of a picture");
 }
 
 TEST(picture_check, wants_one_origin) {

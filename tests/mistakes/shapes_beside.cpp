@@ -91,7 +91,7 @@ struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: angular_velocity<...> stands beside Weight, which is no frame
+// expect: angular_velocity<...> stands beside Weight, which is not a frame
 namespace n14 {
 struct Weight : gravity<-g * N::y>, angular_velocity<N, u * N::z> {};
 struct System : loaded<Weight> {};

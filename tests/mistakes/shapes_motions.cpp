@@ -93,7 +93,7 @@ auto f() {
 }
 } // namespace n11
 
-// expect: an expression with u takes a partial derivative by something that is no symbol
+// expect: an expression with u takes a partial derivative by something that is not a symbol
 namespace n12 {
 struct System : loaded<weight> {};
 auto f() {
@@ -102,7 +102,7 @@ auto f() {
 }
 } // namespace n12
 
-// expect: an expression with P takes a partial derivative by something that is no symbol
+// expect: an expression with P takes a partial derivative by something that is not a symbol
 namespace n13 {
 struct System : loaded<weight> {};
 auto f() {
@@ -111,7 +111,7 @@ auto f() {
 }
 } // namespace n13
 
-// expect: an expression with O takes a partial derivative by something that is no symbol
+// expect: an expression with O takes a partial derivative by something that is not a symbol
 namespace n14 {
 struct System : loaded<weight> {};
 auto f() {
@@ -120,7 +120,7 @@ auto f() {
 }
 } // namespace n14
 
-// expect: what a function is asked for is no expression of a model
+// expect: what a function is asked for is not an expression of a model
 namespace n15 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, nullptr>{}(state<System>(), parameter_values<System>()); }
@@ -154,7 +154,7 @@ struct System : loaded<weight> {};
 auto f() { return when<System, velocity_of<P>>("still"); }
 } // namespace n19
 
-// expect: what when<...> watches is no expression; it must be a scalar, to pass zero
+// expect: what when<...> watches is not an expression; it must be a scalar, to pass zero
 namespace n20 {
 struct System : loaded<weight> {};
 auto f() { return when<System, nullptr>("never"); }

@@ -106,7 +106,7 @@ struct System : loaded<damper<P, Q, ++c>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the force at O holds true or false, which is no number
+// expect: the force at O holds true or false, which is not a number
 namespace n17 {
 struct System : loaded<force<O, (F + true) * N::x>> {};
 void f() { use<System>(); }

@@ -63,7 +63,7 @@ struct System : bound_by<zero_along<>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the Lagrangian is no expression; it must be a scalar
+// expect: the Lagrangian is not an expression; it must be a scalar
 namespace n11 {
 struct System : rates_of_pendulum<lagrangian<>> {};
 void f() { use_rates<System>(); }

@@ -313,7 +313,7 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
   EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
             "frame A is turned by the sequence xxy, which is none: three axes, no two neighbours alike");
   EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, hears_how_something_moves_only_once) {
@@ -359,10 +359,10 @@ TEST(builder_mistakes, looks_at_constraints) {
 TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {
   EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("v"); }), "the name v is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.auxiliary_speed("ua")); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
   EXPECT_EQ(told([](auto& b) { b.prescribed("F"); }), "the name F is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.dot(b.dot(b.prescribed("turn")))); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {

@@ -21,7 +21,7 @@ template <auto wanted>
 struct request {
   static constexpr extent of(const survey&) { return {1, 1, true}; }
   static constexpr void visit(reader& r) {
-    r.refuse("what a function is asked for is no expression of a model");
+    r.refuse("what a function is asked for is not an expression of a model");
   }
   static constexpr symbolic::matrix form(reader&, mechanics::equations&) { return {}; }
   static constexpr symbolic::matrix with_rates(reader&, mechanics::equations&) { return {}; }

@@ -34,11 +34,11 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   case misfit::two_velocities: return sentence({"point ", called, " is given two velocities"});
   case misfit::two_fixings: return sentence({"point ", called, " is fixed in two frames"});
   case misfit::angular_velocity_of_no_frame:
-    return sentence({"angular_velocity<...> stands beside ", called, ", which is no frame"});
+    return sentence({"angular_velocity<...> stands beside ", called, ", which is not a frame"});
   case misfit::velocity_of_no_point:
-    return sentence({"velocity<...> stands beside ", called, ", which is no point"});
+    return sentence({"velocity<...> stands beside ", called, ", which is not a point"});
   case misfit::fixing_of_no_point:
-    return sentence({"fixed_in<...> stands beside ", called, ", which is no point"});
+    return sentence({"fixed_in<...> stands beside ", called, ", which is not a point"});
   case misfit::inertia_beside:
     return sentence({"an inertia stands beside ", called, "; it belongs into rigid_body<...>"});
   case misfit::word_beside:

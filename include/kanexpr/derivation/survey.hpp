@@ -139,7 +139,7 @@ constexpr problem check_word(std::string_view system) {
                      "; points are found by what uses them"});
   else
     return sentence(
-        {short_name(type_name<Told>()).view(), " is no word of a system, and ", system, " holds it"});
+        {short_name(type_name<Told>()).view(), " is not a word of a system, and ", system, " holds it"});
 }
 
 template <describe::method by, class... Words>

@@ -18,7 +18,7 @@ constexpr shape shape_of(const vanishing<size>&) {
   return shape::vanishing;
 }
 
-/// What stands for a list with something in it that is no expression.
+/// What stands for a list with something in it that is not an expression.
 struct foreign {};
 
 template <auto... expressions>

@@ -46,9 +46,9 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " is written with arguments, as in q(t); symbols are written alone, and products with *";
   case misuse::operands: return " takes a product of more than two vectors at once";
   case misuse::bits: return " is written with an operator that models do not have";
-  case misuse::truth: return " holds true or false, which is no number";
+  case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside of an expression; it stands once, outermost";
-  case misuse::rate: return " takes dot of something that is no coordinate, speed or prescribed quantity";
+  case misuse::rate: return " takes dot of something that is not a coordinate, speed or prescribed quantity";
   case misuse::unseen_derivative:
     return " takes the derivative of a vector, and not as a frame sees it; write "
            "derivative_in<frame>(vector)";
@@ -56,7 +56,7 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " takes the derivative of a scalar as a frame sees it; write derivative(scalar)";
   case misuse::axes:
     return " uses in_axes_of for something else than a vector and a frame: in_axes_of<frame>(vector)";
-  case misuse::partial: return " takes a partial derivative by something that is no symbol";
+  case misuse::partial: return " takes a partial derivative by something that is not a symbol";
   case misuse::function:
     return " is written with a function that models do not have; those they have are sqrt, sin, cos, tan, "
            "asin, acos, atan, atan2, exp, log, abs, sign and pow";
