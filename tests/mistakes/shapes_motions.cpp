@@ -2,13 +2,13 @@
 #include "shapes.hpp"
 #include <kanexpr/simulate/event.hpp>
 
-// expect: an expression with P uses position_of for something else than two points: position_of<point, from>
+// expect: an expression with P uses position_of for something other than two points: position_of<point, from>
 namespace n1 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, position_of<P>>{}(state<System>(), parameter_values<System>()); }
 } // namespace n1
 
-// expect: an expression with O uses position_of for something else than two points: position_of<point, from>
+// expect: an expression with O uses position_of for something other than two points: position_of<point, from>
 namespace n2 {
 struct System : loaded<weight> {};
 auto f() {
@@ -75,7 +75,7 @@ auto f() {
 }
 } // namespace n9
 
-// expect: an expression with q uses in_axes_of for something else than a vector and a frame:
+// expect: an expression with q uses in_axes_of for something other than a vector and a frame:
 // expect: in_axes_of<frame>(vector)
 namespace n10 {
 struct System : loaded<weight> {};
@@ -84,7 +84,7 @@ auto f() {
 }
 } // namespace n10
 
-// expect: an expression with P uses in_axes_of for something else than a vector and a frame:
+// expect: an expression with P uses in_axes_of for something other than a vector and a frame:
 // expect: in_axes_of<frame>(vector)
 namespace n11 {
 struct System : loaded<weight> {};

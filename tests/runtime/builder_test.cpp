@@ -310,8 +310,9 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
             "frame A is turned about an axis of no length");
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.rod, 1, 0, 0)); }),
             "frame A is turned about an axis that is not fixed in N");
-  EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
-            "frame A is turned by the sequence xxy, which is none: three axes, no two neighbours alike");
+  EXPECT_EQ(
+      told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
+      "frame A is turned by the sequence xxy, which is invalid: take three axes, no two neighbours alike");
   EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
             "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
 }

@@ -166,7 +166,7 @@ private:
     case orientation_word::space_fixed:
       if (!mechanics::is_sequence({r.sequence, 3})) {
         fail({"frame ", r.called,
-              " is turned by a sequence that is none; take three axes, no two neighbours alike: zxz"});
+              " is turned by an invalid sequence; take three axes, no two neighbours alike: zxz"});
         return mechanism::inertial;
       }
       return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,

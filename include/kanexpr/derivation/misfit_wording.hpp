@@ -40,7 +40,7 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   case misfit::fixing_of_no_point:
     return sentence({"fixed_in<...> stands beside ", called, ", which is not a point"});
   case misfit::inertia_beside:
-    return sentence({"an inertia stands beside ", called, "; it belongs into rigid_body<...>"});
+    return sentence({"an inertia stands beside ", called, "; it belongs in rigid_body<...>"});
   case misfit::word_beside:
     return sentence({"a word of the system stands beside ", called, "; write it among those of the system"});
   }

@@ -379,7 +379,7 @@ private:
     if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
     if (!mechanics::is_sequence(letters)) {
       inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
-                     ", which is none: three axes, no two neighbours alike"});
+                     ", which is invalid: take three axes, no two neighbours alike"});
       return {};
     }
     return frame_id{
