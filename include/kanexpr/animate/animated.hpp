@@ -55,8 +55,8 @@ private:
     const auto now = evaluate(s);
     const kanexpr::status status = compiled::status_of(now);
     if (!status) made_.reason = std::string(status.cause()) + at_time(s.t);
-    if (!s.x.allFinite()) made_.reason = "the state holds what is no number" + at_time(s.t);
-    if (!std::isfinite(s.t)) made_.reason = "the time of a sample is no number";
+    if (!s.x.allFinite()) made_.reason = "the state holds something that is not a number" + at_time(s.t);
+    if (!std::isfinite(s.t)) made_.reason = "the time of a sample is not a number";
     if (!made_.times.empty() && s.t < made_.times.back())
       made_.reason = "the samples are not in the order of time" + at_time(s.t);
     film_.numbers.col(static_cast<Eigen::Index>(made_.times.size())) = now;

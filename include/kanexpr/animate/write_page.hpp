@@ -36,13 +36,13 @@ inline std::string without_markup(const std::string& text) {
   return plain;
 }
 
-/// Fills the places of an empty page, in their order in the page: what stands in one place is not searched
+/// Fills the places of an empty page, in their order in the page: what is put in one place is not searched
 /// for the others.
 inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
                     const std::string& from) {
   const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
   if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
-    return outcome(from + " is no page for a motion");
+    return outcome(from + " is not a page for a motion");
   page.replace(motion_at, place_of_motion.size(), motion);
   page.replace(title_at, place_of_title.size(), title);
   return {};

@@ -4,7 +4,7 @@
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
-/// Where a symbol of a model stands in a vector of values.
+/// The place of a symbol of a model in a vector of values.
 namespace kanexpr::compiled {
 
 template <class System, symbolic::symbol_kind kind, text called, int index,

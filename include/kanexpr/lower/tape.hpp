@@ -115,7 +115,7 @@ private:
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> is_free(end_, 0); // of nodes that rest on no function: sums and products of what is given
+    sequence<char> is_free(end_, 0); // of nodes that depend on no function: sums and products of what is given
     char* const free = is_free.begin();
     sequence<int> gathered;
     for (int id = 0; id < end_; ++id) {

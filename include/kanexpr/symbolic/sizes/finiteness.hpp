@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Where results may leave the finite numbers though all that they rest on is finite, and of a usual size.
+/// Where results may leave the finite numbers though all that they depend on is finite, and of a usual size.
 namespace kanexpr::symbolic {
 
 /// Which of some outputs have to be looked at to know that all are finite, where quotients, roots and
@@ -133,7 +133,7 @@ constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
   return sum;
 }
 
-/// Whether nodes rest on symbols by sines and cosines only, so that no symbol makes them large.
+/// Whether nodes depend on symbols by sines and cosines only, so that no symbol makes them large.
 constexpr bool rest_on_angles_only(const graph& g, const sequence<int>& nodes) {
   sequence<char> is_reached(g.size(), 0);
   char* const reached = is_reached.begin();
