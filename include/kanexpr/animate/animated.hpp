@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/filming.hpp>
-#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 
 #include <iterator>
 
@@ -47,7 +47,7 @@ private:
 
   template <class Sample>
   auto evaluate(const Sample& s) const {
-    return function<System, numbers{}>{}(s.t, s.x, trajectory_.parameters(), s.r);
+    return out_of_line<function<System, numbers{}>>{}(s.t, s.x, trajectory_.parameters(), s.r);
   }
 
   template <class Sample>

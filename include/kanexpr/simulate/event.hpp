@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/function.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 
 #include <concepts>
 #include <functional>
@@ -92,7 +92,7 @@ event<System> when(std::string name, crossing direction = crossing::either,
           [](double t, const state<System>& x, const parameter_values<System>& p,
              const input_values<System>& r) -> double {
             if constexpr (simulated::watched<expression>::passes_zero)
-              return kanexpr::function<System, expression>{}(t, x, p, r);
+              return out_of_line<kanexpr::function<System, expression>>{}(t, x, p, r);
             return 0;
           },
           direction, std::move(handler)};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/simulate/constraint_projection.hpp>
 #include <kanexpr/simulate/input_sensitivity.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
@@ -27,7 +27,7 @@ public:
     const double t = around_.time(elapsed);
     ++rate_evaluations_;
     if (const answer a = around_.take(t, y); a != answer::given) return a;
-    const auto rates = eom::rhs(t, around_.x(), around_.p(), around_.r());
+    const auto rates = rhs(t, around_.x(), around_.p(), around_.r());
     if (const status s = compiled::status_of(rates); !s) return around_.refuse(s);
     Eigen::Map<vector> out(ydot);
     out = rates;
@@ -39,8 +39,7 @@ public:
     if constexpr (with_jacobian) {
       const double t = around_.time(elapsed);
       if (const answer a = around_.take(t, y); a != answer::given) return a;
-      const auto [by_state, by_inputs] =
-          kanexpr::linearization<System>::jacobian(t, around_.x(), around_.p(), around_.r());
+      const auto [by_state, by_inputs] = motion_jacobian(t, around_.x(), around_.p(), around_.r());
       if (const status s = compiled::status_of(by_state); !s) return around_.refuse(s);
       Eigen::Map<Eigen::Matrix<double, entries, entries>> out(columns);
       out = by_state;
@@ -74,7 +73,10 @@ public:
   }
 
 private:
-  using eom = equations_of_motion<System>;
+  static constexpr out_of_line<function<System, mechanics::quantity::rhs>> rhs{};
+  static constexpr out_of_line<
+      finite_function<System, mechanics::quantity::state_jacobian, mechanics::quantity::input_jacobian>>
+      motion_jacobian{};
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr int entries = known.coordinates + known.speeds;
   using vector = Eigen::Matrix<double, entries, 1>;

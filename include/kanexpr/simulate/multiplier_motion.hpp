@@ -46,11 +46,12 @@ public:
     Eigen::Map<vector> values(y), rates(ydot);
     values.setZero(), rates.setZero();
     values.template head<n + o>() = x;
-    const auto xdot = eom::rhs(t, x, around_.p(), around_.r());
+    const auto xdot = out_of_line<function<System, quantity::rhs>>{}(t, x, around_.p(), around_.r());
     if (const status s = compiled::status_of(xdot); !s) return around_.refuse(s);
     rates.template head<n + o>() = xdot;
     if constexpr (m != 0)
-      values.template segment<m>(n + o) = eom::multipliers(t, x, around_.p(), around_.r());
+      values.template segment<m>(n + o) =
+          out_of_line<function<System, quantity::multipliers>>{}(t, x, around_.p(), around_.r());
     return values.allFinite() && rates.allFinite() ? answer::given
                                                    : around_.refuse("the rates at this state are not finite");
   }
@@ -106,7 +107,7 @@ public:
   }
 
 private:
-  using eom = equations_of_motion<System>;
+  using quantity = mechanics::quantity;
   using constraints = compiled::constraints_at<System, parameter_values<System>, input_values<System>>;
   using complex = std::complex<double>;
 
@@ -116,10 +117,11 @@ private:
     const Eigen::Matrix<T, o, 1> udot = ydot.template segment<o>(n);
     const Eigen::Matrix<T, known.parameters, 1> p = around_.p().template cast<T>();
     Eigen::Matrix<T, entries, 1> left;
-    const auto qdot = eom::qdot(t, x, p, r);
+    const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
     s = compiled::status_of(qdot);
     left.template head<n>() = ydot.template head<n>() - qdot;
-    left.template segment<o>(n) = eom::unreduced_forces(t, x, p, r, udot);
+    left.template segment<o>(n) =
+        out_of_line<function<System, quantity::unreduced_forces>>{}(t, x, p, r, udot);
     if constexpr (m != 0) {
       const auto [residual, jacobian] = constraints::velocities()(t, x, p, r);
       left.template segment<o>(n) += jacobian.transpose() * y.template segment<m>(n + o);

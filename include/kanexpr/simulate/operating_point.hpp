@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
@@ -115,12 +115,12 @@ private:
     const input_values<System, number> r_at = at.template tail<known.inputs>();
     const auto norms = compiled::unit_quaternions<System>::residual(x_at);
     if constexpr (known.constraints + known.configuration_constraints == 0) {
-      const auto rates = function<System, quantity::rhs>{}(t, x_at, p_at, r_at);
+      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
       result << norms, rates;
       return compiled::status_of(rates).cause();
     } else {
       const auto [left, rates] =
-          function<System, quantity::constraint_residual, quantity::rhs>{}(t, x_at, p_at, r_at);
+          out_of_line<function<System, quantity::constraint_residual, quantity::rhs>>{}(t, x_at, p_at, r_at);
       result << norms, left, rates;
       return compiled::status_of(rates).cause();
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 
 namespace kanexpr::simulated {
@@ -9,7 +9,7 @@ namespace kanexpr::simulated {
 template <class System>
 bool rates_at(surroundings<System>& around, double t, const state<System>& x, state<System>& rates) {
   if (around.take(t, x) != answer::given) return false;
-  const auto found = equations_of_motion<System>::rhs(t, x, around.p(), around.r());
+  const auto found = out_of_line<function<System, mechanics::quantity::rhs>>{}(t, x, around.p(), around.r());
   rates = found;
   return static_cast<bool>(compiled::status_of(found)) && rates.allFinite();
 }

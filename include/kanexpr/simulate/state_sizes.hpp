@@ -42,7 +42,7 @@ private:
     const compiled::constraints_at<System, parameter_values<System>, input_values<System>> constraints(
         t, around.p(), around.r());
     Eigen::VectorXd all(x.size() + compiled::survey_of<System>.configuration_constraints);
-    all << equations_of_motion<System>::rhs(t, x, around.p(), around.r()),
+    all << out_of_line<function<System, mechanics::quantity::rhs>>{}(t, x, around.p(), around.r()),
         constraints.configuration_residual(x);
     return all;
   }
