@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/simulate/settings.hpp>
+#include <kanexpr/simulate/system.hpp>
 
 #include <concepts>
 #include <functional>
@@ -8,11 +10,6 @@
 #include <utility>
 
 namespace kanexpr {
-
-/// How a watched expression passes zero.
-enum class crossing { falling = -1, either = 0, rising = 1 };
-
-enum class after_event { go_on, stop };
 
 /// When something happened, and the state, which the handler of an event may change. What depends on it by a
 /// constraint follows after that.
@@ -97,11 +94,5 @@ event<System> when(std::string name, crossing direction = crossing::either,
           },
           direction, std::move(handler)};
 }
-
-/// An event that happened.
-struct occurrence {
-  double t;
-  std::string name;
-};
 
 } // namespace kanexpr
