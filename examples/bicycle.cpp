@@ -2,7 +2,7 @@
 // ground and roll.
 #include "report.hpp"
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <models/bicycle.hpp>
 
 int main() {

@@ -2,7 +2,7 @@
 // derives its nonlinear equations by Kane's method and linearizes them; the program looks at the eigenvalues.
 #include "report.hpp"
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <models/bicycle.hpp>
 
 #include <Eigen/Eigenvalues>

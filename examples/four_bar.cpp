@@ -1,7 +1,7 @@
 // A four-bar linkage: put together from a rough guess, then moved by its motor.
 #include "report.hpp"
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <models/four_bar.hpp>
 
 int main() {

@@ -1,7 +1,7 @@
 // The rolling disc by equations of constraint: the same accelerations, and the friction that rolling takes.
 #include "report.hpp"
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <models/rolling_disc_constrained.hpp>
 
 int main() {

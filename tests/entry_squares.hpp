@@ -1,7 +1,7 @@
 // Squares for the regularity of a matrix.
 #pragma once
 
-#include <kanexpr/symbolic/linear_system.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 /// Those of the entries, by rows.
 constexpr auto entry_squares(const kanexpr::symbolic::matrix& a) {

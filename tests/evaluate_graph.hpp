@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/expression.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,7 @@
 #include <models/simple_pendulum.hpp>
 #include <models/spinning_top.hpp>
 
-#include <kanexpr/derivation/cost.hpp>
+#include <kanexpr/derive/cost.hpp>
 
 #include <cstdio>
 

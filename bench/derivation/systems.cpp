@@ -5,7 +5,7 @@
 #include <models/iiwa.hpp>
 #include <models/rolling_disc.hpp>
 
-#include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derive/derived_system.hpp>
 
 #include <benchmark/benchmark.h>
 

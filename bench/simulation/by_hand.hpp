@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
 #include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <Eigen/Dense>
 #include <cvode/cvode.h>

@@ -4,5 +4,5 @@
 
 #include <kanexpr/compiler.hpp>
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <kanexpr/version.hpp>

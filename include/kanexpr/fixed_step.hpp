@@ -4,5 +4,5 @@
 
 #include <kanexpr/compiler.hpp>
 
-#include <kanexpr/compiled/fixed_step.hpp>
+#include <kanexpr/steps/fixed_step.hpp>
 #include <kanexpr/version.hpp>

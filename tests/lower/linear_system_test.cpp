@@ -10,7 +10,7 @@
 #include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/pack.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic/linear_system.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <Eigen/LU>
 #include <unsupported/Eigen/AutoDiff>

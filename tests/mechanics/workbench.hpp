@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/equations.hpp>
-#include <kanexpr/mechanics/observe.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 

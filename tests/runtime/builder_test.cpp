@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/equations.hpp>
-#include <kanexpr/mechanics/observe.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <cmath>
 #include <string>

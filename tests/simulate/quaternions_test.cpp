@@ -1,5 +1,5 @@
 // Quaternions keep norm 1 however long a simulation is.
-#include "lower/quaternions.hpp"
+#include "steps/quaternions.hpp"
 
 #include <kanexpr/simulate.hpp>
 

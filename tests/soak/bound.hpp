@@ -3,8 +3,8 @@
 #pragma once
 
 #include "hostile.hpp"
-#include "mechanics/bound_mechanism.hpp"
-#include "mechanics/constrained_recipe.hpp"
+#include "mechanics/random/bound_mechanism.hpp"
+#include "mechanics/random/constrained_recipe.hpp"
 #include "random_units.hpp"
 
 namespace soak {

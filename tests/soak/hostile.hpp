@@ -2,9 +2,9 @@
 #pragma once
 
 #include "errors.hpp"
-#include "mechanics/build_recipe.hpp"
-#include "mechanics/dice.hpp"
-#include "mechanics/in_units.hpp"
+#include "mechanics/random/build_recipe.hpp"
+#include "mechanics/random/dice.hpp"
+#include "mechanics/random/in_units.hpp"
 
 #include <kanexpr/runtime/interpreted.hpp>
 

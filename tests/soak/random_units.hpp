@@ -1,8 +1,8 @@
 // Units by dice.
 #pragma once
 
-#include "mechanics/dice.hpp"
-#include "mechanics/in_units.hpp"
+#include "mechanics/random/dice.hpp"
+#include "mechanics/random/in_units.hpp"
 
 namespace soak {
 

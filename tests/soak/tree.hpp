@@ -3,9 +3,9 @@
 #pragma once
 
 #include "hostile.hpp"
-#include "mechanics/newton_euler_dynamics.hpp"
-#include "mechanics/random_mechanism.hpp"
-#include "mechanics/random_springs.hpp"
+#include "mechanics/random/newton_euler_dynamics.hpp"
+#include "mechanics/random/random_mechanism.hpp"
+#include "mechanics/random/random_springs.hpp"
 #include "random_units.hpp"
 
 namespace soak {

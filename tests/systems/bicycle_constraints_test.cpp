@@ -1,6 +1,6 @@
 #include "systems/check_constrained.hpp"
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/steps/assemble.hpp>
 #include <models/bicycle.hpp>
 
 namespace {

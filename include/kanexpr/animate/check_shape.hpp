@@ -2,7 +2,7 @@
 
 #include <kanexpr/animate/words.hpp>
 #include <kanexpr/compiled/state.hpp>
-#include <kanexpr/derivation/wording.hpp>
+#include <kanexpr/derive/read/wording.hpp>
 
 /// Mistakes that a person can make in a shape.
 namespace kanexpr::animate {

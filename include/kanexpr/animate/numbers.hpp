@@ -49,27 +49,10 @@ struct numbers_of<picture<System, Words...>> {
 namespace derivation {
 
 template <class Picture, animate::numbers_of<Picture> wanted>
-struct request<wanted> {
-  static constexpr const auto& words = animate::numbers_of<Picture>::all.all;
-  static constexpr extent of(const survey&) { return {animate::numbers_of<Picture>::count, 1}; }
-  static constexpr void visit(reader& r) {
-    for (const phrase& p : words) r.visit(p.tokens, p.size);
-  }
-  static constexpr symbolic::matrix form(reader& r, mechanics::equations& e) {
-    const mechanism& m = *e.skeleton_used().model;
-    symbolic::matrix numbers(*m.g, animate::numbers_of<Picture>::count, 1);
-    int next = 0;
-    for (const phrase& p : words) {
-      const value v = r.evaluate(p, "the picture");
-      if (p.kind == shape::vector) {
-        const components c = mechanics::express(m, v.vector, mechanism::inertial);
-        for (int i = 0; i < 3; ++i) numbers.entries[next++] = c[i];
-      } else {
-        numbers.entries[next++] = v.scalar;
-      }
-    }
-    return e.in_motion(numbers);
-  }
+struct requested<wanted> {
+  static constexpr request value{.what = request::kind::expressions,
+                                 .phrases = animate::numbers_of<Picture>::all.all,
+                                 .whom = "the picture"};
 };
 
 } // namespace derivation

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
-#include <kanexpr/simulate/outcome.hpp>
+#include <kanexpr/base/outcome.hpp>
 
 #ifndef KANEXPR_PAGE // where the target kanexpr::animate puts the page without a motion
 #define KANEXPR_PAGE ""

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
-#include <kanexpr/numeric/equal.hpp>
-#include <kanexpr/simulate/name_of_time.hpp>
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/name_of_time.hpp>
 
 #include <nlohmann/json.hpp>
 

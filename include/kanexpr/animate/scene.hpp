@@ -2,7 +2,7 @@
 
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/word_record.hpp>
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/base/status.hpp>
 
 #include <span>
 

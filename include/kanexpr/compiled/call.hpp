@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
-#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <type_traits>
@@ -16,46 +16,8 @@ struct not_given {};
 template <auto wanted>
 constexpr std::string_view result_name() {
   using mechanics::quantity;
-  if constexpr (std::is_same_v<std::remove_const_t<decltype(wanted)>, quantity>) {
-    switch (wanted) {
-    case quantity::mass_matrix: return "mass_matrix";
-    case quantity::forcing: return "forcing";
-    case quantity::mass_matrix_full: return "mass_matrix_full";
-    case quantity::forcing_full: return "forcing_full";
-    case quantity::qdot: return "qdot";
-    case quantity::udot: return "udot";
-    case quantity::rhs: return "rhs";
-    case quantity::active_forces: return "active_forces";
-    case quantity::inertia_forces: return "inertia_forces";
-    case quantity::unreduced_forces: return "unreduced_forces";
-    case quantity::kinetic_energy: return "kinetic_energy";
-    case quantity::potential_energy: return "potential_energy";
-    case quantity::linear_momentum: return "linear_momentum";
-    case quantity::angular_momentum: return "angular_momentum";
-    case quantity::center_of_mass: return "center_of_mass";
-    case quantity::configuration_residual: return "configuration_residual";
-    case quantity::configuration_terms: return "configuration_terms";
-    case quantity::configuration_jacobian: return "configuration_jacobian";
-    case quantity::configuration_jacobian_full: return "configuration_jacobian_full";
-    case quantity::velocity_residual: return "velocity_residual";
-    case quantity::velocity_terms: return "velocity_terms";
-    case quantity::configuration_step: return "configuration_step";
-    case quantity::constraint_residual: return "constraint_residual";
-    case quantity::constraint_jacobian: return "constraint_jacobian";
-    case quantity::dependent_speeds: return "dependent_speeds";
-    case quantity::dependency: return "dependency";
-    case quantity::acceleration_bias: return "acceleration_bias";
-    case quantity::multipliers: return "multipliers";
-    case quantity::auxiliary_forces: return "auxiliary_forces";
-    case quantity::state_matrix:
-    case quantity::input_matrix: return "explicit_form";
-    case quantity::state_jacobian:
-    case quantity::input_jacobian: return "jacobian";
-    case quantity::implicit_mass_matrix:
-    case quantity::implicit_state_matrix:
-    case quantity::implicit_input_matrix: return "implicit_form";
-    }
-  }
+  if constexpr (std::is_same_v<std::remove_const_t<decltype(wanted)>, quantity>)
+    return mechanics::row_of(wanted).called;
   if constexpr (requires { wanted.result_name(); }) return wanted.result_name();
   return "the expression";
 }

@@ -3,7 +3,7 @@
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
-#include <kanexpr/derivation/derivation.hpp>
+#include <kanexpr/derive/cut.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/regular.hpp>
@@ -20,19 +20,14 @@ struct code {
   using system = System;
 
 private:
-  static constexpr derivation::outcome outcome = [] {
-    if constexpr (static_cast<bool>(survey_of<System>.mistake))
-      return derivation::outcome{};
-    else
-      return derivation::derived<System, wanted...>();
-  }();
+  static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
 
 public:
-  static constexpr auto tape = lower::trimmed<outcome.tape.sizes>(outcome.tape);
-  static constexpr auto causes = derivation::trimmed<outcome.causes.sizes>(outcome.causes);
-  static constexpr mechanics::problem mistake = outcome.mistake;
-  static constexpr bool follows_from_unparsed = outcome.follows_from_unparsed;
-  static constexpr bool tells_finiteness = outcome.tells_finiteness;
+  static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
+  static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
+  static constexpr mechanics::problem mistake = cut.mistake;
+  static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
+  static constexpr bool tells_finiteness = cut.tells_finiteness;
   static_assert(derivation::tell<code>());
 };
 
@@ -66,7 +61,7 @@ struct arguments {
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
-  constexpr derivation::extent size = derivation::request<wanted>::of(derivation::survey{});
+  constexpr derivation::extent size = derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
@@ -76,7 +71,7 @@ auto no_result_of() {
 }
 
 template <auto wanted, class System>
-inline constexpr derivation::extent extent_of = derivation::request<wanted>::of(survey_of<System>);
+inline constexpr derivation::extent extent_of = derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
 
 } // namespace compiled
 

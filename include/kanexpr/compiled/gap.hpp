@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/symbolic/elementary.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
 
 #include <bit>
 #include <complex>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/finite_function.hpp>
-#include <kanexpr/derivation/linearization_request.hpp>
+#include <kanexpr/derive/linearization_request.hpp>
 
 #include <array>
 

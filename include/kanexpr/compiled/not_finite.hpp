@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/state.hpp>
-#include <kanexpr/derivation/causes.hpp>
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/derive/causes.hpp>
 
 /// Why a result is not finite: a parameter, an input or an entry of a state that is not.
 namespace kanexpr::compiled {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/base/status.hpp>
 
 #include <type_traits>
 

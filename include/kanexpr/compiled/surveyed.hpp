@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/derivation/model_error.hpp>
-#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derive/stages.hpp>
 
 namespace kanexpr::compiled {
 
@@ -9,9 +9,10 @@ namespace kanexpr::compiled {
 template <class System>
 struct surveyed {
   using system = System;
-  static constexpr derivation::survey survey = derivation::survey_of<System>();
-  static constexpr mechanics::problem mistake = survey.mistake;
-  static constexpr bool follows_from_unparsed = survey.follows_from_unparsed;
+  static constexpr derivation::survey survey = derivation::stages_of<System>::constrained.known;
+  static constexpr mechanics::problem mistake = derivation::stages_of<System>::constrained.mistake;
+  static constexpr bool follows_from_unparsed =
+      derivation::stages_of<System>::constrained.follows_from_unparsed;
   static_assert(derivation::tell<surveyed>());
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derive/survey.hpp>
 
 namespace kanexpr::compiled {
 

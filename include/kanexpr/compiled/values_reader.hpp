@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/gap.hpp>
-#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 
 #include <array>

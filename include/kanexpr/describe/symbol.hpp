@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/expression.hpp>
-#include <kanexpr/describe/text.hpp>
 
 namespace kanexpr {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/symbolic/number.hpp>
-#include <kanexpr/symbolic/operation.hpp>
-#include <kanexpr/symbolic/symbol.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
 
 /// What the words of a model are stored as: flat arrays of tokens in postfix order, which are template
 /// arguments and cost the compiler next to nothing, and records of entities that point at each other.

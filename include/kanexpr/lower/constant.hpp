@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
-#include <kanexpr/numeric/equal.hpp>
-#include <kanexpr/symbolic/evaluate.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/symbolic/elimination.hpp>
+#include <kanexpr/symbolic/numbers/elimination.hpp>
 
 namespace kanexpr::lower {
 
@@ -20,7 +20,7 @@ struct elimination_math {
   }
 };
 
-/// The steps of symbolic/elimination.hpp one by one, with constant places only.
+/// The steps of symbolic/numbers/elimination.hpp one by one, with constant places only.
 template <int order, class T>
 class unrolled_elimination {
   using math = elimination_math<T>;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
-#include <kanexpr/symbolic/number.hpp>
-#include <kanexpr/symbolic/operation.hpp>
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
 
 #include <bit>
 #include <cmath>

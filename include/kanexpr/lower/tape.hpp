@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/elimination.hpp>
+#include <kanexpr/symbolic/numbers/elimination.hpp>
 
 namespace kanexpr::lower {
 

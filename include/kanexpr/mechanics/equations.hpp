@@ -1,18 +1,18 @@
 #pragma once
 
-#include <kanexpr/mechanics/check.hpp>
-#include <kanexpr/mechanics/check_constraints.hpp>
-#include <kanexpr/mechanics/check_lagrange.hpp>
-#include <kanexpr/mechanics/check_mass.hpp>
-#include <kanexpr/mechanics/configuration_step.hpp>
-#include <kanexpr/mechanics/dynamics.hpp>
-#include <kanexpr/mechanics/energy.hpp>
-#include <kanexpr/mechanics/linearizer.hpp>
-#include <kanexpr/mechanics/positive_mass.hpp>
+#include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/checks/check_constraints.hpp>
+#include <kanexpr/mechanics/checks/check_lagrange.hpp>
+#include <kanexpr/mechanics/checks/check_mass.hpp>
+#include <kanexpr/mechanics/constraints/configuration_step.hpp>
+#include <kanexpr/mechanics/dynamics/dynamics.hpp>
+#include <kanexpr/mechanics/dynamics/energy.hpp>
+#include <kanexpr/mechanics/dynamics/positive_mass.hpp>
+#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
-#include <kanexpr/mechanics/singular.hpp>
-#include <kanexpr/mechanics/system_form.hpp>
-#include <kanexpr/symbolic/terms.hpp>
+#include <kanexpr/symbolic/sizes/terms.hpp>
 
 #include <optional>
 
@@ -25,8 +25,27 @@ namespace kanexpr::mechanics {
 class equations {
 public:
   constexpr explicit equations(const mechanism& m) : s_(skeleton_of(m)), m_(&m) {}
+  /// To be read from what was set aside.
+  struct set_aside {};
+  constexpr equations(const mechanism& m, set_aside) : s_{&m}, m_(&m) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
+
+  /// What was formed, but for what is formed again at little cost. There is no mistake.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.s_);
+    visit(self.constraints_);
+    visit(self.configuration_);
+    visit(self.speeds_);
+    visit(self.coordinates_);
+    visit(self.step_blocks_);
+    visit(self.dynamics_);
+    visit(self.is_constrained_);
+    visit(self.is_mass_checked_);
+    visit(self.is_mass_regular_);
+    visit(self.linearizer_);
+  }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
   constexpr void constrain() {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <iterator>
+#include <string_view>
+
 namespace kanexpr::mechanics {
 
 /// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
 /// speeds, m of constraints on the speeds, l of configuration constraints.
-enum class quantity {
+enum class quantity : unsigned char {
   mass_matrix,      ///< M of the independent speeds, (p−m)×(p−m)
   forcing,          ///< f with M u̇ = f, p−m
   mass_matrix_full, ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
@@ -42,5 +45,110 @@ enum class quantity {
   implicit_state_matrix,       ///< A, (n+p+k)×(n−l+p−m)
   implicit_input_matrix,       ///< B, (n+p+k)×s
 };
+
+/// How many rows or columns a result has, by what there is that many of.
+enum class extent_by : unsigned char {
+  scalar,
+  one,
+  three,
+  coordinates,               ///< n
+  speeds,                    ///< p
+  coordinates_and_speeds,         ///< n+p
+  independent_speeds,        ///< p−m
+  configuration_constraints, ///< l
+  speed_constraints,         ///< m
+  all_constraints,           ///< l+m
+  auxiliary_speeds,
+  inputs,             ///< s
+  independent_states, ///< n−l+p−m
+  unknowns,           ///< n+p+k
+};
+
+/// How far a derivation has to go for a result.
+enum class stage : unsigned char {
+  constrained, ///< positions, velocities and what binds them
+  equations,   ///< the equations of motion
+  linearized,
+};
+
+/// A row of the table of all results.
+struct result_row {
+  quantity is{};
+  std::string_view called{}; ///< by who asks for it
+  extent_by rows{}, columns{};
+  stage needs{};
+};
+
+inline constexpr result_row results[]{
+    {quantity::mass_matrix, "mass_matrix", extent_by::independent_speeds, extent_by::independent_speeds,
+     stage::equations},
+    {quantity::forcing, "forcing", extent_by::independent_speeds, extent_by::one, stage::equations},
+    {quantity::mass_matrix_full, "mass_matrix_full", extent_by::coordinates_and_speeds,
+     extent_by::coordinates_and_speeds, stage::equations},
+    {quantity::forcing_full, "forcing_full", extent_by::coordinates_and_speeds, extent_by::one, stage::equations},
+    {quantity::qdot, "qdot", extent_by::coordinates, extent_by::one, stage::constrained},
+    {quantity::udot, "udot", extent_by::speeds, extent_by::one, stage::equations},
+    {quantity::rhs, "rhs", extent_by::coordinates_and_speeds, extent_by::one, stage::equations},
+    {quantity::active_forces, "active_forces", extent_by::independent_speeds, extent_by::one,
+     stage::equations},
+    {quantity::inertia_forces, "inertia_forces", extent_by::independent_speeds, extent_by::one,
+     stage::equations},
+    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations},
+    {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained},
+    {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar,
+     stage::constrained},
+    {quantity::linear_momentum, "linear_momentum", extent_by::three, extent_by::one, stage::constrained},
+    {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained},
+    {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained},
+    {quantity::configuration_residual, "configuration_residual", extent_by::configuration_constraints,
+     extent_by::one, stage::constrained},
+    {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,
+     extent_by::one, stage::constrained},
+    {quantity::configuration_jacobian, "configuration_jacobian", extent_by::configuration_constraints,
+     extent_by::configuration_constraints, stage::constrained},
+    {quantity::configuration_jacobian_full, "configuration_jacobian_full",
+     extent_by::configuration_constraints, extent_by::coordinates, stage::constrained},
+    {quantity::configuration_step, "configuration_step", extent_by::configuration_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::velocity_residual, "velocity_residual", extent_by::speed_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::velocity_terms, "velocity_terms", extent_by::speed_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::constraint_residual, "constraint_residual", extent_by::all_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::constraint_jacobian, "constraint_jacobian", extent_by::speed_constraints, extent_by::speeds,
+     stage::constrained},
+    {quantity::dependent_speeds, "dependent_speeds", extent_by::speed_constraints, extent_by::one,
+     stage::equations},
+    {quantity::dependency, "dependency", extent_by::speed_constraints, extent_by::independent_speeds,
+     stage::equations},
+    {quantity::acceleration_bias, "acceleration_bias", extent_by::speed_constraints, extent_by::one,
+     stage::equations},
+    {quantity::multipliers, "multipliers", extent_by::speed_constraints, extent_by::one, stage::equations},
+    {quantity::auxiliary_forces, "auxiliary_forces", extent_by::auxiliary_speeds, extent_by::one,
+     stage::equations},
+    {quantity::state_matrix, "explicit_form", extent_by::independent_states, extent_by::independent_states,
+     stage::linearized},
+    {quantity::input_matrix, "explicit_form", extent_by::independent_states, extent_by::inputs,
+     stage::linearized},
+    {quantity::state_jacobian, "jacobian", extent_by::coordinates_and_speeds, extent_by::coordinates_and_speeds,
+     stage::equations},
+    {quantity::input_jacobian, "jacobian", extent_by::coordinates_and_speeds, extent_by::inputs, stage::equations},
+    {quantity::implicit_mass_matrix, "implicit_form", extent_by::unknowns, extent_by::unknowns,
+     stage::equations},
+    {quantity::implicit_state_matrix, "implicit_form", extent_by::unknowns, extent_by::independent_states,
+     stage::equations},
+    {quantity::implicit_input_matrix, "implicit_form", extent_by::unknowns, extent_by::inputs,
+     stage::equations},
+};
+
+/// The rows stand in the order of the quantities.
+static_assert([] {
+  for (std::size_t i = 0; i < std::size(results); ++i)
+    if (static_cast<std::size_t>(results[i].is) != i) return false;
+  return true;
+}());
+
+constexpr const result_row& row_of(quantity wanted) { return results[static_cast<std::size_t>(wanted)]; }
 
 } // namespace kanexpr::mechanics

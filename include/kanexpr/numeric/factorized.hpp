@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/evaluate.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
 
 #include <Eigen/Core>
 

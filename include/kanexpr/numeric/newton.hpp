@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 

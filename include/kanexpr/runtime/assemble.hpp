@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/unit_quaternions.hpp>
+#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/numeric/unit_quaternion.hpp>
 #include <kanexpr/runtime/model.hpp>

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <kanexpr/mechanics/bodies.hpp>
-#include <kanexpr/mechanics/check.hpp>
-#include <kanexpr/mechanics/check_torsional_spring.hpp>
-#include <kanexpr/mechanics/fixed.hpp>
-#include <kanexpr/mechanics/frames.hpp>
-#include <kanexpr/mechanics/loads.hpp>
-#include <kanexpr/mechanics/orientation.hpp>
-#include <kanexpr/mechanics/orientation_kinematics.hpp>
-#include <kanexpr/mechanics/points.hpp>
+#include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
+#include <kanexpr/mechanics/model/bodies.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/loads.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 
 namespace kanexpr::runtime {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/mechanics/contents.hpp>
 #include <kanexpr/mechanics/equations.hpp>
-#include <kanexpr/symbolic/limit.hpp>
-#include <kanexpr/symbolic/terms.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/symbolic/limits/limit.hpp>
+#include <kanexpr/symbolic/sizes/terms.hpp>
 
 #include <cmath>
 #include <string>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/mechanics/check_name.hpp>
-#include <kanexpr/mechanics/check_numbers.hpp>
-#include <kanexpr/mechanics/mechanism.hpp>
-#include <kanexpr/mechanics/problem.hpp>
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/mechanics/checks/check_name.hpp>
+#include <kanexpr/mechanics/checks/check_numbers.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 
 #include <initializer_list>
 #include <string_view>

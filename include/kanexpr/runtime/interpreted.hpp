@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/regular.hpp>
-#include <kanexpr/mechanics/singular.hpp>
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/mechanics/dynamics/singular.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic/solve.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
 
 #include <Eigen/Core>
 

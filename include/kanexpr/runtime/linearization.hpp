@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derive/derived_system.hpp>
 #include <kanexpr/runtime/consistent_point.hpp>
 #include <kanexpr/runtime/solve_numbers.hpp>
 #include <kanexpr/symbolic/cost.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/symbol_name.hpp>
-#include <kanexpr/symbolic/expression.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <concepts>
 #include <initializer_list>

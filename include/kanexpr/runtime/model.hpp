@@ -1,13 +1,13 @@
 #pragma once
 
-#include <kanexpr/derivation/derivation.hpp>
-#include <kanexpr/derivation/linearization_request.hpp>
-#include <kanexpr/mechanics/print_vector.hpp>
+#include <kanexpr/derive/linearization_request.hpp>
+#include <kanexpr/derive/stages.hpp>
+#include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/runtime/linearization.hpp>
 #include <kanexpr/runtime/point_reader.hpp>
-#include <kanexpr/symbolic/latex.hpp>
-#include <kanexpr/symbolic/print.hpp>
+#include <kanexpr/symbolic/print/latex.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <memory>
 #include <string>
@@ -22,9 +22,8 @@ template <class System, auto... also>
 class model {
 public:
   model() : system_(std::make_shared<derivation::derived_system>(System::record)) {
-    (derivation::request<also>::visit(system_->reader()), ...);
-    system_->check_model();
-    system_->derive();
+    (derivation::visit(derivation::requested<also>::value, system_->reader()), ...);
+    go_on(*system_, derivation::stage::constrained);
   }
   model(const model&) = delete;
   model& operator=(const model&) = delete;
@@ -79,7 +78,8 @@ public:
     const auto add = [&](const symbolic::matrix& m) {
       for (const symbolic::expression& e : m.entries) all.entries.push(e);
     };
-    (add(derivation::request<measured>::with_rates(system_->reader(), system_->equations())), ...);
+    (add(form_with_rates(derivation::requested<measured>::value, system_->reader(), system_->equations())),
+     ...);
     all.rows = all.entries.size();
     return all;
   }
@@ -97,7 +97,7 @@ public:
   template <auto wanted>
   symbolic::matrix get() {
     if (system_->mistake()) return {};
-    return derivation::request<wanted>::form(system_->reader(), system_->equations());
+    return form(derivation::requested<wanted>::value, system_->reader(), system_->equations());
   }
 
   /// A vector of the model as a sum over its frames.

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/derivation/derived_system.hpp>
-#include <kanexpr/derivation/wording.hpp>
+#include <kanexpr/derive/derived_system.hpp>
+#include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
-#include <kanexpr/symbolic/limit.hpp>
+#include <kanexpr/symbolic/limits/limit.hpp>
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/mechanics/linearization.hpp>
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/mechanics/linearize/linearization.hpp>
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 

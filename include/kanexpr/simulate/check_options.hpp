@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
-#include <kanexpr/simulate/digits.hpp>
+#include <kanexpr/base/digits.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/system.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/rates_at.hpp>
 #include <kanexpr/simulate/tolerances.hpp>
 

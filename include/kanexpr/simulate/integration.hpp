@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/simulate/state_sizes.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/numeric/unit_quaternion.hpp>
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <kanexpr/compiled/out_of_line.hpp>
-#include <kanexpr/compiled/unit_quaternions.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim.hpp>
 #include <kanexpr/simulate/trim_search.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <algorithm>
 #include <cmath>

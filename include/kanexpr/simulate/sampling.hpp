@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 #include <kanexpr/simulate/surroundings.hpp>

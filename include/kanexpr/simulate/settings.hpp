@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/statistics.hpp>
 #include <kanexpr/compiled/named_values.hpp>
-#include <kanexpr/simulate/statistics.hpp>
 #include <kanexpr/simulate/time_span.hpp>
 
 #include <Eigen/Core>

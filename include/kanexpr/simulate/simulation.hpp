@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/statistics.hpp>
 #include <kanexpr/simulate/event.hpp>
-#include <kanexpr/simulate/statistics.hpp>
 #include <kanexpr/simulate/trajectory.hpp>
 
 #include <string>

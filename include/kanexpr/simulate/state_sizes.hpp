@@ -2,6 +2,7 @@
 
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/trial_steps.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
 #include <cmath>

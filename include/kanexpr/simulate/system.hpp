@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/derivation/survey.hpp>
-#include <kanexpr/mechanics/status.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/outcome.hpp>
+#include <kanexpr/base/outcome.hpp>
 
 #include <algorithm>
 #include <cstddef>

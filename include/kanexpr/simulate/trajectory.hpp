@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/compiled/assemble.hpp>
+#include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
-#include <kanexpr/simulate/name_of_time.hpp>
 #include <kanexpr/simulate/table.hpp>
+#include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
 #include <concepts>

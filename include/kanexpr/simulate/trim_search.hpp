@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/equal.hpp>
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/simulate/trim_equations.hpp>
 
 #include <cmath>

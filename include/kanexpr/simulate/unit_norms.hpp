@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/compiled/unit_quaternions.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/expand_solves.hpp>
+#include <kanexpr/symbolic/linear/expand_solves.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/digits.hpp>
+#include <kanexpr/base/digits.hpp>
 #include <kanexpr/simulate/sundials/handles.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>

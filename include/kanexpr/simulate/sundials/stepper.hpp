@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/statistics.hpp>
+#include <kanexpr/base/statistics.hpp>
 #include <kanexpr/simulate/sundials/failure.hpp>
 
 #include <vector>

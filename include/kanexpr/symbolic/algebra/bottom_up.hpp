@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/budget.hpp>
-#include <kanexpr/symbolic/expand_solves.hpp>
+#include <kanexpr/symbolic/linear/expand_solves.hpp>
+#include <kanexpr/symbolic/polynomials/budget.hpp>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/bottom_up.hpp>
-#include <kanexpr/symbolic/algebra/polynomial_fraction.hpp>
 #include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial_fraction.hpp>
 
 namespace kanexpr::symbolic::algebra {
 

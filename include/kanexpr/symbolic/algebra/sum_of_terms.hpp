@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/polynomial_parts.hpp>
-#include <kanexpr/symbolic/term.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
+#include <kanexpr/symbolic/print/term.hpp>
 
 /// Polynomials in nodes of a graph, and back to expressions. The order in which these are built follows from
 /// the numbers of the nodes, so equal polynomials become the same node.

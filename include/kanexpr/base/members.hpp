@@ -1,0 +1,77 @@
+#pragma once
+
+#include <type_traits>
+
+/// The members of an aggregate, one after another, so that what treats all alike names none.
+namespace kanexpr {
+
+namespace detail {
+
+/// Stands for a member of any type.
+struct any_member {
+  template <class T>
+  constexpr operator T() const;
+};
+
+template <class T, class... Members>
+consteval int member_count() {
+  if constexpr (requires { T{Members{}..., any_member{}}; })
+    return member_count<T, Members..., any_member>();
+  else
+    return static_cast<int>(sizeof...(Members));
+}
+
+} // namespace detail
+
+/// Calls `visit` with each member of an aggregate, in their order; it has at most 14.
+template <class T, class Visit>
+constexpr void for_each_member(T& whole, Visit&& visit) {
+  constexpr int count = detail::member_count<std::remove_const_t<T>>();
+  static_assert(count > 0 && count <= 14);
+  const auto each = [&](auto&... member) { (visit(member), ...); };
+  if constexpr (count == 1) {
+    auto& [a] = whole;
+    each(a);
+  } else if constexpr (count == 2) {
+    auto& [a, b] = whole;
+    each(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c] = whole;
+    each(a, b, c);
+  } else if constexpr (count == 4) {
+    auto& [a, b, c, d] = whole;
+    each(a, b, c, d);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = whole;
+    each(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = whole;
+    each(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = whole;
+    each(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = whole;
+    each(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = whole;
+    each(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (count == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = whole;
+    each(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (count == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = whole;
+    each(a, b, c, d, e, f, g, h, i, j, k);
+  } else if constexpr (count == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = whole;
+    each(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (count == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = whole;
+    each(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = whole;
+    each(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  }
+}
+
+} // namespace kanexpr

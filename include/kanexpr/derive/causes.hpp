@@ -1,0 +1,62 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace kanexpr::derivation {
+
+struct cause_sizes {
+  int count = 0;
+  int letters = 0;
+};
+
+/// Why results may have no value at a state: sentences one behind another; what is behind the sizes is
+/// unused.
+template <cause_sizes room>
+struct cause_list {
+  cause_sizes sizes{};
+  /// as small as can be, for controllers
+  std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int>
+      end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
+  char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
+
+  constexpr std::string_view operator[](int i) const {
+    const int begin = i > 0 ? end[i - 1] : 0;
+    return {letters + begin, static_cast<std::size_t>(end[i] - begin)};
+  }
+  constexpr bool has_room_for(const mechanics::problem& p) const {
+    return sizes.count < room.count && sizes.letters + p.length <= room.letters;
+  }
+  constexpr void push(const mechanics::problem& p) {
+    for (char letter : p.view()) letters[sizes.letters++] = letter;
+    end[sizes.count++] = static_cast<std::remove_reference_t<decltype(*end)>>(sizes.letters);
+  }
+};
+
+/// For constant evaluation only: `trimmed` makes the list that programs use.
+inline constexpr cause_sizes room_of_causes{1 << 12, 1 << 18};
+using roomy_causes = cause_list<room_of_causes>;
+
+/// The same in arrays of its own sizes, `trimmed<roomy.sizes>(roomy)`.
+template <cause_sizes sizes, cause_sizes room>
+constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
+  cause_list<sizes> out{};
+  out.sizes = sizes;
+  for (int i = 0; i < sizes.count; ++i)
+    out.end[i] = static_cast<std::remove_reference_t<decltype(*out.end)>>(from.end[i]);
+  for (int i = 0; i < sizes.letters; ++i) out.letters[i] = from.letters[i];
+  return out;
+}
+
+/// The sentence that a function without captures makes, alone in a list of its size.
+template <class Make>
+constexpr auto only_cause(Make make) {
+  constexpr mechanics::problem p = make();
+  cause_list<cause_sizes{1, p.length}> one{};
+  one.push(p);
+  return one;
+}
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <kanexpr/derive/read/load_wording.hpp>
+#include <kanexpr/derive/read/symbol_reader.hpp>
+
+/// Whether the words of a system are all that it needs, and nothing else.
+namespace kanexpr::derivation {
+
+/// `speed<u>` in place of `speeds<u>`.
+constexpr problem check_symbol_among_words(const describe::token& t, std::string_view system) {
+  using symbolic::symbol_kind;
+  const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
+  const std::string_view list = kind == symbol_kind::coordinate  ? "coordinates"
+                                : kind == symbol_kind::speed     ? "speeds"
+                                : kind == symbol_kind::parameter ? "parameters"
+                                : kind == symbol_kind::input     ? "inputs"
+                                                                 : "";
+  if (list.empty()) return sentence({"an expression stands among the words of ", system});
+  const std::string_view one = list.substr(0, list.size() - 1);
+  return sentence(
+      {one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list, "<...>"});
+}
+
+/// What stands beside the words of a system, or beside one of them: `struct System : kane_system<…>,
+/// loads<…>`.
+template <class Told>
+constexpr problem word_beside() {
+  constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
+  if constexpr (__is_base_of(describe::load_words, Told)) {
+    return sentence(
+        {"a load stands beside the words of ", type_name<Told>(), "; write it in loads<...>, among them"});
+  } else if constexpr (describe::has_word_beside<Told>()) {
+    return sentence(
+        {type_name<Told>(), " is described as a system and as a part of one; give each a name of its own"});
+  } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
+    std::string_view word = "a word";
+    if constexpr (requires { Told::word; }) word = Told::word;
+    return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", type_name<Told>(),
+                     "; write it among them, between the < > of its system"});
+  } else {
+    return {};
+  }
+}
+
+/// What a system is told that is not one of its words.
+template <class Told>
+constexpr problem check_word(std::string_view system) {
+  if constexpr (describe::system_word<Told>)
+    return word_beside<Told>();
+  else if constexpr (requires { Told::content(); })
+    return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
+                     type_name<Told>(), ">"});
+  else if constexpr (std::derived_from<Told, scalar<1>>)
+    return check_symbol_among_words(Told{}.tokens[0], system);
+  else if constexpr (requires { Told::orientation(); })
+    return sentence({"frame ", type_name<Told>(), " stands among the words of ", system, "; write inertial<",
+                     type_name<Told>(), ">"});
+  else if constexpr (requires { Told::load.what; })
+    return sentence(
+        {name_of(Told::load).view(), " stands among the words of ", system, "; write loads<...> around it"});
+  else if constexpr (requires { Told::place(); })
+    return sentence({"point ", type_name<Told>(), " stands among the words of ", system,
+                     "; points are found by what uses them"});
+  else
+    return sentence(
+        {short_name(type_name<Told>()).view(), " is no word of a system, and ", system, " holds it"});
+}
+
+template <describe::method by, class... Words>
+constexpr problem check_each_word(std::string_view system, const describe::system_told_by<by, Words...>*) {
+  problem found;
+  ((found = found ? found : check_word<Words>(system)), ...);
+  return found;
+}
+
+/// Words of one method that are told to the other, or that do not go together.
+template <class System>
+constexpr problem check_method(std::string_view called) {
+  const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;
+  if (System::record.derived_by == describe::method::kane) {
+    if (whole)
+      return sentence(
+          {"the system ", called, " is told lagrangian<...>, which only a lagrange_system takes"});
+    return {};
+  }
+  for (std::string_view word : {"speeds", "kinematics", "auxiliary"})
+    if (System::times_told(word) != 0)
+      return sentence({"the system ", called, " is told ", word,
+                       "<...>; a lagrange_system has no speeds but the rates of its coordinates"});
+  if (bodies && whole)
+    return sentence(
+        {"the system ", called,
+         " is told bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all bodies"});
+  if (!bodies && !whole)
+    return sentence({"the system ", called, " is told neither bodies<...> nor lagrangian<...>"});
+  return {};
+}
+
+/// A word that is missing, doubled or foreign.
+template <class System>
+constexpr problem check_words() {
+  constexpr std::string_view called = type_name<System>();
+  if constexpr (describe::is_unparsed<System>()) {
+    return sentence(
+        {called, " is derived from nothing; derive it from kane_system<...> or lagrange_system<...>"});
+  } else if constexpr (!requires { System::record; }) {
+    if constexpr (!__is_base_of(describe::whole_systems, System))
+      return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
+    else if (describe::hides<describe::whole_systems>(static_cast<System*>(nullptr)))
+      return sentence({called, " hides what it is derived from, as a class does; write struct"});
+    else
+      return sentence({called, " is derived from two systems; give each a name of its own"});
+  } else {
+    if (const problem beside = word_beside<System>()) return beside;
+    const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
+    if (foreign) return foreign;
+    problem found = check_method<System>(called);
+    const auto needs = [&](std::initializer_list<std::string_view> words) {
+      for (std::string_view word : words)
+        if (!found && System::times_told(word) == 0)
+          found = sentence({"the system ", called, " is told no ", word, "<...>"});
+    };
+    needs({"inertial", "coordinates"});
+    if (System::record.derived_by == describe::method::kane) needs({"speeds", "kinematics", "bodies"});
+    if (found) return found;
+    for (std::string_view word :
+         {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
+          "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "lagrangian", "loads",
+          "parameters", "inputs", "values"})
+      if (System::times_told(word) > 1)
+        return sentence({"the system ", called, " is told ", word, "<...> twice; write one list"});
+    return {};
+  }
+}
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <kanexpr/derive/cut.hpp>
+
+#include <initializer_list>
+
+namespace kanexpr::derivation {
+
+/// What `function<System, wanted…>::cost()` says, by the same derivation while the program runs.
+template <class System>
+symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
+  std::vector<request> all;
+  for (const quantity one : wanted) all.push_back({.what = request::kind::result, .wanted = one});
+  derived_system system(System::record);
+  go_on(system, stage::constrained);
+  for (const stage next : {stage::equations, stage::linearized})
+    if (stage_for(all) >= next) go_on(system, next);
+  return lower::cost_of(lower::tape_of(system.graph(), nodes_for(system, all).nodes));
+}
+
+} // namespace kanexpr::derivation

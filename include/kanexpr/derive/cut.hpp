@@ -1,0 +1,116 @@
+#pragma once
+
+#include <kanexpr/derive/causes.hpp>
+#include <kanexpr/derive/request.hpp>
+#include <kanexpr/derive/stages.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
+
+namespace kanexpr::derivation {
+
+/// The straight-line code for some results. The measures and scales of what may be singular are behind all
+/// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold it.
+struct cut_code {
+  problem mistake{};
+  roomy_causes causes{};
+  lower::roomy_tape tape{};
+  bool follows_from_unparsed = false; ///< the mistake, from something that did not parse
+  bool tells_finiteness = false;      ///< the last pair
+
+  constexpr cut_code() = default;
+  constexpr explicit cut_code(const problem& because) : mistake(because) {}
+};
+
+/// What no room is left for.
+constexpr problem check_room(std::string_view system, const lower::tape_sizes& sizes) {
+  if (lower::has_room_for(sizes)) return {};
+  return sentence({"what is asked of ", system, " at once takes ", mechanics::counted(sizes.steps).view(),
+                   " operations and has ", mechanics::counted(sizes.results).view(),
+                   " entries; there is room for ", mechanics::counted(lower::most_steps).view(),
+                   " of each; ask for it in parts"});
+}
+
+/// The nodes of all entries of the results, then those of what may be singular on the way to them.
+struct cut_nodes {
+  sequence<int> nodes{};
+  sequence<mechanics::guard> guards{};
+};
+
+constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> all) {
+  cut_nodes found;
+  for (const request& each : all) {
+    const symbolic::matrix result = form(each, system.reader(), system.equations());
+    for (const expression& entry : result.entries) found.nodes.push(entry.node());
+  }
+  if (system.mistake()) return found;
+  found.guards = system.equations().guards_of(found.nodes);
+  for (const mechanics::guard& g : found.guards) {
+    found.nodes.push(g.measure.node());
+    found.nodes.push(g.scale.node());
+  }
+  return found;
+}
+
+/// Cuts the code for some results out of a derivation.
+constexpr cut_code cut(derived_system& system, std::string_view called, std::span<const request> all) {
+  const cut_nodes found = nodes_for(system, all);
+  if (system.mistake()) return cut_code(system.mistake());
+  cut_code code;
+  for (const mechanics::guard& g : found.guards) {
+    if (!code.causes.has_room_for(g.cause))
+      return cut_code(
+          sentence({"what is asked of ", called,
+                    " at once may be singular in more ways than there is room for; ask for it in parts"}));
+    code.causes.push(g.cause);
+    code.tells_finiteness = g.of_finiteness;
+  }
+  const lower::tape tape = lower::tape_of(system.graph(), found.nodes);
+  if (const problem lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);
+  code.tape = lower::fixed(tape);
+  return code;
+}
+
+constexpr stage stage_for(std::span<const request> all) {
+  stage furthest = stage::constrained;
+  for (const request& each : all)
+    if (stage_for(each) > furthest) furthest = stage_for(each);
+  return furthest;
+}
+
+/// The same out of a stage that is there already; a request that mentions entities which the system itself
+/// does not use is a derivation of its own.
+constexpr cut_code cut(const system_record& from, const image& aside, std::string_view called,
+                       std::span<const request> all) {
+  derived_system known(from, aside);
+  bool has_all = true;
+  for (const request& each : all) has_all = has_all && has_all_of(each, known.reader());
+  if (has_all) {
+    for (const request& each : all) visit(each, known.reader());
+    return cut(known, called, all);
+  }
+  derived_system own(from);
+  for (const request& each : all) visit(each, own.reader());
+  own.derive();
+  if (!own.mistake()) return cut(own, called, all);
+  cut_code refused(own.mistake());
+  refused.follows_from_unparsed = own.reader().follows_from_unparsed();
+  return refused;
+}
+
+/// The code for what template arguments ask for.
+template <class System, auto... wanted>
+constexpr cut_code code_for() {
+  constexpr request all[]{requested<wanted>::value...};
+  if constexpr (static_cast<bool>(stages_of<System>::constrained.mistake)) {
+    return {};
+  } else if constexpr (stage_for(all) == stage::constrained) {
+    return cut(System::record, stages_of<System>::constrained.aside, type_name<System>(), all);
+  } else if constexpr (static_cast<bool>(stages_of<System>::equations.mistake)) {
+    return cut_code(stages_of<System>::equations.mistake);
+  } else if constexpr (stage_for(all) == stage::equations) {
+    return cut(System::record, stages_of<System>::equations.aside, type_name<System>(), all);
+  } else {
+    return cut(System::record, stages_of<System>::linearized.aside, type_name<System>(), all);
+  }
+}
+
+} // namespace kanexpr::derivation

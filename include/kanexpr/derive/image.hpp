@@ -1,0 +1,43 @@
+#pragma once
+
+#include <kanexpr/describe/record.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <cstdint>
+
+namespace kanexpr::derivation {
+
+/// A derivation that was set aside, as plain arrays that can leave a constant evaluation: the graph node by
+/// node, and all else that is known by then as a row of words.
+///
+/// It has room for any model that a compiler can be asked to derive, and what is behind the counts is unused.
+/// So only constant evaluations may hold one: whatever else refers to it puts it into the program.
+struct image {
+  static constexpr int most_nodes = 1 << 17;
+  static constexpr int most_words = 1 << 18;
+  static constexpr int most_numbers = 1 << 14;
+  static constexpr int most_entities = 1 << 12;
+
+  int nodes = 0;
+  symbolic::operation op[most_nodes]{};
+  int a[most_nodes]{};
+  int b[most_nodes]{};
+
+  int numbers = 0;
+  std::int64_t numerators[most_numbers]{};
+  std::int64_t denominators[most_numbers]{};
+  double reals[most_numbers]{};
+
+  int words = 0;
+  int word[most_words]{};
+
+  int frames = 0;
+  const describe::frame_record* frame[most_entities]{};
+  int points = 0;
+  const describe::point_record* point[most_entities]{};
+
+  /// Whether something was left out, for which there is no room.
+  bool is_full = false;
+};
+
+} // namespace kanexpr::derivation

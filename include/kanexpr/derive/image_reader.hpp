@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kanexpr/base/members.hpp>
+#include <kanexpr/derive/image.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+#include <optional>
+#include <type_traits>
+
+namespace kanexpr::derivation {
+
+/// Reads a derivation from an image: `read(part)` for each part, in the order in which `image_writer` wrote
+/// them. Nodes keep their numbers.
+class image_reader {
+public:
+  constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
+      : from_(from), g_(g), m_(m) {
+    symbolic::sequence<symbolic::number> numbers;
+    numbers.reserve(from.numbers);
+    for (int i = 0; i < from.numbers; ++i)
+      numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
+    symbolic::sequence<symbolic::symbol> symbols;
+    (*this)(symbols);
+    g.restart(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
+              static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.nodes);
+    for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
+  }
+
+  template <class T>
+  constexpr void operator()(T& part) {
+    if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+      part = static_cast<T>(read());
+    else if constexpr (requires { T::each_member(part, *this); })
+      T::each_member(part, *this);
+    else
+      for_each_member(part, *this);
+  }
+  template <class T>
+  constexpr void operator()(symbolic::sequence<T>& parts) {
+    const int size = read();
+    parts.clear();
+    parts.resize(size);
+    for (T& each : parts) (*this)(each);
+  }
+  template <class T>
+  constexpr void operator()(std::optional<T>& part) {
+    if (read() == 0) return;
+    part.emplace(g_);
+    (*this)(*part);
+  }
+  constexpr void operator()(symbolic::expression& e) {
+    const int node = read();
+    if (node != mechanics::none) e = {g_, node};
+  }
+  constexpr void operator()(symbolic::name& called) {
+    called.length = read();
+    for (int i = 0; i < called.length; ++i) called.letters[i] = static_cast<char>(read());
+  }
+  constexpr void operator()(const describe::frame_record*& r) { r = from_.frame[next_frame_++]; }
+  constexpr void operator()(const describe::point_record*& r) { r = from_.point[next_point_++]; }
+  constexpr void operator()(const mechanics::mechanism*& m) { m = &m_; }
+
+private:
+  constexpr int read() { return from_.word[next_word_++]; }
+
+  const image& from_;
+  symbolic::graph& g_;
+  const mechanics::mechanism& m_;
+  int next_word_ = 0, next_frame_ = 0, next_point_ = 0;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <kanexpr/base/members.hpp>
+#include <kanexpr/derive/image.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+#include <optional>
+#include <type_traits>
+
+namespace kanexpr::derivation {
+
+/// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
+/// order.
+class image_writer {
+public:
+  constexpr image_writer(image& into, const symbolic::graph& g) : into_(into) {
+    write_nodes(g);
+    write_numbers(g);
+    (*this)(g.symbols());
+  }
+
+  template <class T>
+  constexpr void operator()(const T& part) {
+    if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+      write(static_cast<int>(part));
+    else if constexpr (requires { T::each_member(part, *this); })
+      T::each_member(part, *this);
+    else
+      for_each_member(part, *this);
+  }
+  template <class T>
+  constexpr void operator()(const symbolic::sequence<T>& parts) {
+    write(parts.size());
+    for (const T& each : parts) (*this)(each);
+  }
+  template <class T>
+  constexpr void operator()(const std::optional<T>& part) {
+    write(part.has_value());
+    if (part.has_value()) (*this)(*part);
+  }
+  constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
+  constexpr void operator()(const symbolic::name& called) {
+    write(called.length);
+    for (int i = 0; i < called.length; ++i) write(called.letters[i]);
+  }
+  constexpr void operator()(const describe::frame_record* const& r) {
+    if (has_room(into_.frames, image::most_entities)) into_.frame[into_.frames++] = r;
+  }
+  constexpr void operator()(const describe::point_record* const& r) {
+    if (has_room(into_.points, image::most_entities)) into_.point[into_.points++] = r;
+  }
+  constexpr void operator()(const mechanics::mechanism* const&) {} // the only one
+
+private:
+  static constexpr int none = mechanics::none;
+
+  constexpr bool has_room(int count, int most) {
+    if (count == most) into_.is_full = true;
+    return count < most;
+  }
+
+  constexpr void write(int word) {
+    if (has_room(into_.words, image::most_words)) into_.word[into_.words++] = word;
+  }
+
+  constexpr void write_nodes(const symbolic::graph& g) {
+    if (g.size() > image::most_nodes) {
+      into_.is_full = true;
+      return;
+    }
+    into_.nodes = g.size();
+    int id = 0;
+    for (const symbolic::node& n : g) {
+      into_.op[id] = n.op;
+      into_.a[id] = n.a;
+      into_.b[id++] = n.b;
+    }
+  }
+
+  constexpr void write_numbers(const symbolic::graph& g) {
+    for (const symbolic::number& n : g.numbers()) {
+      if (!has_room(into_.numbers, image::most_numbers)) return;
+      into_.numerators[into_.numbers] = n.numerator;
+      into_.denominators[into_.numbers] = n.denominator;
+      into_.reals[into_.numbers++] = n.real;
+    }
+  }
+
+  image& into_;
+};
+
+} // namespace kanexpr::derivation

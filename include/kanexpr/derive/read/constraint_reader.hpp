@@ -1,0 +1,110 @@
+#pragma once
+
+#include <kanexpr/derive/read/entity_reader.hpp>
+#include <kanexpr/describe/constraint.hpp>
+
+namespace kanexpr::derivation {
+
+using mechanics::velocity_constraint;
+
+/// The constraints of a model. Their symbols and entities are read with all others; what they say is
+/// evaluated only when positions and velocities are known.
+class constraint_reader : public entity_reader {
+public:
+  using entity_reader::entity_reader;
+
+  /// After `know`.
+  constexpr void read_constraints() {
+    if (mistake_) return;
+    for (const kind& k : kinds)
+      for (int i = 0; i < (from_.*k.list).size && !mistake_; ++i)
+        for (const velocity_constraint& c : vanishing_by((from_.*k.list)[i], k.whom)) keep(k, c);
+  }
+
+protected:
+  constexpr void visit_constraints() {
+    for (const kind& k : kinds)
+      for (int i = 0; i < (from_.*k.list).size && !mistake_; ++i) {
+        const phrase& p = (from_.*k.list)[i];
+        if (p.kind != shape::equation && p.kind != shape::vanishing)
+          return fail({k.word, "<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
+                       name_in(p), "; write an equation or zero_along<...>"});
+        visit(p.tokens, p.size, k.whom);
+        for (int j = 0; j < p.size && !mistake_; ++j)
+          if (p.tokens[j].symbol != nullptr) symbol(*p.tokens[j].symbol, k.whom);
+      }
+  }
+
+  constexpr void read_dependent(const phrase& p) {
+    constexpr std::string_view whom = "dependent<...>";
+    const bool alone = p.size == 1 && p.tokens[0].what == describe::word::symbol;
+    const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
+    const bool coordinate = s != nullptr && s->kind == symbolic::symbol_kind::coordinate;
+    const symbolic::symbol_kind rate =
+        takes_rates_as_speeds() ? symbolic::symbol_kind::coordinate_rate : symbolic::symbol_kind::speed;
+    if (!coordinate && (s == nullptr || s->kind != rate))
+      return fail({whom, " holds something that is neither a coordinate nor ",
+                   takes_rates_as_speeds() ? "the rate of one" : "a speed", p.size > 0 ? ", with " : "",
+                   name_in(p)});
+    const expression e = symbol(*s, whom);
+    if (mistake_) return;
+    const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
+    sequence<int>& places = coordinate ? m_.dependent_coordinates : m_.dependent_speeds;
+    if (place == none)
+      return fail({"auxiliary speed ", s->called.view(), " stands in ", whom, "; it is zero at all times"});
+    if (places.contains(place)) return fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
+    places.push(place);
+  }
+
+private:
+  struct kind {
+    describe::listing<phrase> describe::system_record::* list;
+    std::string_view word, whom;
+  };
+  static constexpr kind kinds[]{
+      {&system_record::configuration_constraints, "configuration_constraints", "a configuration constraint"},
+      {&system_record::velocity_constraints, "velocity_constraints", "a velocity constraint"},
+      {&system_record::acceleration_constraints, "acceleration_constraints", "an acceleration constraint"},
+  };
+
+  constexpr void keep(const kind& k, const velocity_constraint& c) {
+    if (k.list == &system_record::configuration_constraints)
+      m_.configuration_constraints.push(c.value);
+    else if (k.list == &system_record::velocity_constraints)
+      m_.velocity_constraints.push(c);
+    else
+      m_.acceleration_constraints.push(c.value);
+  }
+
+  /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.
+  constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, std::string_view whom) {
+    const sequence<value> found = evaluate_each(p, whom);
+    sequence<velocity_constraint> all;
+    if (mistake_) return all;
+    if (p.kind == shape::equation) {
+      if (found[0].kind != shape::scalar)
+        fail({whom, " with ", name_in(p), " equates vectors; write zero_along<vector, directions>"});
+      all.push({found[0].scalar, {}, {}});
+      return all;
+    }
+    const auto fail_for = [&](std::string_view given) {
+      fail({"zero_along<...> of ", whom, " with ", name_in(p), " is given ", given});
+    };
+    if (found[0].kind != shape::vector) fail_for("something that is no vector");
+    if (found.size() == 1) fail_for("no direction");
+    for (int i = 1; i < found.size() && !mistake_; ++i) {
+      const mechanics::vector &v = found[0].vector, &direction = found[i].vector;
+      if (found[i].kind != shape::vector)
+        fail_for("a direction that is no vector");
+      else if (direction.is_zero())
+        fail_for("a direction of no length");
+      else if (direction.parts.size() == 1) // as `dot`, but in the same axes for all directions
+        all.push({along(m_, v, direction), v, direction});
+      else
+        all.push({dot(m_, v, direction), v, direction});
+    }
+    return all;
+  }
+};
+
+} // namespace kanexpr::derivation

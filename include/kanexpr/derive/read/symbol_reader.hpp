@@ -1,0 +1,286 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/derive/read/symbol_list.hpp>
+#include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/checks/check_name.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+namespace kanexpr::derivation {
+
+using describe::system_record;
+using mechanics::mechanism;
+using mechanics::none;
+using mechanics::problem;
+using mechanics::sentence;
+using symbolic::expression;
+using symbolic::sequence;
+
+/// The symbols of a model: listed ones in the order of the lists, the others as the model mentions them.
+/// The first mistake of the whole reading is kept here, as a sentence.
+class symbol_reader {
+public:
+  constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
+
+  constexpr const problem& mistake() const { return mistake_; }
+  /// Whether the mistake is that of a type of which the compiler has told one already.
+  constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
+  /// Makes this sentence the mistake, if it is the first.
+  constexpr void refuse(std::string_view because) { fail({because}); }
+
+  constexpr expression symbol(const symbol_record& r, std::string_view whom) {
+    using symbolic::symbol_kind;
+    switch (r.kind) {
+    case symbol_kind::time: claim_time(); return m_.time;
+    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
+    case symbol_kind::coordinate_rate:
+      if (takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
+      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
+    case symbol_kind::speed:
+      if (takes_rates_as_speeds())
+        fail({part_, whom, " holds the speed ", r.called.view(),
+              "; a lagrange_system has no speeds but the rates of its coordinates"});
+      if (has(m_.auxiliary_speeds, r.called))
+        return listed(m_.auxiliary_speeds, m_.auxiliary_speeds, r, "auxiliary speed", whom);
+      return listed(m_.speeds, m_.speeds, r, "speed", whom);
+    case symbol_kind::speed_rate:
+      if (r.order != describe::unprescribed) return second_derivative(r, whom);
+      if (has(m_.auxiliary_speeds, r.called))
+        fail({part_, whom, " holds the rate of auxiliary speed ", r.called.view(),
+              ", which is zero at all times"});
+      return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier: break;
+    case symbol_kind::parameter:
+      for (int i = 0; i < bound_.size(); ++i)
+        if (bound_[i] == r.called) {
+          bound_is_used_[i] = 1;
+          return is_the_same(r, "parameter"), bound_values_[i];
+        }
+      return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
+    case symbol_kind::input:
+      if (from_.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
+      return mentioned(m_.inputs, r, from_.inputs.size != 0, "input", whom);
+    }
+    return m_.zero();
+  }
+
+  /// What is known of symbols, where there is no mistake.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.bound_);
+    visit(self.bound_values_);
+    visit(self.bound_is_used_);
+    visit(self.claimed_);
+    visit(self.is_time_claimed_);
+  }
+
+  /// Takes a parameter that the model itself does not speak of, behind all others.
+  constexpr void admit_parameter(const symbol_record& r) {
+    if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
+  }
+
+protected:
+  using words = std::initializer_list<std::string_view>;
+
+  /// Of Lagrange's method.
+  constexpr bool takes_rates_as_speeds() const { return from_.derived_by == describe::method::lagrange; }
+
+  constexpr void fail(words pieces) {
+    if (!mistake_) mistake_ = sentence(pieces);
+  }
+
+  constexpr void fail_by_unparsed(std::string_view called, std::string_view whom) {
+    if (!mistake_) follows_from_unparsed_ = true;
+    fail({called, ", which ", whom, " uses, is derived from nothing"});
+  }
+
+  constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
+                                               symbol_list list) {
+    if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
+      fail({"the list of ", derivation::called(list), " holds something that is not a symbol", p.size > 1 ? ", with " : "",
+            name_in(p)});
+      return nullptr;
+    }
+    const symbol_record* s = p.tokens[0].symbol;
+    if (s->kind != kind) {
+      fail({kind_of(*s), s->called.view(), " stands in the list of ", derivation::called(list)});
+      return nullptr;
+    }
+    claim(*s, list);
+    return s;
+  }
+
+  /// An input of the list. A prescribed quantity and its rate know each other, in whatever order they come.
+  constexpr void place_input(const symbol_record& r) {
+    const expression placed = m_.input(r.called);
+    if (r.order == describe::unprescribed) return;
+    const symbolic::name rate = derivative(r, r.order + 1);
+    if (has(m_.inputs, rate)) m_.prescribed_rates.push({placed, find(m_.inputs, rate)});
+    if (r.order == 0) return;
+    const symbolic::name below = derivative(r, r.order - 1);
+    if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
+  }
+
+  /// After the list of inputs: a derivative alone would be taken for the rate of nothing.
+  constexpr void check_derivative(const symbol_record& r) {
+    if (r.order <= 0) return;
+    const symbolic::name below = derivative(r, r.order - 1);
+    if (!has(m_.inputs, below))
+      fail({"the list of inputs holds ", r.called.view(), ", a derivative of a prescribed quantity, without ",
+            below.view()});
+  }
+
+  /// Takes the name of a symbol, which has to be one.
+  constexpr void claim(const symbol_record& r, symbol_list list) {
+    if (r.is_named) return claim_name(r.called, list, mark_of(r));
+    std::string_view called = r.given == 0 ? "" : r.called.view();
+    if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
+      return fail(
+          {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
+    if (called.size() < symbolic::name::capacity && r.order > 0)
+      called.remove_suffix(static_cast<std::size_t>(r.order));
+    fail({mechanics::check_name(called, derivation::called(list)).view()});
+  }
+
+  /// A name means one thing in a system.
+  constexpr void claim_name(const symbolic::name& called, symbol_list list, int mark = 0) {
+    for (const claimed& other : claimed_)
+      if (other.called == called) {
+        if (other.list == list && other.mark != mark)
+          fail({"two of the ", derivation::called(list), " are called ", called.view()});
+        else if (other.list == list)
+          fail({called.view(), " is listed twice among the ", derivation::called(list)});
+        else if (other.list == symbol_list::values)
+          fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
+        else
+          fail({"the name ", called.view(), " is used twice: among the ", derivation::called(other.list),
+                " and among the ", derivation::called(list)});
+      }
+    claimed_.push({called, list, mark});
+  }
+
+  /// Binds a parameter to a number.
+  constexpr void bind(const symbol_record& r, expression number) {
+    bound_.push(r.called);
+    bound_values_.push(number);
+    bound_is_used_.push(0);
+    claim(r, symbol_list::values);
+  }
+  constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
+  constexpr bool holds_bound(const phrase& p) const {
+    for (int i = 0; i < p.size; ++i)
+      if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
+    return false;
+  }
+  /// After all that the model says was read.
+  constexpr void check_values_are_used() {
+    for (int i = 0; i < bound_.size(); ++i)
+      if (bound_is_used_[i] == 0)
+        fail({"values<...> gives a value to parameter ", bound_[i].view(),
+              ", which nothing in the system holds"});
+  }
+
+  const system_record& from_;
+  mechanism& m_;
+  problem mistake_{};
+  std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
+
+private:
+  constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
+    return !find(symbols, called).is_zero();
+  }
+  /// The symbol of a name, or zero.
+  constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
+    for (const expression& e : symbols)
+      if (m_.g->symbol_at(e.node()).called == called) return e;
+    return m_.zero();
+  }
+
+  /// Of a coordinate: the rate of its rate, which must be a speed.
+  constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
+    if (takes_rates_as_speeds())
+      return listed(m_.coordinates, m_.speed_rates,
+                    {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate",
+                    whom);
+    fail({part_, whom, " holds the second derivative of coordinate ", derivative(r, 0).view(),
+          "; write it by the rates of the speeds"});
+    return m_.zero();
+  }
+
+  /// theta, theta', theta'' by their order.
+  static constexpr symbolic::name derivative(const symbol_record& r, int order) {
+    const std::string_view own = r.called.view();
+    symbolic::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
+    for (int i = 0; i < order; ++i) called.append("'");
+    return called;
+  }
+
+  /// Without a list of inputs a prescribed quantity takes three places in a row: what an acceleration needs.
+  constexpr void place_with_derivatives(const symbol_record& r) {
+    for (int order = 0; order <= 2 || order <= r.order; ++order) {
+      const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};
+      if (has(m_.inputs, one.called)) continue;
+      claim(one, symbol_list::inputs);
+      place_input(one);
+    }
+  }
+
+  constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
+                              const symbol_record& r, std::string_view kind, std::string_view whom) {
+    for (int i = 0; i < own.size(); ++i)
+      if (m_.g->symbol_at(own[i].node()).called == r.called) return is_the_same(r, kind), wanted[i];
+    fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+    return m_.zero();
+  }
+
+  constexpr expression mentioned(sequence<expression>& known, const symbol_record& r, bool complete,
+                                 std::string_view kind, std::string_view whom) {
+    for (const expression& e : known)
+      if (m_.g->symbol_at(e.node()).called == r.called) return is_the_same(r, kind), e;
+    if (complete) {
+      fail(
+          {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+      return m_.zero();
+    }
+    claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
+    return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
+  }
+
+  /// A name that is taken.
+  struct claimed {
+    symbolic::name called{};
+    symbol_list list{};
+    int mark = 0; ///< which symbol of that name it is
+  };
+
+  /// What tells apart symbols of one kind and name: `parameter<"k", 1>` and `parameter<"k1">`, an input and a
+  /// prescribed quantity.
+  static constexpr int mark_of(const symbol_record& r) {
+    const bool is_prescribed = r.kind == symbolic::symbol_kind::input && r.order != describe::unprescribed;
+    return 2 * r.given + (is_prescribed ? 1 : 0);
+  }
+
+  /// A symbol that was found by its name must be the one that took it.
+  constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
+    const int mark = mark_of(r);
+    for (const claimed& c : claimed_)
+      if (c.mark != mark && c.called.length == r.called.length && c.called == r.called)
+        fail({"two ", kind, "s are called ", r.called.view()});
+  }
+
+  constexpr void claim_time() {
+    if (!is_time_claimed_) claim_name("t", symbol_list::times);
+    is_time_claimed_ = true;
+  }
+
+  bool follows_from_unparsed_ = false;
+  sequence<symbolic::name> bound_{};
+  sequence<expression> bound_values_{};
+  sequence<char> bound_is_used_{};
+  sequence<claimed> claimed_{};
+  bool is_time_claimed_ = false;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+
+namespace kanexpr::derivation {
+
+using mechanics::components;
+using mechanics::matrix3;
+using symbolic::expression;
+using symbolic::graph;
+using symbolic::sequence;
+
+/// What a phrase of a model stands for, once read.
+struct value {
+  describe::shape kind = describe::shape::nothing;
+  expression scalar{};
+  mechanics::vector vector{};
+  mechanics::dyadic dyadic{};
+
+  static constexpr value of(expression e) {
+    value v;
+    v.kind = describe::shape::scalar;
+    v.scalar = e;
+    return v;
+  }
+  static constexpr value of(const mechanics::vector& e) {
+    value v;
+    v.kind = describe::shape::vector;
+    v.vector = e;
+    return v;
+  }
+  static constexpr value of(const mechanics::dyadic& e) {
+    value v;
+    v.kind = describe::shape::dyadic;
+    v.dyadic = e;
+    return v;
+  }
+};
+
+constexpr mechanics::vector plus(const mechanics::vector& a, const mechanics::vector& b) {
+  mechanics::vector sum = a;
+  sum.add(b);
+  return sum;
+}
+
+constexpr value negative(const mechanics::mechanism& m, const value& a) {
+  switch (a.kind) {
+  case describe::shape::vector: return value::of(-m.one() * a.vector);
+  case describe::shape::dyadic: return value::of(-m.one() * a.dyadic);
+  default: return value::of(-a.scalar);
+  }
+}
+
+constexpr value sum(const value& a, const value& b) {
+  switch (a.kind) {
+  case describe::shape::vector: return value::of(plus(a.vector, b.vector));
+  case describe::shape::dyadic: {
+    mechanics::dyadic d = a.dyadic;
+    d.add(b.dyadic);
+    return value::of(d);
+  }
+  default: return value::of(a.scalar + b.scalar);
+  }
+}
+
+constexpr value scaled(expression s, const value& a) {
+  switch (a.kind) {
+  case describe::shape::vector: return value::of(s * a.vector);
+  case describe::shape::dyadic: return value::of(s * a.dyadic);
+  default: return value::of(s * a.scalar);
+  }
+}
+
+/// Both vectors in the axes of one frame, the one deeper in the tree if they have several.
+struct together {
+  int frame = mechanics::mechanism::inertial;
+  components a{}, b{};
+};
+
+constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics::vector& a,
+                                  const mechanics::vector& b) {
+  together t;
+  int depth = -1;
+  for (const mechanics::vector* v : {&a, &b})
+    for (const mechanics::vector::part& p : v->parts) {
+      const int d = mechanics::path::depth(m, p.frame);
+      if (d > depth) t.frame = p.frame, depth = d;
+    }
+  t.a = mechanics::express(m, a, t.frame);
+  t.b = mechanics::express(m, b, t.frame);
+  return t;
+}
+
+/// The part of a vector along a direction, which is mostly a basis vector: in its axes one number is left.
+constexpr expression along(const mechanics::mechanism& m, const mechanics::vector& v,
+                           const mechanics::vector& direction) {
+  const mechanics::vector::part& d = direction.parts[0];
+  return mechanics::dot(mechanics::express(m, v, d.frame), d.value);
+}
+
+constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector& a,
+                         const mechanics::vector& b) {
+  if (a.parts.size() > 1 && b.parts.size() == 1) return along(m, a, b);
+  if (b.parts.size() > 1 && a.parts.size() == 1) return along(m, b, a);
+  const together t = in_common_axes(m, a, b);
+  return mechanics::dot(t.a, t.b);
+}
+
+/// In the axes of one frame, so that parts which cancel do so before they are divided.
+constexpr mechanics::vector normalized(const mechanics::mechanism& m, const mechanics::vector& v) {
+  const together t = in_common_axes(m, v, v);
+  mechanics::vector unit;
+  unit.add(t.frame, (1 / sqrt(mechanics::dot(t.a, t.a))) * t.a);
+  return unit;
+}
+
+constexpr mechanics::vector cross(const mechanics::mechanism& m, const mechanics::vector& a,
+                                  const mechanics::vector& b) {
+  const together t = in_common_axes(m, a, b);
+  mechanics::vector v;
+  v.add(t.frame, mechanics::cross(t.a, t.b));
+  return v;
+}
+
+constexpr mechanics::dyadic outer(const mechanics::mechanism& m, const mechanics::vector& a,
+                                  const mechanics::vector& b) {
+  mechanics::dyadic d;
+  for (const mechanics::vector::part& p : a.parts)
+    for (const mechanics::vector::part& q : b.parts) {
+      matrix3 value(*m.g);
+      for (int i = 0; i < 3; ++i) value.row[i] = p.value[i] * q.value;
+      d.add(p.frame, q.frame, value);
+    }
+  return d;
+}
+
+constexpr mechanics::vector dot(const mechanics::mechanism& m, const mechanics::dyadic& d,
+                                const mechanics::vector& v) {
+  mechanics::vector product;
+  for (const mechanics::dyadic::part& p : d.parts)
+    product.add(p.left, p.value * mechanics::express(m, v, p.right));
+  return product;
+}
+
+} // namespace kanexpr::derivation

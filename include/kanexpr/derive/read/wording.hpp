@@ -1,0 +1,99 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/describe/record.hpp>
+
+/// The words for parts of a model, for sentences about them.
+namespace kanexpr::derivation {
+
+using describe::frame_record;
+using describe::phrase;
+using describe::shape;
+using describe::symbol_record;
+
+constexpr std::string_view kind_of(const symbol_record& s) {
+  using symbolic::symbol_kind;
+  switch (s.kind) {
+  case symbol_kind::time: return "time ";
+  case symbol_kind::coordinate: return "coordinate ";
+  case symbol_kind::speed: return "speed ";
+  case symbol_kind::parameter: return "parameter ";
+  case symbol_kind::input: return s.order == describe::unprescribed ? "input " : "prescribed quantity ";
+  case symbol_kind::coordinate_rate: return "the rate of coordinate ";
+  case symbol_kind::speed_rate: return "the rate of speed ";
+  case symbol_kind::auxiliary_speed: return "auxiliary speed ";
+  case symbol_kind::multiplier: return "multiplier ";
+  }
+  return "";
+}
+
+/// A symbol, point or frame of a phrase, to say which one is meant.
+constexpr std::string_view name_in(const phrase& p) {
+  for (int i = 0; i < p.size; ++i)
+    if (p.tokens[i].symbol != nullptr) return p.tokens[i].symbol->called.view();
+  for (int i = 0; i < p.size; ++i)
+    if (p.tokens[i].point != nullptr) return p.tokens[i].point->called;
+  for (int i = 0; i < p.size; ++i)
+    if (p.tokens[i].frame != nullptr) return p.tokens[i].frame->called;
+  return "";
+}
+
+/// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
+constexpr mechanics::problem short_name(std::string_view called) {
+  constexpr std::size_t longest = 40;
+  if (called.size() <= longest) return mechanics::sentence({called});
+  return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});
+}
+
+/// Whether tokens in postfix order are one expression.
+constexpr bool is_whole(const phrase& p) {
+  using describe::word;
+  int depth = 0;
+  for (int i = 0; i < p.size; ++i) {
+    int operands = 0;
+    switch (p.tokens[i].what) {
+    case word::add:
+    case word::subtract:
+    case word::multiply:
+    case word::divide:
+    case word::dot:
+    case word::cross:
+    case word::outer: operands = 2; break;
+    case word::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
+    case word::negate:
+    case word::magnitude:
+    case word::normalized:
+    case word::derivative:
+    case word::partial:
+    case word::in_axes: operands = 1; break;
+    default: break;
+    }
+    if (depth < operands) return false;
+    depth += 1 - operands;
+  }
+  return depth == 1;
+}
+
+constexpr std::string_view what_is_given(const frame_record& r) {
+  using describe::orientation_word;
+  switch (r.orientation) {
+  case orientation_word::rotated: return "the angle of frame ";
+  case orientation_word::quaternion: return "the quaternion of frame ";
+  case orientation_word::direction_cosines: return "a direction cosine of frame ";
+  default: return "an angle of frame ";
+  }
+}
+
+constexpr std::string_view is_a(shape kind) {
+  switch (kind) {
+  case shape::scalar: return " is a scalar; ";
+  case shape::vector: return " is a vector; ";
+  case shape::dyadic: return " is a dyadic; ";
+  case shape::equation: return " is an equation; ";
+  case shape::vanishing: return " is a constraint; ";
+  case shape::turning: return " is a list of kinematic differential equations; ";
+  default: return " is no expression; ";
+  }
+}
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derive/read/reader.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+
+#include <span>
+
+namespace kanexpr::derivation {
+
+using mechanics::quantity;
+
+/// Rows and columns of a result; a scalar is not a matrix, though a matrix may be 1×1.
+struct extent {
+  int rows = 1;
+  int columns = 1;
+  bool scalar = false;
+
+  constexpr int entries() const { return rows * columns; }
+};
+
+/// Something that is asked of a system, as a value that the compiler and a program treat alike.
+struct request {
+  enum class kind : unsigned char {
+    foreign,     ///< nothing that could be asked for
+    result,      ///< a quantity of the system
+    expressions, ///< phrases of the model one below another, vectors by their components
+    jacobian,    ///< the derivatives of a phrase by symbols
+    sensitivity, ///< how phrases answer to changes of the state, or of the inputs
+  };
+
+  kind what = kind::foreign;
+  quantity wanted{};                          ///< of a result
+  bool is_at_given_rates = false;             ///< with the symbols u̇
+  std::span<const phrase> phrases{};          ///< of the others
+  std::string_view whom = "an expression";    ///< holds the phrases
+  std::span<const describe::token> by{};      ///< of a Jacobian: the symbols
+  bool is_to_inputs = false;                  ///< of a sensitivity
+};
+
+constexpr int rows_of(const phrase& p) { return p.kind == shape::vector ? 3 : 1; }
+
+constexpr extent extent_of(const request& r, const survey& s) {
+  int rows = 0;
+  for (const phrase& p : r.phrases) rows += rows_of(p);
+  switch (r.what) {
+  case request::kind::foreign: break;
+  case request::kind::result: {
+    const mechanics::result_row& row = mechanics::row_of(r.wanted);
+    return {s.count(row.rows), s.count(row.columns), row.rows == mechanics::extent_by::scalar};
+  }
+  case request::kind::expressions:
+    return {rows, 1, r.phrases.size() == 1 && r.phrases[0].kind != shape::vector};
+  case request::kind::jacobian: return {rows, static_cast<int>(r.by.size())};
+  case request::kind::sensitivity: return {rows, r.is_to_inputs ? s.inputs : s.states()};
+  }
+  return {1, 1, true};
+}
+
+/// How far a derivation has to go before this can be formed.
+constexpr mechanics::stage stage_for(const request& r) {
+  switch (r.what) {
+  case request::kind::result: return mechanics::row_of(r.wanted).needs;
+  case request::kind::sensitivity: return mechanics::stage::linearized;
+  case request::kind::foreign:
+  case request::kind::expressions:
+  case request::kind::jacobian: break;
+  }
+  return mechanics::stage::constrained;
+}
+
+/// Reads the entities that a request mentions, before the mechanism is taken as complete.
+constexpr void visit(const request& wanted, reader& r) {
+  if (wanted.what == request::kind::foreign)
+    r.refuse("what a function is asked for is no expression of a model");
+  for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
+}
+
+/// Whether a system has all entities that a request mentions.
+constexpr bool has_all_of(const request& wanted, const reader& r) {
+  for (const phrase& p : wanted.phrases)
+    if (!r.has_all_of(p)) return false;
+  return wanted.what != request::kind::foreign;
+}
+
+namespace detail {
+
+/// The values of phrases one below another, with the symbols q̇ and u̇. A vector counts by its components in
+/// inertial axes, or in those that it was put in.
+constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mechanism& m) {
+  symbolic::matrix column(*m.g, 0, 1);
+  for (const phrase& p : wanted.phrases) {
+    const value v = r.evaluate(p, wanted.whom);
+    if (p.kind != shape::vector || v.kind != shape::vector) {
+      column.entries.push(v.scalar);
+      continue;
+    }
+    const bool is_put_in_axes =
+        p.tokens[p.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
+    const components c =
+        is_put_in_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
+    for (int k = 0; k < 3; ++k) column.entries.push(c[k]);
+  }
+  column.rows = column.entries.size();
+  return column;
+}
+
+constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, const mechanism& m) {
+  const symbolic::matrix values = values_of(wanted, r, m);
+  symbolic::matrix by_symbols(*m.g, values.rows, static_cast<int>(wanted.by.size()));
+  int column = 0;
+  for (const describe::token& t : wanted.by) {
+    const expression by = r.symbol(*t.symbol, wanted.whom);
+    for (int i = 0; i < by_symbols.rows; ++i)
+      by_symbols(i, column) = symbolic::differentiate(values.entries[i], by);
+    ++column;
+  }
+  return by_symbols;
+}
+
+} // namespace detail
+
+/// The result with the symbols q̇ and u̇, where it has them.
+constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mechanics::equations& e) {
+  const mechanism& m = *e.skeleton_used().model;
+  switch (wanted.what) {
+  case request::kind::foreign: break;
+  case request::kind::result:
+    if (wanted.is_at_given_rates) return e.at_given_rates(wanted.wanted);
+    return e.get(wanted.wanted);
+  case request::kind::expressions: return detail::values_of(wanted, r, m);
+  case request::kind::jacobian: return detail::derivatives_of(wanted, r, m);
+  case request::kind::sensitivity: {
+    const mechanics::explicit_linearization l =
+        e.linearized().outputs(detail::values_of(wanted, r, m).entries);
+    return wanted.is_to_inputs ? l.input : l.state;
+  }
+  }
+  return {};
+}
+
+/// The result in the motion that the equations give.
+constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equations& e) {
+  const symbolic::matrix formed = form_with_rates(wanted, r, e);
+  if (wanted.what == request::kind::result) return formed;
+  return e.in_motion(formed);
+}
+
+/// The request that a template argument of a compiled function stands for. This one is foreign.
+template <auto wanted>
+struct requested {
+  static constexpr request value{};
+};
+
+template <quantity wanted>
+struct requested<wanted> {
+  static constexpr request value{.what = request::kind::result, .wanted = wanted};
+};
+
+template <auto wanted>
+  requires requires { describe::shape_of(wanted); }
+struct requested<wanted> {
+  static constexpr phrase words[]{describe::phrase_of<wanted>};
+  static constexpr request value{.what = request::kind::expressions, .phrases = words};
+};
+
+template <int size, int columns, jacobian_matrix<size, columns> wanted>
+struct requested<wanted> {
+  static constexpr phrase words[]{
+      {wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}};
+  static constexpr request value{.what = request::kind::jacobian,
+                                 .phrases = words,
+                                 .whom = "a jacobian",
+                                 .by = wanted.by};
+};
+
+} // namespace kanexpr::derivation

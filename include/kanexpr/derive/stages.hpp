@@ -1,0 +1,83 @@
+#pragma once
+
+#include <kanexpr/derive/check_words.hpp>
+#include <kanexpr/derive/survey.hpp>
+
+/// The derivation of a system in stages, each of which goes on where the one before it was set aside. A stage
+/// is derived when something of it is asked for, and once.
+namespace kanexpr::derivation {
+
+using mechanics::stage;
+
+/// Forms what belongs to a stage, of a system that has come through the one before it.
+constexpr void go_on(derived_system& system, stage to) {
+  switch (to) {
+  case stage::constrained:
+    system.check_model();
+    system.derive();
+    break;
+  case stage::equations: system.equations().get(mechanics::quantity::udot); break;
+  case stage::linearized: system.equations().linearized().explicit_form(); break;
+  }
+}
+
+/// Where a stage ended: at a mistake, or set aside. It has room for any model, so a program must not hold it.
+struct staged {
+  problem mistake{};
+  bool follows_from_unparsed = false; ///< the compiler has told an error about it already
+  image aside{};
+
+  constexpr void take(const derived_system& system, std::string_view called) {
+    mistake = system.mistake();
+    if (mistake) return;
+    system.write(aside);
+    if (aside.is_full) mistake = sentence({called, " is larger than any system that there is room for"});
+  }
+};
+
+/// The first stage, and what is known of a system from then on. With a mistake, what was known before it was
+/// met.
+struct surveyed_stage : staged {
+  survey known{};
+};
+
+template <class System>
+constexpr surveyed_stage survey_of() {
+  surveyed_stage s;
+  s.known.mistake = s.mistake = check_words<System>();
+  s.follows_from_unparsed = describe::is_unparsed<System>();
+  if constexpr (requires { System::record; }) {
+    if (s.mistake) return s;
+    derived_system system(System::record);
+    go_on(system, stage::constrained);
+    s.known.take(system);
+    s.follows_from_unparsed = system.reader().follows_from_unparsed();
+    s.take(system, type_name<System>());
+    if (s.known.symbols() > survey::room && !s.mistake)
+      s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
+  }
+  s.known.mistake = s.mistake;
+  return s;
+}
+
+template <class System>
+constexpr staged next_stage(const staged& before, stage to) {
+  staged s;
+  if constexpr (requires { System::record; }) {
+    if (before.mistake) return s;
+    derived_system system(System::record, before.aside);
+    go_on(system, to);
+    s.take(system, type_name<System>());
+  }
+  return s;
+}
+
+/// The stages of a system. Each constant is evaluated where it is first used.
+template <class System>
+struct stages_of {
+  static constexpr surveyed_stage constrained = survey_of<System>();
+  static constexpr staged equations = next_stage<System>(constrained, stage::equations);
+  static constexpr staged linearized = next_stage<System>(equations, stage::linearized);
+};
+
+} // namespace kanexpr::derivation

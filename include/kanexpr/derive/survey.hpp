@@ -1,0 +1,107 @@
+#pragma once
+
+#include <kanexpr/derive/derived_system.hpp>
+#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+
+namespace kanexpr::derivation {
+
+/// What is known of a system before anything is derived: its symbols in order, and its first mistake.
+struct survey {
+  static constexpr int room = 512;
+
+  problem mistake{};
+  bool takes_rates_as_speeds = false; ///< by Lagrange's method
+  int coordinates = 0;
+  int speeds = 0;
+  int parameters = 0;
+  int inputs = 0;
+  int auxiliary_speeds = 0;
+  int constraints = 0; ///< on the speeds, the rates of configuration constraints among them
+  int configuration_constraints = 0;
+  symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
+  bool dependent[room]{};       ///< by the same order
+  int quaternions = 0;          ///< whose norm 1 the motion keeps
+  int quaternion_of[room]{};    ///< by coordinate: the number of its quaternion, from 1 on; 0: none
+
+  /// Independent coordinates and speeds.
+  constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
+  /// Rates and multipliers in the equations that are linearized.
+  constexpr int unknowns() const { return coordinates + speeds + (takes_rates_as_speeds ? constraints : 0); }
+  constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }
+
+  /// Rows or columns of a result.
+  constexpr int count(mechanics::extent_by what) const {
+    using mechanics::extent_by;
+    switch (what) {
+    case extent_by::scalar:
+    case extent_by::one: return 1;
+    case extent_by::three: return 3;
+    case extent_by::coordinates: return coordinates;
+    case extent_by::speeds: return speeds;
+    case extent_by::coordinates_and_speeds: return coordinates + speeds;
+    case extent_by::independent_speeds: return speeds - constraints;
+    case extent_by::configuration_constraints: return configuration_constraints;
+    case extent_by::speed_constraints: return constraints;
+    case extent_by::all_constraints: return configuration_constraints + constraints;
+    case extent_by::auxiliary_speeds: return auxiliary_speeds;
+    case extent_by::inputs: return inputs;
+    case extent_by::independent_states: return states();
+    case extent_by::unknowns: return unknowns();
+    }
+    return 0;
+  }
+
+  constexpr void take(derived_system& system) {
+    const mechanism& m = system.model();
+    takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
+    coordinates = m.coordinates.size();
+    speeds = m.speeds.size();
+    parameters = m.parameters.size();
+    inputs = m.inputs.size();
+    auxiliary_speeds = m.auxiliary_speeds.size();
+    if (symbols() > room) return;
+    int next = 0;
+    for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
+      for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
+    if (system.mistake()) return;
+    for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
+      ++quaternions;
+      for (int place : places) quaternion_of[place] = quaternions;
+    }
+    if (!system.is_derived()) return;
+    mechanics::equations& e = system.equations();
+    constraints = e.constraints_used().size();
+    configuration_constraints = m.configuration_constraints.size();
+    for (int i : e.coordinates().dependent) dependent[i] = true;
+    for (int i : e.speeds().dependent) dependent[coordinates + i] = true;
+  }
+
+  constexpr int first_of(symbolic::symbol_kind kind) const {
+    switch (kind) {
+    case symbolic::symbol_kind::speed: return coordinates;
+    case symbolic::symbol_kind::parameter: return coordinates + speeds;
+    case symbolic::symbol_kind::input: return coordinates + speeds + parameters;
+    default: return 0;
+    }
+  }
+  constexpr int count_of(symbolic::symbol_kind kind) const {
+    switch (kind) {
+    case symbolic::symbol_kind::coordinate: return coordinates;
+    case symbolic::symbol_kind::coordinate_rate: return takes_rates_as_speeds ? coordinates : 0;
+    case symbolic::symbol_kind::speed: return speeds;
+    case symbolic::symbol_kind::parameter: return parameters;
+    case symbolic::symbol_kind::input: return inputs;
+    default: return 0;
+    }
+  }
+  /// Place of a symbol among those of its kind, or -1. Rates of coordinates are told by the coordinates'
+  /// names.
+  constexpr int place(symbolic::symbol_kind kind, const symbolic::name& called) const {
+    for (int i = 0; i < count_of(kind); ++i)
+      if (names[first_of(kind) + i] == called) return i;
+    return -1;
+  }
+};
+
+} // namespace kanexpr::derivation

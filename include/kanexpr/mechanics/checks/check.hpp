@@ -1,0 +1,179 @@
+#pragma once
+
+#include <kanexpr/mechanics/checks/check_changing_inertia.hpp>
+#include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
+#include <kanexpr/mechanics/checks/check_dyadic.hpp>
+#include <kanexpr/mechanics/checks/check_inertia.hpp>
+#include <kanexpr/mechanics/checks/check_kinematics.hpp>
+#include <kanexpr/mechanics/checks/check_left_out_angles.hpp>
+#include <kanexpr/mechanics/checks/check_loads.hpp>
+#include <kanexpr/mechanics/checks/check_turning.hpp>
+#include <kanexpr/mechanics/checks/prescribed.hpp>
+#include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+
+/// Mistakes that a mechanism can hold, found before anything is derived from it.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// The checks of one mechanism, in the order in which a person would want to hear of mistakes.
+class checking {
+public:
+  constexpr explicit checking(const mechanism& m) : m_(m), held_(*m.g) {}
+
+  constexpr problem run() {
+    if (m_.speeds.empty())
+      return sentence(
+          {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
+    if (m_.bodies.empty() && !m_.has_lagrangian)
+      return sentence({"the system has no particle and no rigid body"});
+    found_ = checking_kinematics(m_, held_).run();
+    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
+    for (const point& p : m_.points) look_at(p);
+    for (const body& b : m_.bodies) look_at(b);
+    if (!found_) found_ = checking_loads(m_, held_).run();
+    if (!found_) found_ = checking_dyadics(m_, held_).run();
+    if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
+    return found_;
+  }
+
+private:
+  using kind = symbolic::symbol_kind;
+
+  constexpr void fail(std::initializer_list<std::string_view> pieces) {
+    if (!found_) found_ = sentence(pieces);
+  }
+
+  /// Geometry may hold coordinates, parameters and time, nothing whose rate is not known.
+  constexpr void geometry(expression e, std::string_view of, const name& whose) {
+    if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
+                                       kind::speed_rate}))
+      return;
+    found_ = check_stillness(m_, held_, e, of, whose.view());
+    inputs(e, 2, of, whose.view());
+  }
+
+  /// Where a quantity is differentiated, its inputs must be prescribed with their derivatives.
+  constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
+    if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
+      fail({of, whose, " holds the input ", u.input, ", whose ", u.what, " is not known"});
+  }
+
+  /// At generic states.
+  constexpr void what_is_declared() {
+    bool declared = false, apart = false;
+    sequence<left_out_angle> angles;
+    for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
+    if (declared) {
+      checking_turning turning(m_, held_);
+      found_ = turning.run();
+      apart = turning.is_any_apart();
+      angles = turning.left_out_angles();
+    }
+    if (!found_) found_ = checking_inertia(m_, held_, apart).run();
+    if (!found_) found_ = checking_left_out_angles(m_, held_, angles).run();
+  }
+
+  constexpr void check_frame(int place) {
+    const frame& f = m_.frames[place];
+    if (f.kind == orientation::about_basis || f.kind == orientation::about_axis)
+      geometry(f.angle, "the angle of frame ", f.called);
+    if (f.kind == orientation::matrix)
+      for (int i = 0; i < 9; ++i) geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
+    if (!found_) found_ = check_direction_cosines(m_, f);
+    if (!f.turns_by_declaration()) return;
+    velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
+    // the frames whose motion this one's is measured from
+    int steps = m_.frames.size(); // a circle that f is not in is told of another frame
+    for (int on = f.reference; on != none && steps > 0; --steps) {
+      const frame& above = m_.frames[on];
+      if (on == place)
+        return fail({"the angular velocity of frame ", f.called.view(), " is given in ",
+                     m_.frames[f.reference].called.view(), ", which turns with ", f.called.view()});
+      on = above.turns_by_declaration() ? above.reference : above.parent;
+    }
+  }
+
+  constexpr void look_at(const point& p) {
+    for (const vector::part& part : p.offset.parts)
+      for (int i = 0; i < 3; ++i) geometry(part.value[i], "the offset of point ", p.called);
+    if (p.moves_by_declaration()) velocity(p.velocity, "the velocity of point ", p.called);
+  }
+
+  constexpr void velocity(const vector& v, std::string_view of, const name& whose) {
+    for (const vector::part& part : v.parts)
+      for (int i = 0; i < 3 && !found_; ++i) {
+        const expression e = part.value[i];
+        inputs(e, 1, of, whose.view());
+        if (held_.holds(e, kind::speed_rate))
+          fail({of, whose.view(), " holds the ",
+                speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
+        if (!found_) found_ = check_linear(m_, held_, e, sentence({of, whose.view()}).view());
+      }
+  }
+
+  constexpr void look_at(const body& b) {
+    const std::string_view called = b.called.view();
+    if (b.mass.is_zero() && !has_inertia(b)) fail({"body ", called, " has no mass"});
+    if (is_negative(b.mass)) fail({"the mass of ", called, " is negative"});
+    mass(b.mass, "the mass of ", called);
+    for (const dyadic::part& p : b.inertia.parts) {
+      for (int i = 0; i < 9; ++i) mass(p.value(i / 3, i % 3), "the inertia of ", called);
+      for (int i = 0; i < 3; ++i)
+        if (b.inertia.parts.size() == 1 && p.left == p.right && p.value(i, i).is_constant() &&
+            m_.g->number_at(p.value(i, i).node()).negative())
+          fail({"a moment of inertia of ", called, " is negative"});
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if (b.inertia.parts.size() == 1 && p.left == p.right &&
+            p.value(i, j).is_zero() != p.value(j, i).is_zero())
+          fail({"the inertia of ", called, " is not symmetric"});
+      }
+    }
+    if (!found_) found_ = check_inertia(m_, b);
+  }
+
+  /// Masses and inertias may change in a known way: with the time, coordinates and prescribed quantities.
+  constexpr void mass(expression e, std::string_view of, std::string_view whose) {
+    const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
+    if (held_.holds(e, kind::speed))
+      return fail(
+          {of, whose, " changes with ", an_article, speed_called(m_, held_.name_of(e, kind::speed)).view()});
+    if (held_.holds(e, kind::speed_rate))
+      return fail({of, whose, " changes with the ",
+                   speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
+    struct word {
+      kind what;
+      std::string_view called;
+    };
+    for (const word& w : {word{kind::auxiliary_speed, " changes with auxiliary speed "},
+                          word{kind::coordinate_rate, " changes with the rate of coordinate "}})
+      if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
+    inputs(e, 1, of, whose);
+  }
+
+  const mechanism& m_;
+  contents held_;
+  problem found_{};
+};
+
+} // namespace detail
+
+/// The first mistake of a mechanism, or nothing.
+constexpr problem check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
+
+/// A mistake that shows only in the mass matrix.
+constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,
+                                    const symbolic::matrix& mass) {
+  for (int i = 0; i < mass.rows; ++i)
+    if (mass(i, i).is_zero()) {
+      const int place = speeds.independent[i];
+      return m.derived_by == method::kane
+                 ? sentence({"speed ", called(m, m.speeds[place]), " moves no mass"})
+                 : sentence({"coordinate ", called(m, m.coordinates[place]), " moves no mass"});
+    }
+  return {};
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/motion/generic_motion.hpp>
+
+/// Inertias that are not constant as their bodies see them.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// Looks at rigid bodies whose inertia is made of numbers and parameters, so that it is meant to stay, and
+/// given in axes, or about a point, that may move in the body. An inertia that changes in a known way holds
+/// what it changes with; any other is told apart by the model.
+class checking_inertia {
+public:
+  /// `apart`: some frame does not turn as its orientation says, so that a body's own axes may move in it.
+  constexpr checking_inertia(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
+    for (int b = 0; b < m.bodies.size(); ++b)
+      if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
+  }
+
+  constexpr problem run() {
+    if (doubtful_.empty()) return {};
+    sequence<expression> wanted;
+    for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
+    generic_motion motion(m_, held_, wanted);
+    for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
+      motion.draw();
+      if (!motion.move()) continue;
+      ++looked; // what stays at one generic state stays at all
+      for (const doubt& d : doubtful_)
+        if (changes(motion, d)) return told(m_.bodies[d.body]);
+    }
+    return {};
+  }
+
+private:
+  struct doubt {
+    int body = none;
+    vector from_center{}; ///< to the point that the inertia is about
+  };
+
+  constexpr problem told(const body& b) const {
+    constexpr std::string_view word = "if that is meant, write changing_inertia<...>";
+    const std::string_view frame = m_.frames[b.frame].called.view();
+    for (const dyadic::part& p : b.inertia.parts)
+      for (int axes : {p.left, p.right})
+        if (axes != b.frame)
+          return sentence({"the inertia of ", b.called.view(), " is given in axes of ",
+                           m_.frames[axes].called.view(), " and changes as seen from ", frame,
+                           ", with which the body turns; ", word});
+    if (b.about != none && b.about != b.center)
+      return sentence({"the inertia of ", b.called.view(), " is given about ",
+                       m_.points[b.about].called.view(), ", which moves in ", frame,
+                       ", with which the body turns; ", word});
+    return sentence({"the inertia of ", b.called.view(),
+                     " is not the same from all sides of the axis about which ", frame,
+                     " turns without an angle; ", word});
+  }
+
+  constexpr bool is_meant_to_stay(const body& b) const {
+    if (b.frame == none || b.inertia_changes || is_apart(b.frame)) return false;
+    for (const dyadic::part& p : b.inertia.parts) {
+      if (is_apart(p.left) || is_apart(p.right) || !held_.is_fixed(p.value)) return false;
+    }
+    return b.about == none || b.about == b.center || held_.is_fixed(b.mass);
+  }
+  /// On purpose, or what it turns in is.
+  constexpr bool is_apart(int f) const {
+    for (; f != mechanism::inertial; f = m_.frames[f].parent)
+      if (m_.frames[f].turns_apart) return true;
+    return false;
+  }
+
+  constexpr bool is_elsewhere(const body& b) const {
+    for (const dyadic::part& p : b.inertia.parts)
+      if (!spins_unseen(p, b.frame) && (!are_rigid(p.left, b.frame) || !are_rigid(p.right, b.frame)))
+        return true;
+    if (b.about == none || b.about == b.center) return false;
+    for (const vector::part& p :
+         (position_from_origin(m_, b.about) - position_from_origin(m_, b.center)).parts)
+      if (!p.value.is_zero() && (!are_rigid(p.frame, b.frame) || !mechanics::is_fixed(p.value))) return true;
+    return false;
+  }
+  /// Whether a frame only spins in the axes of an inertia, about an axis from all sides of which that is the
+  /// same.
+  constexpr bool spins_unseen(const dyadic::part& p, int f) const {
+    const frame& own = m_.frames[f];
+    return own.kind == orientation::about_basis && own.parent == p.left && p.left == p.right &&
+           is_round(p.value, own.axis);
+  }
+  /// Whether nothing turns between two frames.
+  constexpr bool are_rigid(int a, int b) const {
+    const int meeting = path::common_ancestor(m_, a, b);
+    return is_still(a, meeting) && is_still(b, meeting);
+  }
+  constexpr bool is_still(int f, int above) const {
+    for (; f != above; f = m_.frames[f].parent) {
+      const frame& own = m_.frames[f];
+      if (own.turns_by_declaration()) return false;
+      if (own.kind == orientation::matrix ? !held_.is_fixed(own.to_parent) : !held_.is_fixed(own.angle))
+        return false;
+    }
+    return true;
+  }
+
+  /// Whether the body sees a rate of its inertia I = Σ a⊗b: with axes that turn with w in the body,
+  /// İ = Σ (w_a × a)⊗b + a⊗(w_b × b).
+  constexpr bool changes(const generic_motion& motion, const doubt& d) const {
+    const body& b = m_.bodies[d.body];
+    if (!motion.is_proper(b.frame)) return false;
+    const triple own = motion.turning(b.frame);
+    triad rate;
+    double size = 0, turns = length(own);
+    const auto add = [](triad& sum, const triad& other) {
+      sum = {sum.x + other.x, sum.y + other.y, sum.z + other.z};
+    };
+    for (const dyadic::part& p : b.inertia.parts) {
+      if (!motion.is_proper(p.left) || !motion.is_proper(p.right)) return false;
+      const triple left = motion.by_orientation(p.left) - own, right = motion.by_orientation(p.right) - own;
+      turns += length(left) + length(right);
+      for (int i = 0; i < 3; ++i) {
+        const triple a = motion.basis(p.left)[i],
+                     along = motion.basis(p.right) * motion.value(p.value.row[i]);
+        add(rate, outer(cross(left, a), along));
+        add(rate, outer(a, cross(right, along)));
+        size += length(along);
+      }
+    }
+    triple r, moves; // of the point that the inertia is about
+    for (const vector::part& p : d.from_center.parts) {
+      if (!motion.is_proper(p.frame)) return false;
+      const triple part = motion.basis(p.frame) * motion.value(p.value);
+      r = r + part;
+      moves = moves + motion.basis(p.frame) * motion.rate(p.value) +
+              cross(motion.by_orientation(p.frame) - own, part);
+    }
+    if (!d.from_center.parts.empty()) { // I − m (r·r E − r⊗r) is what it is about the mass centre
+      const double mass = motion[b.mass].value, stretch = 2 * dot(r, moves);
+      const triad spread = outer(r, moves), back = outer(moves, r);
+      add(rate, {mass * (spread.x + back.x), mass * (spread.y + back.y), mass * (spread.z + back.z)});
+      add(rate, {{-mass * stretch, 0, 0}, {0, -mass * stretch, 0}, {0, 0, -mass * stretch}});
+      size += symbolic::elementary::abs(mass) * dot(r, r);
+      turns += length(r) > 0 ? length(moves) / length(r) : 0;
+    }
+    // rates that are solved for have fewer digits than what they are solved from
+    return length(rate.x) + length(rate.y) + length(rate.z) > size * (1e-7 * turns + motion.rounding());
+  }
+  /// a⊗b by its columns.
+  static constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }
+
+  const mechanism& m_;
+  const contents& held_;
+  sequence<doubt> doubtful_{};
+};
+
+} // namespace detail
+
+} // namespace kanexpr::mechanics

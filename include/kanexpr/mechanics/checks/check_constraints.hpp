@@ -1,0 +1,214 @@
+#pragma once
+
+#include <kanexpr/mechanics/checks/linearity.hpp>
+#include <kanexpr/mechanics/checks/prescribed.hpp>
+#include <kanexpr/mechanics/constraints/consistent_states.hpp>
+#include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+
+/// Mistakes in constraints: in what they hold, in how many they are, and constraints that are singular in
+/// every configuration.
+namespace kanexpr::mechanics {
+
+/// The derivatives of the configuration constraints by all coordinates.
+constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
+  symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
+  for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
+    symbolic::derivation by_coordinate(*m.g);
+    by_coordinate.set_rate(m.coordinates[j], m.one());
+    for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(m.configuration_constraints[i]);
+  }
+  return jacobian;
+}
+
+/// What the constraints of a model hold.
+constexpr problem check_contents_of_constraints(const mechanism& m) {
+  using kind = symbolic::symbol_kind;
+  if (m.configuration_constraints.empty() && m.velocity_constraints.empty() &&
+      m.acceleration_constraints.empty())
+    return {};
+  const contents held(*m.g);
+  for (int i = 0; i < m.configuration_constraints.size(); ++i) {
+    const expression f = m.configuration_constraints[i];
+    const name which = counted(i + 1);
+    struct word {
+      kind what;
+      std::string_view called;
+    };
+    if (held.holds(f, kind::speed))
+      return sentence({"configuration constraint ", which.view(), " holds the ",
+                       speed_called(m, held.name_of(f, kind::speed)).view(),
+                       "; it may hold coordinates only"});
+    if (held.holds(f, kind::speed_rate))
+      return sentence({"configuration constraint ", which.view(), " holds the ",
+                       speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
+                       "; it may hold coordinates only"});
+    for (const word& w : {word{kind::auxiliary_speed, " holds the auxiliary speed "},
+                          word{kind::coordinate_rate, " holds the rate of coordinate "}})
+      if (held.holds(f, w.what))
+        return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
+                         "; it may hold coordinates only"});
+    if (const unknown_derivative u = find_unknown_derivative(m, held, f, 2))
+      return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
+                       u.what, " is not known"});
+    if (!held.holds(f, kind::coordinate))
+      return sentence({"configuration constraint ", which.view(), " holds no coordinate"});
+  }
+  for (int i = 0; i < m.velocity_constraints.size(); ++i) {
+    const expression v = m.velocity_constraints[i].value;
+    const name which = counted(i + 1);
+    if (held.holds(v, kind::speed_rate))
+      return sentence({"velocity constraint ", which.view(), " holds the ",
+                       speed_rate_called(m, held.name_of(v, kind::speed_rate)).view()});
+    if (const unknown_derivative u = find_unknown_derivative(m, held, v, 1))
+      return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
+                       " is not known"});
+    if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
+      return sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
+    const problem not_linear =
+        check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
+    if (not_linear) return not_linear;
+  }
+  return {};
+}
+
+namespace detail {
+
+/// Whether a configuration constraint whose derivatives are said by those before it is false where they hold.
+constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
+                                         const symbolic::matrix& configuration, int i) {
+  const sequence<expression> said{s.model->configuration_constraints[i]};
+  consistent_states states(s, configuration, i, c, 0, said);
+  return first_that_never_vanishes(states, said) == 0;
+}
+
+/// The same of one on the velocities.
+constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
+                                      const symbolic::matrix& configuration, int i) {
+  const sequence<expression> said{c.on_velocities[i].value};
+  consistent_states states(s, configuration, configuration.rows, c, i, said);
+  return first_that_never_vanishes(states, said) == 0;
+}
+
+/// The rates of configuration constraints that are left out because velocity constraints bind the same.
+constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
+                                       const symbolic::matrix& configuration) {
+  if (c.repeated.empty()) return {};
+  consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
+  if (first_that_never_vanishes(anywhere, c.repeated) == none) return {}; // as most, in any configuration
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
+  const int i = first_that_never_vanishes(states, c.repeated);
+  if (i == none) return {};
+  const bool single = s.model->velocity_constraints.size() == 1;
+  return sentence({single ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
+                   " the rate of configuration constraint ", counted(c.repeats[i] + 1).view()});
+}
+
+} // namespace detail
+
+/// Constraints that leave nothing to move, that say nothing that those before them have not said, or that
+/// contradict them. Both Jacobians are given at generic states too, equilibrated.
+constexpr problem check_constraints(const skeleton& s, const constraints& c,
+                                    const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                    const sequence<numbers>& by_u) {
+  const mechanism& m = *s.model;
+  const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
+  if (configuration.rows > coordinates)
+    return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
+                     several(coordinates, "coordinate").view()});
+  const sequence<char> holds = independent_rows(by_q, configuration.rows);
+  for (int i = 0; i < configuration.rows; ++i)
+    if (holds[i] == 0)
+      return sentence({"configuration constraint ", counted(i + 1).view(),
+                       i == 0 ? " binds no coordinate in any configuration"
+                       : detail::contradicts_configuration(s, c, configuration, i)
+                           ? " contradicts those before it"
+                           : " follows from those before it in every configuration"});
+  for (int i = 0; i < c.size(); ++i) {
+    bool moves = false;
+    for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
+    if (moves) continue;
+    if (c.of_configuration[i] == none)
+      return sentence({"velocity constraint ", counted(i + 1).view(), " holds no ", a_speed(m)});
+    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
+                     " holds no ", a_speed(m)});
+  }
+  if (c.size() > speeds)
+    return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
+                     several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view()});
+  const sequence<char> binds = independent_rows(by_u, c.size());
+  for (int i = 0; i < c.size(); ++i) {
+    if (binds[i] != 0) continue;
+    const bool is_false = i > 0 && detail::contradicts_velocities(s, c, configuration, i);
+    if (c.of_configuration[i] == none)
+      return sentence({"velocity constraint ", counted(i + 1).view(),
+                       i == 0     ? " binds no "
+                       : is_false ? " contradicts those before it"
+                                  : " follows from those before it in every configuration",
+                       i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
+    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
+                     is_false ? " contradicts the other constraints"
+                              : " follows from the other constraints in every configuration"});
+  }
+  if (const problem contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
+  if (c.size() == speeds && speeds > 0)
+    return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
+  return {};
+}
+
+namespace detail {
+
+/// Whether rows can be solved for some columns in any configuration at all.
+constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int>& columns) {
+  sequence<numbers> chosen;
+  for (const numbers& state : states) {
+    numbers part{state.rows, columns.size(), {}};
+    for (int i = 0; i < state.rows; ++i)
+      for (int j : columns) part.entries.push(state(i, j));
+    chosen.push(part);
+  }
+  for (char independent : independent_rows(equilibrated(chosen), columns.size()))
+    if (independent == 0) return false;
+  return true;
+}
+
+} // namespace detail
+
+/// The dependent speeds and coordinates that the user chose; both Jacobians are given as above.
+constexpr problem check_choice(const mechanism& m, const constraints& c,
+                               const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                               const sequence<numbers>& by_u) {
+  for (int j : m.dependent_speeds) {
+    bool appears = false;
+    for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();
+    if (!appears)
+      return sentence(
+          {"dependent ", speed_called(m, called(m, m.speeds[j])).view(), " appears in no constraint"});
+  }
+  for (int j : m.dependent_coordinates) {
+    bool appears = false;
+    for (int i = 0; i < configuration.rows; ++i) appears = appears || !configuration(i, j).is_zero();
+    if (!appears)
+      return sentence(
+          {"dependent coordinate ", called(m, m.coordinates[j]), " appears in no configuration constraint"});
+  }
+  const int bound = m.dependent_speeds.size(), placed = m.dependent_coordinates.size();
+  if (bound != 0 && bound != c.size())
+    return sentence(
+        {several(bound, m.derived_by == method::kane ? "dependent speed" : "dependent rate").view(), " for ",
+         several(c.size(), "constraint", " on the velocities").view(), ": there must be as many"});
+  if (placed != 0 && placed != configuration.rows)
+    return sentence({several(placed, "dependent coordinate").view(), " for ",
+                     several(configuration.rows, "configuration constraint").view(),
+                     ": there must be as many"});
+  if (bound != 0 && !detail::can_be_solved(by_u, m.dependent_speeds))
+    return sentence({"the constraints cannot be solved for the dependent ",
+                     speeds_called(m, m.dependent_speeds).view(), " in any configuration"});
+  if (placed != 0 && !detail::can_be_solved(by_q, m.dependent_coordinates))
+    return sentence({"the configuration constraints cannot be solved for the dependent ",
+                     enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),
+                     " in any configuration"});
+  return {};
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/mechanics/checks/negative.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
+
+/// Inertias that no body has, as far as they are numbers.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+struct numeric_inertia {
+  double at[3][3]{};
+  bool known = true;
+
+  constexpr numeric_inertia() = default;
+  constexpr explicit numeric_inertia(const matrix3& m) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        known = known && m(i, j).is_constant();
+        if (known) at[i][j] = m(i, j).owner().number_at(m(i, j).node()).value();
+      }
+  }
+  constexpr double largest() const {
+    double most = 0;
+    for (const auto& row : at)
+      for (double e : row)
+        if (symbolic::elementary::abs(e) > most) most = symbolic::elementary::abs(e);
+    return most;
+  }
+  constexpr void scale(double by) {
+    for (auto& row : at)
+      for (double& e : row) e *= by;
+  }
+  /// What is left of it about the mass centre, at −r of the point that it is about.
+  constexpr void move_to_center(double mass, const double (&r)[3]) {
+    const double square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) at[i][j] -= mass * ((i == j ? square : 0) - r[i] * r[j]);
+  }
+  constexpr double trace() const { return at[0][0] + at[1][1] + at[2][2]; }
+  constexpr bool symmetric() const {
+    for (int i = 0; i < 3; ++i)
+      if (symbolic::elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
+    return true;
+  }
+  /// Whether this·factor + shift·E has positive principal values only, by its leading minors.
+  constexpr bool positive(double factor, double shift) const {
+    double a[3][3]{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) a[i][j] = factor * at[i][j] + (i == j ? shift : 0);
+    const double minor = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    const double whole = a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+                         a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+                         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+    return a[0][0] > 0 && minor > 0 && whole > 0;
+  }
+};
+
+/// The way from a body's mass centre to the point that its inertia is about, if that is numbers in the axes
+/// of the inertia, and the mass is one.
+struct numeric_way {
+  bool known = false;
+  double mass = 0;
+  double r[3]{};
+
+  constexpr numeric_way() = default;
+  constexpr numeric_way(const mechanism& m, const body& b, int axes) {
+    if (b.about == none || b.about == b.center || !b.mass.is_constant()) return;
+    sequence<int> above; // points from which the mass centre is offset
+    for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
+    int common = b.about;
+    vector way;
+    for (; common != none && !above.contains(common); common = m.points[common].parent)
+      way.add(m.points[common].offset);
+    if (common == none) return;
+    for (int p = b.center; p != common; p = m.points[p].parent) way.subtract(m.points[p].offset);
+    mass = m.g->number_at(b.mass.node()).value();
+    for (const vector::part& p : way.parts)
+      for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
+        if (p.frame != axes || !p.value[i].is_constant()) return;
+        r[i] = m.g->number_at(p.value[i].node()).value();
+        if (symbolic::elementary::abs(r[i]) > 1e30) return; // whose square might overflow
+      }
+    known = mass < 1e30;
+  }
+};
+
+/// Of an inertia whose largest entry is 1, and was `largest` before.
+constexpr problem check_principal_values(const mechanism& m, const body& b, numeric_inertia inertia,
+                                         double largest, const numeric_way& way) {
+  const std::string_view called = b.called.view();
+  if (!inertia.positive(1, 1e-9))
+    return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
+  constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
+  const double whole = inertia.trace();
+  bool is_given[3]{}, is_planar = false; // of a planar motion one moment matters, and others are left zero
+  for (int i = 0; i < 3; ++i) {
+    is_given[i] = symbolic::elementary::abs(inertia.at[i][i]) > 1e-12;
+    is_planar = is_planar || !is_given[i];
+  }
+  if (way.known) inertia.move_to_center(way.mass / largest, way.r);
+  bool is_too_small = way.known && !is_planar && !inertia.positive(1, rounded * whole);
+  for (int i = 0; i < 3; ++i)
+    is_too_small = is_too_small || (way.known && is_given[i] && inertia.at[i][i] < -rounded * whole);
+  if (is_too_small)
+    return sentence({"the inertia of ", called, " about ", m.points[b.about].called.view(),
+                     " is less than what its mass alone has there"});
+  if (!is_planar && !inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
+    return sentence({"the inertia of ", called,
+                     " is that of no body: one principal moment is larger than the other two together; if it "
+                     "is meant, write effective_inertia<...> around it"});
+  return {};
+}
+
+} // namespace detail
+
+constexpr bool has_inertia(const body& b) {
+  for (const dyadic::part& p : b.inertia.parts)
+    for (int i = 0; i < 9; ++i)
+      if (!p.value(i / 3, i % 3).is_zero()) return true;
+  return false;
+}
+
+/// An inertia that is negative about some axis, or of which one principal moment is larger than the other two
+/// together: Σ m (½ tr E − I), the second moments of the mass, would be negative.
+constexpr problem check_inertia(const mechanism& m, const body& b) {
+  if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
+  const matrix3& given = b.inertia.parts[0].value;
+  const std::string_view called = b.called.view();
+  for (int i = 0; i < 3; ++i)
+    if (is_negative(given(i, i))) return sentence({"a moment of inertia of ", called, " is negative"});
+  detail::numeric_inertia inertia(given);
+  const double largest = inertia.known ? inertia.largest() : 0;
+  if (!(largest > 1e-100)) return {};
+  inertia.scale(1 / largest);
+  if (!inertia.symmetric()) return sentence({"the inertia of ", called, " is not symmetric"});
+  if (b.effective) return {};
+  return detail::check_principal_values(m, b, inertia, largest,
+                                        detail::numeric_way(m, b, b.inertia.parts[0].left));
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <kanexpr/mechanics/checks/linearity.hpp>
+#include <kanexpr/mechanics/checks/prescribed.hpp>
+#include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
+
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// The checks of the kinematic differential equations. The coordinate rates that an equation holds are
+/// collected once; coefficients are formed only for equations that are truly coupled, or that do not look
+/// linear.
+class checking_kinematics {
+public:
+  constexpr checking_kinematics(const mechanism& m, const contents& c) : m_(m), c_(c) {
+    for (const expression& e : m.kinematics) {
+      sequence<int> held;
+      c.collect(e, kind::coordinate_rate, held);
+      rates_.push(held);
+    }
+  }
+
+  constexpr problem run() {
+    each_symbol_appears();
+    if (!found_) counts();
+    for (const expression& e : m_.kinematics)
+      if (!found_) form(e);
+    if (!found_) solvable();
+    return found_;
+  }
+
+private:
+  using kind = symbolic::symbol_kind;
+
+  constexpr void fail(std::initializer_list<std::string_view> pieces) {
+    if (!found_) found_ = sentence(pieces);
+  }
+  constexpr std::string_view called(expression symbol) const {
+    return m_.g->symbol_at(symbol.node()).called.view();
+  }
+
+  /// A speed need not be made of coordinate rates: the spin of a wheel whose angle matters to nothing is said
+  /// by an angular velocity alone.
+  constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
+    for (const vector::part& p : declared.parts)
+      for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);
+  }
+
+  constexpr void each_symbol_appears() {
+    sequence<char> seen(m_.g->size(), 0);
+    sequence<int> speeds;
+    for (const expression& e : m_.kinematics) c_.collect(e, kind::speed, speeds);
+    for (const frame& f : m_.frames) collect_speeds(f.angular_velocity, speeds);
+    for (const point& p : m_.points) collect_speeds(p.velocity, speeds);
+    for (int id : speeds) seen[id] = 1;
+    for (const sequence<int>& held : rates_)
+      for (int id : held) seen[id] = 1;
+    for (const expression& q : m_.coordinate_rates)
+      if (seen[q.node()] == 0)
+        return fail({"coordinate ", called(q), " has its rate in no kinematic differential equation"});
+    for (const expression& u : m_.speeds)
+      if (seen[u.node()] == 0)
+        return fail({"speed ", called(u), " appears in no kinematic differential equation"});
+  }
+
+  constexpr void counts() {
+    const int equations = m_.kinematics.size(), coordinates = m_.coordinates.size();
+    if (equations == coordinates) return;
+    name e, q;
+    e.append(equations), q.append(coordinates);
+    fail({"there must be as many kinematic differential equations as coordinates, and there are ", e.view(),
+          " for ", q.view()});
+  }
+
+  constexpr void form(expression e) {
+    if (c_.holds(e, kind::speed_rate))
+      return fail(
+          {"a kinematic differential equation holds the rate of speed ", c_.name_of(e, kind::speed_rate)});
+    if (c_.holds(e, kind::auxiliary_speed))
+      return fail({"a kinematic differential equation holds the auxiliary speed ",
+                   c_.name_of(e, kind::auxiliary_speed)});
+    if (const unknown_derivative u = find_unknown_derivative(m_, c_, e, 1))
+      return fail({"a kinematic differential equation holds the input ", u.input, ", whose ", u.what,
+                   " is not known"});
+    found_ = check_linear(m_, c_, e, "a kinematic differential equation");
+  }
+
+  /// Equations with one unknown rate are solved one after another; what is left hangs together.
+  constexpr void solvable() {
+    const int n = m_.coordinates.size();
+    sequence<int> solved;
+    sequence<char> done(n, 0);
+    for (bool progress = true; progress;) {
+      progress = false;
+      for (int i = 0; i < n; ++i) {
+        int unknowns = 0, only = none;
+        for (int id : rates_[i])
+          if (!solved.contains(id)) ++unknowns, only = id;
+        if (done[i] != 0 || unknowns != 1) continue;
+        solved.push(only);
+        done[i] = 1;
+        progress = true;
+      }
+    }
+    if (solved.size() == n) return;
+    const linear_kinematics k = linear_in_rates(m_);
+    sequence<sequence<int>> rates_of_equation;
+    for (int i = 0; i < n; ++i) {
+      sequence<int> held;
+      for (int j = 0; j < n; ++j)
+        if (!k.k_rates(i, j).is_zero()) held.push(j);
+      rates_of_equation.push(held);
+    }
+    const symbolic::block_triangular_form form(rates_of_equation);
+    sequence<char> has_equation(n, 0);
+    for (const symbolic::coupled_part& part : form.parts()) {
+      if (!is_regular(k, part)) return cannot_solve(part.columns[0]);
+      for (int j : part.columns) has_equation[j] = 1;
+    }
+    if (!form.is_regular()) cannot_solve(has_equation.find(0));
+  }
+
+  /// In some configuration at least.
+  constexpr bool is_regular(const linear_kinematics& k, const symbolic::coupled_part& part) const {
+    const int size = part.rows.size();
+    if (size == 1) return true;
+    symbolic::matrix a(*m_.g, size, size);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j) a(i, j) = k.k_rates(part.rows[i], part.columns[j]);
+    return has_independent_rows(a, m_);
+  }
+
+  constexpr void cannot_solve(int rate) {
+    fail({"the kinematic differential equations cannot be solved for the rate of coordinate ",
+          called(m_.coordinates[rate])});
+  }
+
+  const mechanism& m_;
+  const contents& c_;
+  sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates that each equation holds
+  problem found_{};
+};
+
+} // namespace detail
+
+} // namespace kanexpr::mechanics

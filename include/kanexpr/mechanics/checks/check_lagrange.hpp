@@ -1,0 +1,148 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/mechanics/checks/check_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/lagrange.hpp>
+#include <kanexpr/mechanics/skeleton/turning.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+
+/// Mistakes that Lagrange's method alone minds.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// Whether expressions vanish in every configuration, up to rounding.
+constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
+  symbolic::matrix a(*m.g, all.size(), 1);
+  a.entries = all;
+  for (const numbers& state : at_generic_states(a, &m))
+    for (double e : state.entries)
+      if (!numeric::equal(e, 0.0)) return false;
+  return true;
+}
+
+/// The checks of one mechanism. Kane's method takes velocities as they are declared; here they must be the
+/// rates of positions and orientations, for the kinetic energy is differentiated by these.
+class checking_lagrange {
+public:
+  constexpr explicit checking_lagrange(motion& k)
+      : k_(k), s_(k.skeleton_used()), m_(*s_.model), held_(*m_.g) {}
+
+  constexpr problem run() {
+    if (m_.has_lagrangian) check_lagrangian();
+    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_turning(f);
+    for (const body& b : m_.bodies) {
+      if (found_) break;
+      check_velocity(b);
+      check_mass(b);
+    }
+    return found_;
+  }
+
+private:
+  using kind = symbolic::symbol_kind;
+
+  constexpr void fail(std::initializer_list<std::string_view> pieces) {
+    if (!found_) found_ = sentence(pieces);
+  }
+
+  constexpr void check_lagrangian() {
+    const expression l = m_.lagrangian;
+    if (held_.holds(l, kind::speed_rate))
+      return fail(
+          {"the Lagrangian holds the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
+    if (m_.has_gravity)
+      return fail({"gravity acts on bodies, and a Lagrangian stands in their place; it holds their potential "
+                   "energy"});
+    for (const expression& p : gradient_of(m_, l).momenta)
+      if (const unknown_derivative u = find_unknown_derivative(m_, contents(*m_.g), p, 1))
+        return fail({"a derivative of the Lagrangian by a rate holds the input ", u.input, ", whose ", u.what,
+                     " is not known"});
+  }
+
+  /// A declared angular velocity against that of the orientation.
+  constexpr void check_turning(int place) {
+    if (!m_.frames[place].turns_by_declaration()) return;
+    symbolic::derivation along_time = time_derivative(m_, m_.speeds);
+    symbolic::substitution at_norm_one(*m_.g);
+    components w =
+        express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
+    for (int f = place; f != mechanism::inertial; f = m_.frames[f].parent) {
+      w -= express(m_, turning_of_orientation(m_, f, along_time), mechanism::inertial);
+      normalize(m_.frames[f].quaternion, at_norm_one, along_time);
+    }
+    if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
+      fail({"the declared angular velocity of frame ", m_.frames[place].called.view(),
+            " is not that of its orientation, which Lagrange's method differentiates"});
+  }
+
+  /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
+  constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
+                           symbolic::derivation& along_time) const {
+    expression squares = m_.zero();
+    for (const expression& e : quaternion) squares += e * e;
+    for (const expression& e : quaternion)
+      for (int i = 0; i < m_.coordinates.size(); ++i)
+        if (m_.coordinates[i].node() == e.node()) {
+          const expression of_norm_one = e / sqrt(squares);
+          at_norm_one.replace(e, of_norm_one);
+          at_norm_one.replace(m_.speeds[i], along_time.of(of_norm_one));
+        }
+  }
+
+  constexpr void check_velocity(const body& b) {
+    bool declared = false;
+    for (int p = b.center; p != none; p = m_.points[p].parent)
+      declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
+    if (!declared) return;
+    const node& at = s_.nodes[s_.node_of_point[b.center]];
+    const int ground = mechanism::inertial;
+    components v = express(m_, k_.velocity(s_.node_of_point[b.center]), s_.working_axes[at.axes], ground);
+    v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
+    if (!vanish(m_, {v.x, v.y, v.z}))
+      fail({"the velocity of ", b.called.view(),
+            " is not the rate of its position, which Lagrange's method differentiates"});
+  }
+
+  /// Forces are rates of momentum where masses change; with coordinates, T's derivatives say something else.
+  constexpr void check_mass(const body& b) {
+    constexpr std::string_view tail = "; in Lagrange's method it may change with time only";
+    if (held_.holds(b.mass, kind::coordinate))
+      return fail({"the mass of ", b.called.view(), " changes with coordinate ",
+                   held_.name_of(b.mass, kind::coordinate), tail});
+    if (b.frame == none || has_plain_inertia(b)) return;
+    const symmetric inertia = central_inertia(m_, b, b.frame);
+    for (const expression& q : m_.coordinates) {
+      sequence<expression> changes;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) changes.push(symbolic::differentiate(inertia(i, j), q));
+      if (!vanish(m_, changes))
+        return fail({"the inertia of ", b.called.view(), " changes with coordinate ", called(m_, q), tail});
+    }
+  }
+
+  /// In the body's own axes, about its mass centre, without coordinates.
+  constexpr bool has_plain_inertia(const body& b) const {
+    if (b.about != none && b.about != b.center) return false;
+    for (const dyadic::part& p : b.inertia.parts) {
+      if (s_.rigid_with[p.left] != s_.rigid_with[b.frame] || s_.rigid_with[p.right] != s_.rigid_with[b.frame])
+        return false;
+      for (int i = 0; i < 9; ++i)
+        if (held_.holds(p.value(i / 3, i % 3), kind::coordinate)) return false;
+    }
+    return true;
+  }
+
+  motion& k_;
+  const skeleton& s_;
+  const mechanism& m_;
+  contents held_;
+  problem found_{};
+};
+
+} // namespace detail
+
+/// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
+constexpr problem check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/mechanics/model/inertia.hpp>
+#include <kanexpr/mechanics/motion/generic_motion.hpp>
+
+/// Angular velocities that are declared, against those of orientations.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// What a frame turns about apart from its orientation, in its own axes: more than one axis if not by a
+/// single angle.
+struct left_out_angle {
+  int frame = none;
+  span_of_triples axes{};
+};
+
+/// An equality that holds at one generic state holds at all; axes that stay are looked for at three.
+///
+/// What of a declared angular velocity the orientation does not say has to be the spin of angles that the
+/// orientation leaves out, as that of a wheel that is the same from all sides. One such angle turns about an
+/// axis that is fixed in the frame, and about which the frame's own angles do not turn it.
+class checking_turning {
+public:
+  constexpr checking_turning(const mechanism& m, const contents& held)
+      : m_(m), held_(held), motion_(m, held) {
+    for (int f = 0; f < m.frames.size(); ++f)
+      if (m.frames[f].turns_by_declaration())
+        declared_.push({.frame = f, .all = {}, .bound = {}, .free = {}, .by_angles = {}, .before = {}});
+  }
+
+  constexpr problem run() {
+    bool open = false;  // whether something is to be explained
+    bool moves = false; // whether its axis may move in a frame
+    for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
+      motion_.draw();
+      if (motion_.has_free_speeds() && !take(false)) continue;
+      if (take(true)) ++looked;
+      for (const turning& t : declared_) {
+        is_any_apart_ = is_any_apart_ || t.all.size() != 0;
+        open = open || t.bound.size() != 0;
+        moves = moves || (t.all.size() != 0 && !is_wheel(t.frame));
+      }
+    }
+    if (open)
+      for (int rates = 0; rates < 4; ++rates)
+        if (motion_.move_freely())
+          for (turning& t : declared_) t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
+    for (const turning& t : declared_)
+      if (!m_.frames[t.frame].turns_apart && !is_explained(t))
+        return sentence(
+            {"the angular velocity of frame ", called(t.frame),
+             " is not that of its orientation, and no angle that is left out explains it; if that "
+             "is meant, write angular_velocity_apart_from_orientation<...>"});
+    return {};
+  }
+
+  constexpr bool is_any_apart() const { return is_any_apart_; }
+
+  constexpr sequence<left_out_angle> left_out_angles() const {
+    sequence<left_out_angle> found;
+    for (const turning& t : declared_)
+      if (t.all.size() != 0 && !m_.frames[t.frame].turns_apart) found.push({t.frame, t.all});
+    return found;
+  }
+
+private:
+  /// Of a frame, in its own axes at all states.
+  struct turning {
+    int frame = none;
+    span_of_triples all{};       ///< what its orientation does not say of its angular velocity
+    span_of_triples bound{};     ///< the same without speeds that stand in no kinematic equation
+    span_of_triples free{};      ///< what these speeds make of it
+    span_of_triples by_angles{}; ///< what its orientation can turn about in its reference, at one state
+    triple before{};
+  };
+
+  constexpr std::string_view called(int f) const { return m_.frames[f].called.view(); }
+
+  /// In the reference.
+  constexpr triple by_orientation(int f) const {
+    return motion_.by_orientation(f) - motion_.by_orientation(m_.frames[f].reference);
+  }
+  constexpr triple in_own_axes(int f, triple v) const { return motion_.basis(f).along(v); }
+
+  constexpr bool take(bool with_free_speeds) {
+    if (!motion_.move(with_free_speeds)) return false;
+    for (turning& t : declared_) {
+      const int reference = m_.frames[t.frame].reference;
+      if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
+      const triple said = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
+                   below = motion_.by_orientation(reference);
+      const double rounding = 1e-9 * (length(said) + length(own) + length(below)) + motion_.rounding();
+      const triple left = in_own_axes(t.frame, said - (own - below));
+      if (!with_free_speeds) t.before = left;
+      if (length(left) > rounding) (with_free_speeds ? t.all : t.bound).add(left);
+      if (with_free_speeds && !motion_.has_free_speeds() && length(left) > rounding) t.bound.add(left);
+      if (with_free_speeds && motion_.has_free_speeds() && length(left - t.before) > rounding)
+        t.free.add(left - t.before);
+    }
+    return true;
+  }
+
+  constexpr bool is_explained(const turning& t) const {
+    // by two speeds of its own the orientation is unknown, and other checks ask what depends on it
+    if (t.bound.size() == 0 || t.free.size() > 1) return true;
+    const bool own_is_fixed = is_fixed_in_parent(t.frame);
+    if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);
+    return own_is_fixed && (t.by_angles.size() == 0 || is_ball(t.frame));
+  }
+
+  /// Whether a frame says nothing but that it spins about an axis of its parent.
+  constexpr bool is_wheel(int place) const {
+    const frame& f = m_.frames[place];
+    if (f.kind != orientation::about_basis || f.reference != f.parent || !is_fixed_in_parent(place))
+      return false;
+    for (const vector::part& p : f.angular_velocity.parts) {
+      if (p.frame != place && p.frame != f.parent) return false;
+      for (int i = 0; i < 3; ++i)
+        if (i != f.axis && !p.value[i].is_zero()) return false;
+    }
+    return true;
+  }
+
+  constexpr bool is_fixed_in_parent(int place) const {
+    const frame& f = m_.frames[place];
+    return f.kind == orientation::matrix ? held_.is_fixed(f.to_parent) : held_.is_fixed(f.angle);
+  }
+
+  /// Whether what moves with a frame is the same from all sides, so that none of its angles matters.
+  constexpr bool is_ball(int f) const {
+    bool any = false;
+    for (const body& b : m_.bodies) {
+      if (b.frame != f) continue;
+      any = true;
+      if (b.inertia.parts.size() != 1) return false;
+      const dyadic::part& p = b.inertia.parts[0];
+      if (p.left != p.right || !is_round(p.value, 0) || !is_round(p.value, 1)) return false;
+    }
+    return any;
+  }
+
+  const mechanism& m_;
+  const contents& held_;
+  generic_motion motion_;
+  sequence<turning> declared_{};
+  bool is_any_apart_ = false;
+};
+
+} // namespace detail
+
+} // namespace kanexpr::mechanics

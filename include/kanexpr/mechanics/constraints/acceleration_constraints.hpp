@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/consistent_states.hpp>
+#include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+
+/// Acceleration constraints that the model gives in place of the derivatives of its velocity constraints.
+namespace kanexpr::mechanics {
+
+/// J_a u̇ + γ_a = 0.
+struct linear_accelerations {
+  symbolic::matrix jacobian;
+  sequence<expression> bias;
+};
+
+constexpr linear_accelerations linear_in_speed_rates(const skeleton& s) {
+  const mechanism& m = *s.model;
+  known_rates known(m, s.coordinate_rates);
+  symbolic::substitution at_rest(*m.g);
+  for (const expression& rate : m.speed_rates) at_rest.replace(rate, m.zero());
+  linear_accelerations out{symbolic::matrix(*m.g, m.acceleration_constraints.size(), m.speeds.size()), {}};
+  symbolic::derivation by_rate(*m.g);
+  for (int j = 0; j < m.speeds.size(); ++j) {
+    by_rate.restart();
+    by_rate.set_rate(m.speed_rates[j], m.one());
+    for (int i = 0; i < out.jacobian.rows; ++i)
+      out.jacobian(i, j) = known.in(by_rate.of(m.acceleration_constraints[i]));
+  }
+  for (const expression& e : m.acceleration_constraints) out.bias.push(at_rest.in(known.in(e)));
+  return out;
+}
+
+/// b̄ in u̇_d = A u̇_i + b̄.
+constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, const linear_accelerations& a,
+                                                                   const partition& speeds) {
+  symbolic::matrix right(g, a.jacobian.rows, 1);
+  for (int i = 0; i < right.rows; ++i) right(i, 0) = -a.bias[i];
+  return symbolic::solve_linear(g, detail::columns_of(g, a.jacobian, speeds.dependent), right, a.jacobian);
+}
+
+/// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
+/// these hold.
+constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c,
+                                                 const symbolic::matrix& configuration) {
+  const mechanism& m = *s.model;
+  if (m.acceleration_constraints.empty()) return {};
+  const contents held(*m.g);
+  for (int i = 0; i < m.acceleration_constraints.size(); ++i) {
+    const expression e = m.acceleration_constraints[i];
+    const name which = counted(i + 1);
+    if (!held.holds(e, symbolic::symbol_kind::speed_rate))
+      return sentence({"acceleration constraint ", which.view(),
+                       m.derived_by == method::kane ? " holds no rate of a speed"
+                                                    : " holds no second derivative of a coordinate"});
+    if (held.holds(e, symbolic::symbol_kind::auxiliary_speed))
+      return sentence({"acceleration constraint ", which.view(), " holds the auxiliary speed ",
+                       held.name_of(e, symbolic::symbol_kind::auxiliary_speed)});
+    for (const expression& rate : m.speed_rates)
+      if (const expression slope = symbolic::differentiate(e, rate);
+          contents(*m.g).holds(slope, symbolic::symbol_kind::speed_rate))
+        return sentence({"acceleration constraint ", which.view(), " is not linear in the ",
+                         speed_rate_called(m, called(m, rate)).view()});
+  }
+  if (m.acceleration_constraints.size() != c.size())
+    return sentence({several(m.acceleration_constraints.size(), "acceleration constraint").view(), " for ",
+                     several(c.size(), "constraint", " on the velocities").view(),
+                     ": there must be as many"});
+  const symbolic::matrix given = linear_in_speed_rates(s).jacobian;
+  symbolic::matrix all(*m.g, 2 * c.size(), m.speeds.size());
+  for (int i = 0; i < all.rows; ++i)
+    for (int j = 0; j < all.columns; ++j)
+      all(i, j) = i < c.size() ? c.jacobian(i, j) : given(i - c.size(), j);
+  const sequence<char> adds = independent_rows(all, s.model);
+  for (int i = 0; i < c.size(); ++i)
+    if (adds[c.size() + i] != 0)
+      return sentence({"acceleration constraint ", counted(i + 1).view(),
+                       " does not follow from the constraints on the velocities"});
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), m.acceleration_constraints,
+                           true);
+  const int i = first_that_never_vanishes(states, m.acceleration_constraints);
+  if (i == none) return {};
+  return sentence({"acceleration constraint ", counted(i + 1).view(),
+                   " is not the rate of the constraints on the velocities: its part without rates of speeds "
+                   "differs where they hold"});
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// The derivatives of functions that give quaternions norm 1 first, from those by all coordinates at norm 1.
+constexpr void leave_norms_out(const mechanism& m, symbolic::matrix& by_all) {
+  for (const sequence<int>& places : unit_quaternions(m))
+    for (int i = 0; i < by_all.rows; ++i) {
+      expression along = m.zero();
+      for (int place : places) along += by_all(i, place) * m.coordinates[place];
+      for (int place : places) by_all(i, place) -= along * m.coordinates[place];
+    }
+}
+
+/// Whether a constraint is solved for a coordinate of a frame's quaternion.
+constexpr bool binds_quaternion(const mechanism& m, const partition& coordinates) {
+  for (const frame& f : m.frames)
+    for (const expression& entry : f.quaternion)
+      for (int dependent : coordinates.dependent)
+        if (entry == m.coordinates[dependent]) return true;
+  return false;
+}
+
+} // namespace detail
+
+/// The step of Newton's method for the dependent coordinates: what is added to them so that the configuration
+/// constraints, linearized, hold. Quaternions have norm 1 there, and go on having it.
+constexpr symbolic::linear_solution configuration_step(const mechanism& m, symbolic::matrix by_all,
+                                                       const partition& coordinates) {
+  if (detail::binds_quaternion(m, coordinates)) detail::leave_norms_out(m, by_all);
+  symbolic::matrix right(*m.g, by_all.rows, 1);
+  for (int i = 0; i < right.rows; ++i) right(i, 0) = -m.configuration_constraints[i];
+  return symbolic::solve_linear(*m.g, detail::columns_of(*m.g, by_all, coordinates.dependent), right, by_all,
+                                symbolic::nodes_of(m.configuration_constraints));
+}
+
+} // namespace kanexpr::mechanics

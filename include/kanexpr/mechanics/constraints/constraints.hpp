@@ -1,0 +1,150 @@
+#pragma once
+
+#include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/mechanics/motion/motion.hpp>
+#include <kanexpr/mechanics/motion/point_jacobian.hpp>
+#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Everything that binds the speeds, J u + J_a u_a + c = 0: the velocity constraints of the model, then the
+/// rates of its configuration constraints.
+struct constraints {
+  sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
+  sequence<int> node{}; ///< by such constraint: the node whose velocity has no such component, or none
+  sequence<int> of_configuration{}; ///< the configuration constraint that it is the rate of, or none
+  symbolic::matrix jacobian{};      ///< J, a column for each speed
+  symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
+  sequence<expression> remainder{}; ///< c, what is left when nothing moves
+  sequence<expression> repeated{};  ///< rates that are left out, where more than J u has to agree
+  sequence<int> repeats{};          ///< the configuration constraints that they are of
+
+  constexpr int size() const { return on_velocities.size(); }
+};
+
+namespace detail {
+
+/// The node whose velocity a constraint is about, where it is about a single one.
+constexpr int node_of(motion& k, const velocity_constraint& c) {
+  if (c.vanishing.parts.size() != 1) return none;
+  return k.node_with_velocity(c.vanishing.parts[0].value, c.vanishing.parts[0].frame);
+}
+
+/// The partial derivatives of each constraint by all ways of moving: of a point's velocity along a direction
+/// by the geometry, of scalars forward, one way after another.
+constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence<velocity_constraint>& all,
+                                               const sequence<int>& nodes) {
+  const mechanism& m = *s.model;
+  symbolic::matrix jacobian(*m.g, all.size(), m.ways());
+  for (int i = 0; i < all.size(); ++i) {
+    if (nodes[i] == none) continue;
+    const sequence<expression> share = point_jacobian(s, nodes[i]).along(all[i].direction);
+    for (int j = 0; j < m.ways(); ++j) jacobian(i, j) = share[j];
+  }
+  symbolic::derivation by_speed(*m.g);
+  for (int j = 0; j < m.ways(); ++j) {
+    by_speed.restart();
+    by_speed.set_rate(m.way(j), m.one());
+    for (int i = 0; i < all.size(); ++i)
+      if (nodes[i] == none) jacobian(i, j) = by_speed.of(all[i].value);
+  }
+  return jacobian;
+}
+
+} // namespace detail
+
+constexpr constraints no_constraints(const mechanism& m) {
+  constraints none_at_all;
+  none_at_all.jacobian = symbolic::matrix(*m.g, 0, m.speeds.size());
+  none_at_all.by_auxiliary = symbolic::matrix(*m.g, 0, m.auxiliary_speeds.size());
+  return none_at_all;
+}
+
+/// A rate of a configuration constraint that the model's velocity constraints say already is left out: many
+/// people write both.
+constexpr constraints form_constraints(motion& k) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  known_rates known(m, s.coordinate_rates);
+  without_auxiliary_speeds drop(m);
+
+  sequence<velocity_constraint> all;
+  for (const velocity_constraint& c : m.velocity_constraints)
+    all.push({known.in(c.value), known.in(c.vanishing), known.in(c.direction)});
+  const int given = all.size();
+  for (const expression& f : m.configuration_constraints) all.push({k.rate(f), {}, {}});
+  sequence<int> nodes;
+  for (const velocity_constraint& c : all) nodes.push(detail::node_of(k, c));
+  const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, nodes);
+
+  sequence<char> kept(all.size(), 1);
+  if (given > 0 && given < all.size()) {
+    const sequence<char> new_by_itself = independent_rows(jacobian, &m);
+    for (int i = given; i < all.size(); ++i) kept[i] = new_by_itself[i];
+  }
+
+  constraints out;
+  symbolic::substitution at_rest(*m.g);
+  for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
+  bool is_all_by_speeds = true;
+  for (int i = 0; i < all.size(); ++i) {
+    const expression remainder = at_rest.in(all[i].value);
+    is_all_by_speeds = is_all_by_speeds && remainder.is_zero();
+    if (kept[i] == 0) {
+      out.repeated.push(drop.in(all[i].value));
+      out.repeats.push(i - given);
+      continue;
+    }
+    out.on_velocities.push({drop.in(all[i].value), drop.in(all[i].vanishing), all[i].direction});
+    out.node.push(nodes[i]);
+    out.of_configuration.push(i < given ? none : i - given);
+    out.remainder.push(remainder);
+  }
+  if (is_all_by_speeds) out.repeated.clear(), out.repeats.clear();
+  const int speeds = m.speeds.size();
+  out.jacobian = symbolic::matrix(*m.g, out.size(), speeds);
+  out.by_auxiliary = symbolic::matrix(*m.g, out.size(), m.ways() - speeds);
+  for (int i = 0, row = 0; i < all.size(); ++i) {
+    if (kept[i] == 0) continue;
+    for (int j = 0; j < m.ways(); ++j)
+      (j < speeds ? out.jacobian(row, j) : out.by_auxiliary(row, j - speeds)) = jacobian(i, j);
+    ++row;
+  }
+  return out;
+}
+
+namespace detail {
+
+/// Whether the constraints hold the velocity that constraint `i` is about zero along all directions: then it
+/// does not matter how the directions turn.
+constexpr bool holds_whole_velocity(const constraints& c, int i) {
+  int directions = 0;
+  for (int j = 0; j < c.size(); ++j)
+    if (c.node[j] == c.node[i]) ++directions;
+  return directions == 3;
+}
+
+} // namespace detail
+
+/// The rate of constraint `i` in a motion: J u̇ + γ, and γ for a motion without rates of the speeds.
+///
+/// Of a point's velocity along a direction it is a·d + v·ḋ, with the acceleration that the dynamics know.
+constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) {
+  const velocity_constraint& own = c.on_velocities[i];
+  if (c.node[i] == none) return k.rate(own.value);
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  const vector& v = own.vanishing;
+  expression rate = m.zero();
+  for (const vector::part& d : own.direction.parts) {
+    rate += dot(express(m, k.acceleration(c.node[i]), v.parts[0].frame, d.frame), d.value) -
+            dot(express(m, k.ground_acceleration(), d.frame), d.value);
+    if (detail::holds_whole_velocity(c, i)) continue;
+    const components turning = express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
+    const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};
+    rate += dot(express(m, v, d.frame), change + cross(turning, d.value));
+  }
+  return rate;
+}
+
+} // namespace kanexpr::mechanics

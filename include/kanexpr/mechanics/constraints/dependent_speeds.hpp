@@ -1,0 +1,59 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/constraints.hpp>
+#include <kanexpr/mechanics/constraints/partition.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The dependent speeds and their rates by the independent ones: u_d = A u_i + b, u̇_d = A u̇_i + b̄.
+struct dependent_speeds {
+  symbolic::matrix on_independent{};        ///< A
+  sequence<expression> at_rest{};           ///< b
+  sequence<expression> acceleration_bias{}; ///< b̄
+  sequence<symbolic::solved_block> blocks{};
+};
+
+namespace detail {
+
+constexpr symbolic::matrix columns_of(graph& g, const symbolic::matrix& a, const sequence<int>& columns) {
+  symbolic::matrix out(g, a.rows, columns.size());
+  for (int i = 0; i < a.rows; ++i)
+    for (int j = 0; j < columns.size(); ++j) out(i, j) = a(i, columns[j]);
+  return out;
+}
+
+/// What the constraints on speeds come from.
+constexpr sequence<int> sums_that_bind(const mechanism& m, const constraints& c) {
+  sequence<int> sums = symbolic::nodes_of(m.kinematics);
+  for (const expression& e : m.configuration_constraints) sums.push(e.node());
+  for (const velocity_constraint& v : c.on_velocities) sums.push(v.value.node());
+  return sums;
+}
+
+} // namespace detail
+
+/// Solves the constraints J u + c = 0 and J u̇ + γ = 0, with `bias` = γ, once for all right sides.
+constexpr dependent_speeds solve_for_dependent_speeds(const mechanism& m, const constraints& c,
+                                                      const partition& speeds,
+                                                      const sequence<expression>& bias) {
+  graph& g = *m.g;
+  const int rows = c.size(), free = speeds.independent.size();
+  symbolic::matrix right(g, rows, free + 2);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < free; ++j) right(i, j) = -c.jacobian(i, speeds.independent[j]);
+    right(i, free) = -c.remainder[i];
+    right(i, free + 1) = -bias[i];
+  }
+  const symbolic::linear_solution solved =
+      symbolic::solve_linear(g, detail::columns_of(g, c.jacobian, speeds.dependent), right, c.jacobian,
+                             detail::sums_that_bind(m, c));
+  dependent_speeds out{symbolic::matrix(g, rows, free), {}, {}, solved.blocks};
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < free; ++j) out.on_independent(i, j) = solved.x(i, j);
+    out.at_rest.push(solved.x(i, free));
+    out.acceleration_bias.push(solved.x(i, free + 1));
+  }
+  return out;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/mechanics/motion/generic_states.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The unknowns that some equations are solved for, and those that stay free; both in the order of the model.
+struct partition {
+  sequence<int> dependent{};
+  sequence<int> independent{};
+};
+
+constexpr partition partition_by(const sequence<char>& is_dependent) {
+  partition p;
+  for (int j = 0; j < is_dependent.size(); ++j)
+    is_dependent[j] != 0 ? p.dependent.push(j) : p.independent.push(j);
+  return p;
+}
+
+namespace detail {
+
+/// Gaussian elimination with full pivoting at several states at once.
+class elimination_by_numbers {
+public:
+  constexpr elimination_by_numbers(const sequence<numbers>& states, const symbolic::matrix& jacobian,
+                                   const sequence<char>& favoured)
+      : jacobian_(jacobian), favoured_(favoured), states_(states), row_done_(jacobian.rows, 0),
+        is_dependent_(jacobian.columns, 0) {}
+
+  constexpr partition run() {
+    for (int step = 0; step < jacobian_.rows; ++step) {
+      place pivot = best(false);
+      if (pivot.row == none) pivot = best(true); // what elimination has filled in
+      if (pivot.row == none) break;              // a singular constraint, which a check has named
+      row_done_[pivot.row] = 1;
+      is_dependent_[pivot.column] = 1;
+      for (numbers& a : states_) eliminate(a, pivot);
+    }
+    return partition_by(is_dependent_);
+  }
+
+private:
+  struct place {
+    int row = none;
+    int column = none;
+  };
+
+  static constexpr double rounding = 1e-13; ///< beside 1
+  static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
+
+  /// Among the entries of the Jacobian, or those too that elimination has filled in.
+  constexpr place best(bool takes_all) const {
+    sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // entries that are left
+    sequence<double> largest(states_.size() * jacobian_.rows, 0.0);
+    for (int i = 0; i < jacobian_.rows; ++i)
+      for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
+        if (is_dependent_[j] != 0) continue;
+        if (takes_all || !jacobian_(i, j).is_zero()) ++in_row[i], ++in_column[j];
+        for (int s = 0; s < states_.size(); ++s) {
+          double& l = largest[s * jacobian_.rows + i];
+          if (magnitude(states_[s](i, j)) > l) l = magnitude(states_[s](i, j));
+        }
+      }
+    place found;
+    double most = 0;
+    for (int i = 0; i < jacobian_.rows; ++i)
+      for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
+        if (is_dependent_[j] != 0) continue;
+        if (!takes_all && jacobian_(i, j).is_zero()) continue;
+        double least = 1; // of the entry beside the largest of its row, over the states
+        for (int s = 0; s < states_.size(); ++s) {
+          const double l = largest[s * jacobian_.rows + i];
+          const double beside = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
+          if (beside < least) least = beside;
+        }
+        double worth = least / (in_row[i] + in_column[j]);
+        if (favoured_[j] != 0) worth *= 4;
+        if (worth > most * (1 + 1e-9)) most = worth, found = {i, j};
+      }
+    return found;
+  }
+
+  constexpr void eliminate(numbers& a, place pivot) const {
+    for (int i = 0; i < a.rows; ++i) {
+      if (row_done_[i] != 0 || numeric::equal(a(i, pivot.column), 0.0)) continue;
+      const double factor = a(i, pivot.column) / a(pivot.row, pivot.column);
+      for (int j = 0; j < a.columns; ++j) a.entries[i * a.columns + j] -= factor * a(pivot.row, j);
+    }
+  }
+
+  const symbolic::matrix& jacobian_;
+  const sequence<char>& favoured_;
+  sequence<numbers> states_;
+  sequence<char> row_done_, is_dependent_;
+};
+
+} // namespace detail
+
+/// Chooses the dependent ones among the columns of a Jacobian, one for each row: by elimination with full
+/// pivoting at several generic states at once, so that the choice is well conditioned at all of them, where
+/// columns and rows with few entries weigh more, so that it is cheap to solve (Markowitz). `favoured`
+/// columns are taken where they serve nearly as well.
+constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
+                                     const sequence<char>& favoured) {
+  return detail::elimination_by_numbers(states, jacobian, favoured).run();
+}
+
+/// The user's choice, or a good one.
+constexpr partition partition_of(const sequence<numbers>& states, const symbolic::matrix& jacobian,
+                                 const sequence<int>& chosen, const sequence<char>& favoured) {
+  if (chosen.empty()) return choose_dependent(states, jacobian, favoured);
+  sequence<char> is_dependent(jacobian.columns, 0);
+  for (int j : chosen) is_dependent[j] = 1;
+  return partition_by(is_dependent);
+}
+
+} // namespace kanexpr::mechanics

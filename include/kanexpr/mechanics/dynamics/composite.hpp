@@ -1,0 +1,191 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+
+namespace kanexpr::mechanics {
+
+/// What moves outwards of a node as one with a frame: its composite mass, and for each speed that enters
+/// farther out the force and the moment that a unit of its rate asks for.
+struct composite {
+  struct column {
+    int speed = none;
+    vector force{};      ///< turned to no other axes before it has to be
+    components moment{}; ///< about the node, on the frame
+  };
+  int frame = mechanism::inertial;
+  rigid_mass mass{};
+  sequence<column> columns{};
+};
+
+/// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
+/// of points and any generalized speeds: whatever a frame or a point adds to the velocity of what it hangs on
+/// is a few columns, and each column meets the composite where it enters and the columns of what lies outward
+/// of it.
+class mass_matrix_builder {
+public:
+  constexpr explicit mass_matrix_builder(const skeleton& s)
+      : s_(s), m_(*s.model), at_(s_.nodes.size()), result_(*m_.g, m_.ways(), m_.ways()) {
+    for (const mechanics::link& l : s_.base_links) {
+      composite& c = composite_of(l.node, l.frame);
+      const path to_working(m_, s_.body_axes[l.frame], s_.working_axes[l.frame]);
+      rigid_mass mass = l.mass;
+      mass.first_moment = to_working.turn(mass.first_moment);
+      mass.inertia = to_working.turn(mass.inertia);
+      c.mass += mass;
+    }
+  }
+
+  /// The lower and the upper triangle.
+  constexpr const symbolic::matrix& run() {
+    for (int n = s_.nodes.size() - 1; n >= 0; --n) {
+      while (take_deepest_frame_down(n)) {
+      }
+      take_node_down(n);
+    }
+    for (int i = 0; i < result_.rows; ++i)
+      for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
+    return result_;
+  }
+
+private:
+  constexpr composite& composite_of(int n, int frame) {
+    for (composite& c : at_[n])
+      if (c.frame == frame) return c;
+    composite fresh;
+    fresh.frame = frame;
+    fresh.mass = rigid_mass(*m_.g);
+    at_[n].push(fresh);
+    return at_[n].back();
+  }
+
+  constexpr void add(int i, int j, expression term) {
+    i >= j ? result_(i, j) += term : result_(j, i) += term;
+  }
+
+  /// What a column's own speed takes from meeting a direction that belongs to speed `i`.
+  constexpr void meet(int i, const composite::column& c, expression term) {
+    add(i, c.speed, i == c.speed ? 2 * term : term);
+  }
+
+  static constexpr composite::column& column_of(composite& c, int speed, graph& g) {
+    for (composite::column& present : c.columns)
+      if (present.speed == speed) return present;
+    c.columns.push({speed, vector(), components(g)});
+    return c.columns.back();
+  }
+
+  /// Takes the composite of the farthest frame at node `n` over to the frame that it turns in.
+  constexpr bool take_deepest_frame_down(int n) {
+    int found = none, depth = -1;
+    for (int i = 0; i < at_[n].size(); ++i) {
+      const int f = at_[n][i].frame;
+      if (f == s_.nodes[n].frame || f == mechanism::inertial) continue;
+      const int d = turning_depth(f);
+      if (d > depth) found = i, depth = d;
+    }
+    if (found == none) return false;
+    composite c = at_[n][found];
+    at_[n][found] = at_[n].back();
+    at_[n].pop();
+
+    const int f = c.frame, below = s_.turns_in[f];
+    const sequence<direction>& turning = s_.partial_turning[f];
+    sequence<composite::column> entering;
+    for (const direction& w : turning)
+      entering.push({w.speed, in_axes(s_.working_axes[f], cross(w.value, c.mass.first_moment)),
+                     c.mass.inertia * w.value});
+    enter(c, turning, entering, none);
+
+    const int into = below == mechanism::inertial ? s_.nodes[n].axes : below;
+    const path way(m_, s_.working_axes[f], s_.working_axes[into]);
+    composite& to = composite_of(n, below);
+    to.mass.mass += c.mass.mass;
+    if (below != mechanism::inertial) {
+      to.mass.first_moment += way.turn(c.mass.first_moment);
+      to.mass.inertia = to.mass.inertia + way.turn(c.mass.inertia);
+    }
+    for (const composite::column& k : c.columns) {
+      composite::column& sum = column_of(to, k.speed, *m_.g);
+      sum.force.add(k.force);
+      if (below != mechanism::inertial) sum.moment += way.turn(k.moment);
+    }
+    return true;
+  }
+
+  /// Takes all that hangs at node `n` over to its parent.
+  constexpr void take_node_down(int n) {
+    const node& at = s_.nodes[n];
+    composite c = composite_of(n, at.frame);
+    if (at.frame !=
+        mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
+      const composite& fixed = composite_of(n, mechanism::inertial);
+      c.mass.mass += fixed.mass.mass;
+      for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force.add(k.force);
+    }
+    if (c.mass.is_zero() && c.columns.empty()) return;
+    if (!at.slide.parts.empty()) {
+      const sequence<direction>& slide = s_.partial_slide[n];
+      sequence<composite::column> entering;
+      const int axes = s_.working_axes[at.axes];
+      for (const direction& v : slide)
+        entering.push({v.speed, in_axes(axes, c.mass.mass * v.value), cross(c.mass.first_moment, v.value)});
+      enter(c, slide, entering, axes);
+    }
+    if (at.absolute || at.parent == none) return;
+
+    const components r = s_.offset_in_working_axes(n);
+    composite& to = composite_of(at.parent, at.frame);
+    if (at.frame == mechanism::inertial) {
+      to.mass.mass += c.mass.mass;
+      for (const composite::column& k : c.columns) column_of(to, k.speed, *m_.g).force.add(k.force);
+      return;
+    }
+    to.mass += shifted(c.mass, r);
+    const int axes = s_.working_axes[at.frame];
+    for (const composite::column& k : c.columns) {
+      const components force = express(m_, k.force, axes);
+      composite::column& sum = column_of(to, k.speed, *m_.g);
+      sum.force.add(in_axes(axes, force));
+      sum.moment += k.moment + cross(r, force);
+    }
+  }
+
+  static constexpr vector in_axes(int axes, const components& value) {
+    vector v;
+    v.add(axes, value);
+    return v;
+  }
+
+  /// New columns meet each other and those that are there already: turns meet moments, and slides, in `axes`,
+  /// meet forces.
+  constexpr void enter(composite& c, const sequence<direction>& ways,
+                       const sequence<composite::column>& entering, int axes) {
+    const auto felt = [&](const composite::column& k) {
+      if (axes == none) return k.moment;
+      return express(m_, k.force, axes);
+    };
+    for (int i = 0; i < ways.size(); ++i) {
+      for (int j = 0; j <= i; ++j) add(ways[i].speed, ways[j].speed, dot(ways[j].value, felt(entering[i])));
+      for (const composite::column& k : c.columns) meet(ways[i].speed, k, dot(ways[i].value, felt(k)));
+    }
+    for (const composite::column& k : entering) {
+      composite::column& sum = column_of(c, k.speed, *m_.g);
+      sum.force.add(k.force);
+      sum.moment += k.moment;
+    }
+  }
+
+  constexpr int turning_depth(int f) const {
+    int n = 0;
+    for (; f != mechanism::inertial; f = s_.turns_in[f]) ++n;
+    return n;
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  sequence<sequence<composite>> at_;
+  symbolic::matrix result_;
+};
+
+} // namespace kanexpr::mechanics

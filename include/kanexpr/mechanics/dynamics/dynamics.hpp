@@ -1,0 +1,200 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/kane.hpp>
+#include <kanexpr/mechanics/dynamics/lagrange.hpp>
+#include <kanexpr/mechanics/dynamics/reactions.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The equations of a system whose speeds may be bound, by Kane's method or by Lagrange's, and what follows
+/// from them. Nothing is formed before it is asked for, and nothing twice.
+class dynamics {
+public:
+  constexpr dynamics(const skeleton& s, const constraints& c, const partition& speeds)
+      : s_(s), m_(*s.model), constraints_(c), speeds_(speeds) {}
+
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.lagrange_);
+    visit(self.has_dependent_);
+    visit(self.has_coupling_);
+    visit(self.has_lambda_);
+    visit(self.dependent_);
+    visit(self.free_mass_);
+    visit(self.coupling_);
+    visit(self.mass_);
+    visit(self.lambda_);
+    visit(self.free_force_);
+    visit(self.force_);
+    visit(self.udot_);
+    visit(self.pivots_);
+  }
+
+  constexpr bool has_dependent() const { return has_dependent_; }
+
+  /// How the dependent speeds and their rates follow from the independent ones.
+  constexpr const dependent_speeds& dependent() {
+    if (has_dependent_) return dependent_;
+    motion k = motion_on_rising_ground(s_);
+    sequence<expression> bias;
+    for (int i = 0; i < constraints_.size(); ++i) bias.push(rate_of_constraint(k, constraints_, i));
+    dependent_ = solve_for_dependent_speeds(m_, constraints_, speeds_, bias);
+    if (!m_.acceleration_constraints.empty()) take_acceleration_constraints();
+    has_dependent_ = true;
+    return dependent_;
+  }
+
+  constexpr sequence<expression> speeds_by_constraints() {
+    sequence<expression> u = dependent().at_rest;
+    for (int d = 0; d < u.size(); ++d)
+      for (int i = 0; i < speeds_.independent.size(); ++i)
+        u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
+    return u;
+  }
+
+  /// B = M_di + M_dd A.
+  constexpr const symbolic::matrix& coupling() {
+    if (!has_coupling_)
+      coupling_ = mechanics::coupling(*m_.g, free_mass(), speeds_, dependent().on_independent);
+    has_coupling_ = true;
+    return coupling_;
+  }
+
+  /// M of the independent speeds.
+  constexpr const symbolic::matrix& mass() {
+    if (mass_.rows == 0)
+      mass_ = reduced_mass(*m_.g, free_mass(), speeds_, dependent().on_independent, coupling());
+    return mass_;
+  }
+
+  /// f in M u̇ = f of the independent speeds.
+  constexpr const sequence<expression>& force() {
+    if (force_.empty()) force_ = reduced_force(free_force(), speeds_, dependent(), coupling());
+    return force_;
+  }
+
+  /// u̇ of all speeds.
+  constexpr const sequence<expression>& accelerations() {
+    if (!udot_.empty()) return udot_;
+    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, mass(), force());
+    const sequence<expression>& independent = solved.x;
+    pivots_ = solved.pivots;
+    udot_.resize(m_.speeds.size(), m_.zero());
+    for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
+    for (int d = 0; d < speeds_.dependent.size(); ++d) {
+      expression& rate = udot_[speeds_.dependent[d]] = dependent().acceleration_bias[d];
+      for (int i = 0; i < independent.size(); ++i) rate += dependent().on_independent(d, i) * independent[i];
+    }
+    return udot_;
+  }
+
+  /// What the mass matrix was divided by for them.
+  constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
+
+  /// F_i + Aᵀ F_d.
+  constexpr sequence<expression> reduce(const sequence<expression>& forces) {
+    return reduced(forces, speeds_, dependent().on_independent);
+  }
+
+  /// F_r of the independent speeds.
+  constexpr sequence<expression> active_forces() {
+    if (by_lagrange()) return reduce(lagrange_.active_forces());
+    return reduce(mechanics::active_forces(s_));
+  }
+
+  /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
+  constexpr sequence<expression> inertia_forces() {
+    sequence<expression> force;
+    if (by_lagrange())
+      force = lagrange_.inertia_bias();
+    else
+      force = inertia_bias(s_);
+    for (int i = 0; i < m_.speeds.size(); ++i)
+      for (int j = 0; j < m_.speeds.size(); ++j) force[i] -= free_mass()(i, j) * m_.speed_rates[j];
+    return reduce(force);
+  }
+
+  /// F_r + F_r* of all speeds, with the symbols u̇, before constraints reduce them.
+  constexpr sequence<expression> unreduced_forces() {
+    sequence<expression> force;
+    if (by_lagrange())
+      force = lagrange_.forcing(m_.speed_rates);
+    else
+      force = forcing(s_, m_.speed_rates);
+    while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
+    return force;
+  }
+
+  /// What inertia asks for of all speeds in a motion with the symbols u̇, gravity included: of Kane's method
+  /// F_r* on rising ground, of Lagrange's ∂L/∂q − d/dt ∂L/∂q̇.
+  constexpr sequence<expression> inertia_in(motion& on_rising_ground) {
+    if (by_lagrange()) return lagrange_.inertia_forces(m_.speed_rates);
+    return mechanics::inertia_forces(s_, on_rising_ground);
+  }
+
+  /// The generalized forces of all speeds that `inertia_in` leaves out.
+  constexpr sequence<expression> forces_of_loads() {
+    if (by_lagrange()) return lagrange_.forces_of_loads();
+    return mechanics::forces_of_loads(s_);
+  }
+
+  /// λ, one for each constraint.
+  constexpr const symbolic::matrix& lambda() {
+    if (!has_lambda_) lambda_ = multipliers(*m_.g, constraints_, speeds_, imbalance_of(speeds_.dependent)).x;
+    has_lambda_ = true;
+    return lambda_;
+  }
+
+  /// The forces that keep the auxiliary speeds zero.
+  constexpr sequence<expression> auxiliary_forces() {
+    sequence<int> auxiliary;
+    for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
+    return mechanics::auxiliary_forces(constraints_, lambda(), imbalance_of(auxiliary));
+  }
+
+private:
+  constexpr bool by_lagrange() const { return m_.derived_by == method::lagrange; }
+
+  constexpr void take_acceleration_constraints() {
+    const symbolic::linear_solution given =
+        solve_acceleration_constraints(*m_.g, linear_in_speed_rates(s_), speeds_);
+    for (int d = 0; d < speeds_.dependent.size(); ++d) dependent_.acceleration_bias[d] = given.x(d, 0);
+    for (const symbolic::solved_block& b : given.blocks) dependent_.blocks.push(b);
+  }
+
+  /// M and f of all ways of moving, as if nothing bound them.
+  constexpr const symbolic::matrix& free_mass() {
+    if (free_mass_.rows != 0) return free_mass_;
+    if (by_lagrange())
+      free_mass_ = lagrange_.mass_matrix();
+    else
+      free_mass_ = mass_matrix(s_);
+    return free_mass_;
+  }
+  constexpr const sequence<expression>& free_force() {
+    if (!free_force_.empty()) return free_force_;
+    if (by_lagrange())
+      free_force_ = lagrange_.forcing();
+    else
+      free_force_ = forcing(s_);
+    return free_force_;
+  }
+  constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
+    return imbalance(free_mass(), free_force(), accelerations(), ways);
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  const constraints& constraints_;
+  const partition& speeds_;
+  lagrange_equations lagrange_{s_};
+  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
+  dependent_speeds dependent_{};
+  symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};
+  sequence<expression> free_force_{}, force_{}, udot_{};
+  sequence<symbolic::pivot> pivots_{};
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Σ ½ m v·v + v·(ω×h) + ½ ω·I·ω over all links.
+constexpr expression kinetic_energy(motion& k) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  expression twice = m.zero();
+  for (const link& l : s.links) {
+    const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
+    const components v = k.velocity(l.node, l.frame), w = k.angular_velocity(l.frame);
+    const components h = to_working.turn(l.mass.first_moment);
+    twice += l.mass.mass * dot(v, v) + 2 * dot(v, cross(w, h)) + dot(w, to_working.turn(l.mass.inertia) * w);
+  }
+  return twice / 2;
+}
+
+/// Energy of the bodies in uniform gravity, −Σ m g·x, with x measured from each body's origin point.
+constexpr expression energy_of_gravity(const skeleton& s) {
+  const mechanism& m = *s.model;
+  expression energy = m.zero();
+  if (!m.has_gravity) return energy;
+  for (const body& b : m.bodies)
+    for (int p = b.center; p != none; p = m.points[p].parent)
+      for (const vector::part& offset : m.points[p].offset.parts)
+        energy -= b.mass * dot(offset.value, express(m, m.gravity, offset.frame));
+  return energy;
+}
+
+/// That of gravity, of springs, and what the model gives as a potential energy.
+constexpr expression potential_energy(const skeleton& s) {
+  expression energy = energy_of_gravity(s);
+  for (const spring_damper& e : s.model->spring_dampers) energy += spring_energy(*s.model, e);
+  for (const expression& given : s.model->potential_energies) energy += given;
+  return energy;
+}
+
+/// Σ m v, in the axes of the inertial frame.
+constexpr components linear_momentum(motion& k) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  components total(*m.g);
+  for (const link& l : s.links) {
+    const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
+    const components p = l.mass.mass * k.velocity(l.node, l.frame) +
+                         cross(k.angular_velocity(l.frame), to_working.turn(l.mass.first_moment));
+    total += express(m, p, s.working_axes[l.frame], mechanism::inertial);
+  }
+  return total;
+}
+
+/// Position of a point from its origin, in the axes of the inertial frame.
+constexpr components position(const mechanism& m, int point) {
+  return express(m, position_from_origin(m, point), mechanism::inertial);
+}
+
+/// Σ m x / Σ m, from the origin, in the axes of the inertial frame.
+constexpr components center_of_mass(const skeleton& s) {
+  const mechanism& m = *s.model;
+  components moment(*m.g);
+  expression mass = m.zero();
+  for (const body& b : m.bodies) {
+    moment += b.mass * position(m, b.center);
+    mass += b.mass;
+  }
+  return {moment.x / mass, moment.y / mass, moment.z / mass};
+}
+
+/// Σ x×m v + I·ω about the origin, in the axes of the inertial frame.
+constexpr components angular_momentum(motion& k) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  components total(*m.g);
+  for (const body& b : m.bodies) {
+    const int n = s.node_of_point[b.center];
+    const components v = express(m, k.velocity(n), s.working_axes[s.nodes[n].axes], mechanism::inertial);
+    total += cross(position(m, b.center), b.mass * v);
+  }
+  for (const body& b : m.bodies) {
+    if (b.frame == none) continue;
+    const int f = s.rigid_with[b.frame];
+    const components w = express(m, k.angular_velocity(f), s.working_axes[f], s.body_axes[f]);
+    total += express(m, central_inertia(m, b, s.body_axes[f]) * w, s.body_axes[f], mechanism::inertial);
+  }
+  return total;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <kanexpr/mechanics/dynamics/composite.hpp>
+#include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
+
+/// Kane's dynamical equations M u̇ = f, one for each way of moving: for each generalized speed, then for each
+/// auxiliary speed (Kane & Levinson 1985, section 6.1), as if no constraint bound the speeds.
+namespace kanexpr::mechanics {
+
+/// M; symmetric.
+constexpr symbolic::matrix mass_matrix(const skeleton& s) { return mass_matrix_builder(s).run(); }
+
+/// F_r: the generalized active forces.
+constexpr sequence<expression> active_forces(const skeleton& s) {
+  generalized_forces f(s);
+  f.add_loads(true);
+  return f.run();
+}
+
+/// All motion, in which the ground falls upwards in place of gravity on every body; without rates of the
+/// speeds at u̇ = 0.
+constexpr motion motion_on_rising_ground(const skeleton& s, const sequence<expression>& udot = {}) {
+  motion k(s, udot);
+  if (s.model->has_gravity) k.accelerate_ground(-s.model->gravity);
+  return k;
+}
+
+/// F_r of the loads beside gravity on every body.
+constexpr sequence<expression> forces_of_loads(const skeleton& s) {
+  generalized_forces f(s);
+  f.add_loads(false);
+  return f.run();
+}
+
+/// F_r* of a motion, on ground that rises in place of gravity: inverse dynamics, linear in u̇.
+constexpr sequence<expression> inertia_forces(const skeleton& s, motion& k) {
+  generalized_forces f(s);
+  f.add_inertia(k);
+  f.add_changes_of_mass(k);
+  return f.run();
+}
+
+/// F_r* at u̇ = 0: the part of the generalized inertia forces that is not −M u̇.
+constexpr sequence<expression> inertia_bias(const skeleton& s) {
+  motion k(s);
+  return inertia_forces(s, k);
+}
+
+/// F_r + F_r* in one pass, f at u̇ = 0 where no rates are given. Gravity on every body enters as an
+/// acceleration of the ground.
+constexpr sequence<expression> forcing(const skeleton& s, const sequence<expression>& udot = {}) {
+  generalized_forces f(s);
+  f.add_loads(false);
+  motion k = motion_on_rising_ground(s, udot);
+  f.add_inertia(k);
+  f.add_changes_of_mass(k);
+  return f.run();
+}
+
+} // namespace kanexpr::mechanics

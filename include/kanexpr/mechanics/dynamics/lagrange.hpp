@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kanexpr/mechanics/dynamics/energy.hpp>
+#include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+
+/// Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q as M q̈ = f, as if no constraint bound the coordinates
+/// (Goldstein, Classical Mechanics, 2002, sections 1.4, 2.4). The speeds of the mechanism are the rates q̇.
+namespace kanexpr::mechanics {
+
+/// The momenta p = ∂L/∂q̇ and ∂L/∂q of a Lagrangian, by one reverse pass.
+struct lagrangian_gradient {
+  sequence<expression> momenta{};
+  sequence<expression> by_coordinates{};
+};
+
+constexpr lagrangian_gradient gradient_of(const mechanism& m, expression lagrangian) {
+  symbolic::accumulation back(*m.g, {lagrangian});
+  back.seed(lagrangian, m.one());
+  back.run();
+  lagrangian_gradient out;
+  for (const expression& u : m.speeds) out.momenta.push(back.by(u));
+  for (const expression& q : m.coordinates) out.by_coordinates.push(back.by(q));
+  return out;
+}
+
+class lagrange_equations {
+public:
+  constexpr explicit lagrange_equations(const skeleton& s) : s_(s), m_(*s.model) {}
+
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.gradient_);
+  }
+
+  /// M = ∂p/∂q̇; symmetric.
+  constexpr symbolic::matrix mass_matrix() {
+    const sequence<expression>& p = gradient().momenta;
+    symbolic::matrix mass(*m_.g, p.size(), p.size());
+    symbolic::derivation by_rate(*m_.g);
+    for (int j = 0; j < p.size(); ++j) {
+      by_rate.restart();
+      by_rate.set_rate(m_.speeds[j], m_.one());
+      for (int i = 0; i <= j; ++i) mass(i, j) = mass(j, i) = by_rate.of(p[i]);
+    }
+    return mass;
+  }
+
+  /// Q + ∂L/∂q − ṗ with Q of what does not stand in L, f at q̈ = 0 where no rates are given.
+  constexpr sequence<expression> forcing(const sequence<expression>& udot = {}) {
+    return sum(forces_of_loads(), inertia_forces(udot));
+  }
+
+  /// ∂L/∂q − ṗ with the rates of the speeds that are given.
+  constexpr sequence<expression> inertia_forces(const sequence<expression>& udot) {
+    return inertia_of(gradient(), udot);
+  }
+
+  /// Q.
+  constexpr sequence<expression> forces_of_loads() const {
+    generalized_forces loads(s_);
+    loads.add_forces_and_torques();
+    return loads.run();
+  }
+
+  /// Q − ∂V/∂q, the generalized forces of all loads.
+  constexpr sequence<expression> active_forces() const {
+    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_)).by_coordinates);
+  }
+
+  /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of a Lagrangian that the model gives.
+  constexpr sequence<expression> inertia_bias() const { return inertia_of(gradient_of(m_, kinetic()), {}); }
+
+private:
+  constexpr expression kinetic() const {
+    if (m_.has_lagrangian) return m_.lagrangian;
+    motion k(s_);
+    return kinetic_energy(k);
+  }
+
+  constexpr const lagrangian_gradient& gradient() {
+    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_));
+    return gradient_;
+  }
+
+  constexpr sequence<expression> inertia_of(const lagrangian_gradient& l,
+                                            const sequence<expression>& udot) const {
+    symbolic::derivation along_time = time_derivative(m_, m_.speeds, udot);
+    sequence<expression> bias = l.by_coordinates;
+    for (int i = 0; i < bias.size(); ++i) bias[i] -= along_time.of(l.momenta[i]);
+    return bias;
+  }
+
+  static constexpr sequence<expression> sum(sequence<expression> a, const sequence<expression>& b) {
+    for (int i = 0; i < a.size(); ++i) a[i] += b[i];
+    return a;
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  lagrangian_gradient gradient_{};
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+
+namespace kanexpr::mechanics {
+
+/// ∂V̇/∂u_r by speeds, of the sum V of the potential energies that a model gives: Σ_s ∂V/∂q_s ∂q̇_s/∂u_r with
+/// the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane & Levinson (1985),
+/// section 5.1.
+constexpr sequence<expression> potential_rates(const skeleton& s) {
+  const mechanism& m = *s.model;
+  symbolic::accumulation by_coordinates(*m.g, m.potential_energies);
+  for (const expression& energy : m.potential_energies) by_coordinates.seed(energy, m.one());
+  by_coordinates.run();
+  symbolic::accumulation by_speeds(*m.g, s.coordinate_rates);
+  for (int q = 0; q < m.coordinates.size(); ++q)
+    by_speeds.seed(s.coordinate_rates[q], by_coordinates.by(m.coordinates[q]));
+  by_speeds.run();
+  sequence<expression> rates;
+  for (const expression& u : m.speeds) rates.push(by_speeds.by(u));
+  return rates;
+}
+
+} // namespace kanexpr::mechanics

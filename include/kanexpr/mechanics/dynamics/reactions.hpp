@@ -1,0 +1,45 @@
+#pragma once
+
+#include <kanexpr/mechanics/dynamics/minimal.hpp>
+
+/// Forces that do no work, brought out from Kane's equations of the speeds that the motion does not have.
+namespace kanexpr::mechanics {
+
+/// f − M u̇ = F_r + F_r* in motion, for some ways of moving; zero for the others.
+constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const sequence<expression>& force,
+                                         const sequence<expression>& udot, const sequence<int>& ways) {
+  sequence<expression> out;
+  for (int r : ways) {
+    expression left = force[r];
+    for (int j = 0; j < udot.size(); ++j) left -= mass(r, j) * udot[j];
+    out.push(left);
+  }
+  return out;
+}
+
+/// Lagrange's multipliers: λ_j is the force along the direction in which constraint j holds a velocity zero,
+/// on the system. From the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
+constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, const partition& speeds,
+                                                const sequence<expression>& imbalance_of_dependent) {
+  const int rows = c.size();
+  symbolic::matrix transposed(g, rows, rows), right(g, rows, 1);
+  for (int i = 0; i < rows; ++i) {
+    right(i, 0) = -imbalance_of_dependent[i];
+    for (int j = 0; j < rows; ++j) transposed(i, j) = c.jacobian(j, speeds.dependent[i]);
+  }
+  return symbolic::solve_linear(g, transposed, right);
+}
+
+/// What acts along the partial velocities of each auxiliary speed to keep it zero: −(F_a + F_a* + J_aᵀ λ).
+constexpr sequence<expression> auxiliary_forces(const constraints& c, const symbolic::matrix& lambda,
+                                                const sequence<expression>& imbalance_of_auxiliary) {
+  sequence<expression> out;
+  for (int a = 0; a < imbalance_of_auxiliary.size(); ++a) {
+    expression force = imbalance_of_auxiliary[a];
+    for (int i = 0; i < c.size(); ++i) force += c.by_auxiliary(i, a) * lambda(i, 0);
+    out.push(-force);
+  }
+  return out;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+#include <kanexpr/symbolic/sizes/finiteness.hpp>
+
+/// Where a system of linear equations on the way to a result may have no solution at some states, or a result
+/// no finite value.
+namespace kanexpr::mechanics {
+
+/// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
+struct guard {
+  int key = 0; ///< the node that all results rest on which need the solution
+  expression measure{}, scale{};
+  problem cause{};
+  bool of_finiteness = false; ///< of the measure alone, which need not be beside anything
+};
+
+constexpr sequence<guard> guards_of_rates(const mechanism& m,
+                                          const sequence<symbolic::solved_block>& blocks) {
+  sequence<guard> guards;
+  for (const symbolic::solved_block& b : blocks)
+    guards.push({b.key, b.measure, b.scale,
+                 sentence({"the kinematic differential equations cannot be solved for the rate of ",
+                           enumerated(m, m.coordinates, b.columns, "coordinate").view(), " at this state"})});
+  return guards;
+}
+
+/// Of constraints that are solved for something dependent, which `called(places)` names.
+template <class Called>
+constexpr sequence<guard> guards_of_constraints(const sequence<int>& dependent,
+                                                const sequence<symbolic::solved_block>& blocks,
+                                                Called called) {
+  sequence<guard> guards;
+  for (const symbolic::solved_block& b : blocks) {
+    sequence<int> places;
+    for (int d : b.columns) places.push(dependent[d]);
+    guards.push({b.key, b.measure, b.scale,
+                 sentence({"the constraints cannot be solved for the dependent ", called(places).view(),
+                           " at this state"})});
+  }
+  return guards;
+}
+
+constexpr sequence<guard> guards_of_coordinates(const mechanism& m, const partition& coordinates,
+                                                const sequence<symbolic::solved_block>& blocks) {
+  return guards_of_constraints(coordinates.dependent, blocks, [&](const sequence<int>& places) {
+    return enumerated(m, m.coordinates, places, "coordinate");
+  });
+}
+
+constexpr sequence<guard> guards_of_speeds(const mechanism& m, const partition& speeds,
+                                           const sequence<symbolic::solved_block>& blocks) {
+  return guards_of_constraints(speeds.dependent, blocks,
+                               [&](const sequence<int>& places) { return speeds_called(m, places); });
+}
+
+/// Of the pivots of a mass matrix, each once.
+constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& speeds,
+                                         const sequence<symbolic::pivot>& pivots) {
+  sequence<guard> guards;
+  for (const symbolic::pivot& p : pivots) {
+    bool is_new = true;
+    for (const guard& g : guards) is_new = is_new && g.key != p.key;
+    if (!is_new) continue;
+    const problem which = speeds_called(m, {speeds.independent[p.place]});
+    guards.push({p.key, p.value, p.entry,
+                 sentence({"the mass matrix is singular at this state: its elimination fails at the ",
+                           which.view()})});
+  }
+  return guards;
+}
+
+/// Of all that leaves results infinite or no numbers at a state; none where nothing can. `others` are the
+/// guards that come before it.
+constexpr sequence<guard> guards_of_finiteness(const mechanism& m, const sequence<int>& outputs,
+                                               const sequence<int>& sure_divisors,
+                                               const sequence<guard>& others) {
+  graph& g = *m.g;
+  const symbolic::finiteness found(g, outputs, sure_divisors);
+  const sequence<int> watched = found.watched();
+  if (watched.empty()) return {};
+  sequence<int> known, places;
+  for (const guard& each : others) known.push(each.key);
+  sequence<expression> suspects;
+  for (int symbol : found.suspects(known)) places.push(suspects.push({g, symbol}));
+  constexpr int most_names = 6; // more tell nothing
+  const bool are_named = !places.empty() && places.size() <= most_names;
+  const expression sum{g, symbolic::plain_sum(g, watched)};
+  sequence<guard> guards;
+  guards.push({sum.node(), sum, sum,
+               sentence({"the results are not finite at this state",
+                         are_named ? "; look at the quotients and functions of " : "",
+                         are_named ? enumerated(m, suspects, places).view() : ""}),
+               true});
+  return guards;
+}
+
+/// Those that some outputs rest on.
+constexpr sequence<guard> live_guards(const graph& g, const sequence<guard>& all,
+                                      const sequence<int>& outputs) {
+  sequence<guard> live;
+  if (all.empty()) return live;
+  const sequence<char> needed = symbolic::live_nodes(g, outputs);
+  for (const guard& each : all)
+    if (symbolic::rests_on(g, needed, each.key)) live.push(each);
+  return live;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,249 @@
+#pragma once
+
+#include <kanexpr/mechanics/linearize/linearization.hpp>
+#include <kanexpr/mechanics/linearize/variations.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Linearizes a general form about any point that satisfies it; in free directions about any point at which
+/// the rates and multipliers satisfy all but f_c and f_v. The columns of results are those of `variations`.
+/// Nothing is formed before it is asked for, and nothing twice. Results hold the symbols q, u and r, and q̇, u̇
+/// and λ where they rest on them.
+class linearizer {
+public:
+  constexpr linearizer(graph& g, const general_form& form, directions which = directions::along_constraints)
+      : g_(g), form_(form), variations_(g, form_, which) {}
+  /// To be read from what was set aside.
+  constexpr explicit linearizer(graph& g) : g_(g), variations_(g, form_) {}
+  linearizer(const linearizer&) = delete;
+  linearizer& operator=(const linearizer&) = delete;
+
+  /// What was formed.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.form_);
+    visit(self.variations_);
+    visit(self.implicit_);
+    visit(self.explicit_);
+    visit(self.rates_);
+    visit(self.pivots_);
+  }
+
+  constexpr const general_form& form() const { return form_; }
+  constexpr const mechanics::variations& variations() const { return variations_; }
+  /// What the mass matrix was divided by, perhaps several times the same.
+  constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
+
+  constexpr const implicit_linearization& implicit_form() {
+    if (implicit_.mass.rows != 0) return implicit_;
+    sequence<expression> zero = summed(form_.f_0, form_.f_1);
+    for (const expression& e : form_.f_a) zero.push(e);
+    for (const expression& e : summed(summed(form_.f_2, form_.f_3), form_.f_4)) zero.push(e);
+    sequence<expression> unknowns = form_.qdot;
+    for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
+      for (const expression& e : *more) unknowns.push(e);
+    const explicit_linearization change = along_all(zero);
+    implicit_ = {derivatives(zero, unknowns), change.state, change.input};
+    for (expression& e : implicit_.state.entries) e = -e;
+    for (expression& e : implicit_.input.entries) e = -e;
+    return implicit_;
+  }
+
+  /// δ[q̇_i; u̇_i], of the independent coordinates and speeds alone.
+  constexpr const explicit_linearization& explicit_form() {
+    if (explicit_.state.rows != 0) return explicit_;
+    if (!is_reduced()) return explicit_ = rows_of_states(g_, form_, solved_rates());
+    sequence<expression> rates;
+    for (int i : form_.coordinates.independent) rates.push(form_.known.qdot[i]);
+    const explicit_linearization above = along_all(rates);
+    const symbolic::matrix below = accelerations();
+    explicit_ = explicit_linearization(g_, form_.states(), variations_.states(), form_.inputs());
+    for (int i = 0; i < form_.states(); ++i)
+      for (int j = 0; j < variations_.size(); ++j)
+        explicit_(i, j) = i < rates.size() ? above(i, j) : below(i - rates.size(), j);
+    return explicit_;
+  }
+
+  /// δ[q̇; u̇], of all coordinates and speeds.
+  constexpr explicit_linearization of_all_rates() {
+    sequence<int> rows;
+    for (int i = 0; i < form_.q.size() + form_.u.size(); ++i) rows.push(i);
+    return rows_of(g_, rates(), rows, form_.inputs());
+  }
+
+  /// C and D of outputs that may hold q, u, r, q̇ and u̇.
+  constexpr explicit_linearization outputs(const sequence<expression>& y) {
+    explicit_linearization out = along_all(y);
+    const symbolic::matrix by_qdot = derivatives(y, form_.qdot), by_udot = derivatives(y, form_.udot);
+    if (is_zero(by_qdot) && is_zero(by_udot)) return out;
+    const symbolic::matrix& known = rates();
+    for (int i = 0; i < y.size(); ++i)
+      for (int j = 0; j < variations_.size(); ++j) {
+        for (int k = 0; k < by_qdot.columns; ++k) out(i, j) += by_qdot(i, k) * known(k, j);
+        for (int k = 0; k < by_udot.columns; ++k) out(i, j) += by_udot(i, k) * known(by_qdot.columns + k, j);
+      }
+    return out;
+  }
+
+private:
+  static constexpr bool is_zero(const symbolic::matrix& m) {
+    for (const expression& e : m.entries)
+      if (!e.is_zero()) return false;
+    return true;
+  }
+
+  /// Whether the dynamics are those of the independent speeds, with a symmetric mass matrix that is known.
+  constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
+
+  constexpr symbolic::matrix derivatives(const sequence<expression>& of, const sequence<expression>& by) {
+    symbolic::matrix out(g_, of.size(), by.size());
+    symbolic::derivation d(g_);
+    for (int j = 0; j < by.size(); ++j) {
+      d.restart();
+      d.set_rate(by[j], {g_, graph::one});
+      for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
+    }
+    return out;
+  }
+
+  constexpr explicit_linearization along_all(const sequence<expression>& of) const {
+    explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
+    for (int j = 0; j < variations_.size(); ++j) {
+      symbolic::derivation d = variations_.along(j);
+      for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
+    }
+    return out;
+  }
+
+  /// δ[q̇; u̇] for each direction, and δλ behind where it is known.
+  constexpr const symbolic::matrix& rates() { return is_reduced() ? all_rates() : solved_rates(); }
+
+  /// δ[q̇; u̇; λ] for each direction, from the implicit form.
+  constexpr const symbolic::matrix& solved_rates() {
+    if (rates_.rows == 0) rates_ = solve_for_rates(g_, implicit_form()).x;
+    return rates_;
+  }
+
+  /// δ[q̇; u̇] for each direction, from the explicit form.
+  constexpr const symbolic::matrix& all_rates() {
+    if (rates_.rows != 0) return rates_;
+    const int n = form_.q.size(), first = form_.coordinates.independent.size();
+    sequence<expression> dependent;
+    for (int i : form_.coordinates.dependent) dependent.push(form_.known.qdot[i]);
+    const explicit_linearization of_dependent = along_all(dependent), &of_states = explicit_form();
+    const symbolic::matrix bias = acceleration_bias();
+    rates_ = symbolic::matrix(g_, n + form_.u.size(), variations_.size());
+    for (int j = 0; j < rates_.columns; ++j) {
+      for (int i = 0; i < first; ++i) rates_(form_.coordinates.independent[i], j) = of_states(i, j);
+      for (int i = 0; i < dependent.size(); ++i)
+        rates_(form_.coordinates.dependent[i], j) = of_dependent(i, j);
+      for (int i = 0; i < form_.speeds.independent.size(); ++i)
+        rates_(n + form_.speeds.independent[i], j) = of_states(first + i, j);
+      for (int d = 0; d < bias.rows; ++d) {
+        expression& rate = rates_(n + form_.speeds.dependent[d], j) = bias(d, j);
+        for (int i = 0; i < form_.speeds.independent.size(); ++i)
+          rate += form_.known.dependency(d, i) * of_states(first + i, j);
+      }
+    }
+    return rates_;
+  }
+
+  /// δu̇_i for each direction. With Φ = f_2 + f_3 and μ from (∂f_a/∂u̇_d)ᵀ μ = coupling, the mass matrix
+  /// times δu̇_i is the derivative of μᵀ f_a − Φ at constant u̇ and μ: the solution for u̇ is never
+  /// differentiated.
+  constexpr symbolic::matrix accelerations() {
+    const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
+    symbolic::matrix change;
+    if (force.size() < felt_directions(force))
+      change = changes_by_reverse(force);
+    else
+      change = changes_by_forward(force);
+    symbolic::matrix out(g_, force.size(), variations_.size());
+    for (int j = 0; j < out.columns; ++j) {
+      sequence<expression> right;
+      for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
+      const symbolic::symmetric_solution rates = symbolic::solve_symmetric(g_, form_.known.mass, right);
+      for (int i = 0; i < out.rows; ++i) out(i, j) = rates.x[i];
+      for (const symbolic::pivot& p : rates.pivots) pivots_.push(p);
+    }
+    return out;
+  }
+
+  /// How many directions of the state the dynamics feel.
+  constexpr int felt_directions(const sequence<expression>& force) const {
+    sequence<int> outputs = symbolic::nodes_of(force);
+    for (const expression& e : form_.f_a) outputs.push(e.node());
+    const sequence<char> live = symbolic::live_nodes(g_, outputs);
+    const auto is_live = [&](expression symbol) -> expression {
+      return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};
+    };
+    int felt = 0;
+    for (int j = 0; j < variations_.states(); ++j)
+      if (!variations_.contracted(j, is_live).is_zero()) ++felt;
+    return felt;
+  }
+
+  constexpr symbolic::matrix changes_by_reverse(const sequence<expression>& force) {
+    const symbolic::matrix weights = constraint_weights();
+    symbolic::matrix out(g_, force.size(), variations_.size());
+    sequence<expression> all = force;
+    for (const expression& e : form_.f_a) all.push(e);
+    symbolic::accumulation back(g_, all);
+    for (int i = 0; i < out.rows; ++i) {
+      back.restart();
+      back.seed(force[i], {g_, graph::one});
+      for (int d = 0; d < weights.rows; ++d) back.seed(form_.f_a[d], weights(d, i));
+      back.run();
+      for (int j = 0; j < out.columns; ++j)
+        out(i, j) = variations_.contracted(j, [&](expression symbol) { return back.by(symbol); });
+    }
+    return out;
+  }
+
+  constexpr symbolic::matrix changes_by_forward(const sequence<expression>& force) {
+    const symbolic::matrix bias = acceleration_bias();
+    symbolic::matrix out(g_, force.size(), variations_.size());
+    for (int j = 0; j < out.columns; ++j) {
+      symbolic::derivation d = variations_.along(j);
+      for (int i = 0; i < out.rows; ++i) {
+        out(i, j) = d.of(force[i]);
+        for (int k = 0; k < bias.rows; ++k) out(i, j) -= form_.known.coupling(k, i) * bias(k, j);
+      }
+    }
+    return out;
+  }
+
+  /// μ, a column for each independent speed.
+  constexpr symbolic::matrix constraint_weights() {
+    const sequence<int>& bound = form_.speeds.dependent;
+    symbolic::matrix transposed(g_, bound.size(), bound.size());
+    for (int i = 0; i < bound.size(); ++i)
+      for (int j = 0; j < bound.size(); ++j) transposed(i, j) = form_.known.on_udot(j, bound[i]);
+    return symbolic::solve_linear(g_, transposed, form_.known.coupling).x;
+  }
+
+  /// What f_a = 0 gives δu̇_d beside its share of δu̇_i, a column for each direction.
+  constexpr symbolic::matrix acceleration_bias() {
+    const int rows = form_.speeds.dependent.size();
+    const explicit_linearization change = along_all(form_.f_a);
+    symbolic::matrix on_dependent(g_, rows, rows), right(g_, rows, variations_.size());
+    for (int i = 0; i < rows; ++i) {
+      for (int k = 0; k < rows; ++k) on_dependent(i, k) = form_.known.on_udot(i, form_.speeds.dependent[k]);
+      for (int j = 0; j < right.columns; ++j) right(i, j) = -change(i, j);
+    }
+    return symbolic::solve_linear(g_, on_dependent, right).x;
+  }
+
+  graph& g_;
+  general_form form_{};
+  mechanics::variations variations_;
+  implicit_linearization implicit_{};
+  explicit_linearization explicit_{};
+  symbolic::matrix rates_{};
+  sequence<symbolic::pivot> pivots_{};
+};
+
+} // namespace kanexpr::mechanics

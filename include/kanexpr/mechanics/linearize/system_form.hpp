@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kanexpr/mechanics/dynamics/dynamics.hpp>
+#include <kanexpr/mechanics/linearize/general_form.hpp>
+#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
+
+/// The equations of a system, by whatever method, in the general form from which they are linearized.
+namespace kanexpr::mechanics {
+
+/// Forms it. f_2 = −F_r* of inertia and gravity, f_3 = −F_r of the other loads, f_4 = −Jᵀ λ: the mass matrix
+/// is positive.
+class system_form {
+public:
+  /// `by_q` are the derivatives of the configuration constraints by the coordinates.
+  constexpr system_form(const skeleton& s, const constraints& c, const symbolic::matrix& by_q,
+                        const partition& coordinates, const partition& speeds, dynamics& d)
+      : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
+        dynamics_(d), motion_(motion_on_rising_ground(s, m_.speed_rates)) {}
+
+  /// Of the independent speeds alone, without multipliers.
+  constexpr general_form reduced() {
+    general_form form = common();
+    form.f_2 = negative(dynamics_.reduce(dynamics_.inertia_in(motion_)));
+    form.f_3 = negative(dynamics_.reduce(dynamics_.forces_of_loads()));
+    form.known.dependency = dynamics_.dependent().on_independent;
+    form.known.coupling = dynamics_.coupling();
+    form.known.mass = dynamics_.mass();
+    return form;
+  }
+
+  /// Of all speeds, with multipliers.
+  constexpr general_form with_multipliers() {
+    general_form form = common();
+    form.f_2 = negative(dynamics_.inertia_in(motion_));
+    form.f_3 = negative(dynamics_.forces_of_loads());
+    for (int i = 0; i < constraints_.size(); ++i) {
+      name called("lambda");
+      called.append(i + 1);
+      form.lambda.push(symbolic::variable(*m_.g, {symbolic::symbol_kind::multiplier, called, i}));
+    }
+    for (sequence<expression>* f : {&form.f_2, &form.f_3}) // auxiliary speeds come last
+      while (f->size() > m_.speeds.size()) f->pop();
+    for (int r = 0; r < m_.speeds.size(); ++r) {
+      expression force = m_.zero();
+      for (int i = 0; i < constraints_.size(); ++i) force += constraints_.jacobian(i, r) * form.lambda[i];
+      form.f_4.push(-force);
+    }
+    return form;
+  }
+
+private:
+  constexpr general_form common() {
+    general_form form;
+    form.q = m_.coordinates, form.qdot = m_.coordinate_rates;
+    form.u = m_.speeds, form.udot = m_.speed_rates;
+    form.r = m_.inputs;
+    form.coordinates = coordinates_, form.speeds = speeds_;
+    take_kinematics(form);
+    take_constraints(form);
+    return form;
+  }
+
+  /// f_0 = K q̇ and f_1 = k.
+  constexpr void take_kinematics(general_form& form) {
+    without_auxiliary_speeds drop(m_);
+    const linear_kinematics k = linear_in_rates(m_);
+    for (int i = 0; i < k.k_rates.rows; ++i) {
+      expression sum = m_.zero();
+      for (int j = 0; j < k.k_rates.columns; ++j) sum += k.k_rates(i, j) * m_.coordinate_rates[j];
+      form.f_0.push(sum);
+      form.f_1.push(drop.in(k.remainder[i]));
+    }
+    for (const expression& rate : s_.coordinate_rates) form.known.qdot.push(drop.in(rate));
+  }
+
+  constexpr void take_constraints(general_form& form) {
+    form.f_c = m_.configuration_constraints;
+    for (const velocity_constraint& each : constraints_.on_velocities) form.f_v.push(each.value);
+    form.known.on_q = by_q_;
+    form.known.on_u = form.known.on_udot = constraints_.jacobian;
+    if (m_.acceleration_constraints.empty()) {
+      for (int i = 0; i < constraints_.size(); ++i)
+        form.f_a.push(rate_of_constraint(motion_, constraints_, i));
+      return;
+    }
+    known_rates known(m_, s_.coordinate_rates);
+    for (const expression& e : m_.acceleration_constraints) form.f_a.push(known.in(e));
+    form.known.on_udot = linear_in_speed_rates(s_).jacobian;
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  const constraints& constraints_;
+  const symbolic::matrix& by_q_;
+  const partition &coordinates_, &speeds_;
+  dynamics& dynamics_;
+  motion motion_;
+};
+
+} // namespace kanexpr::mechanics

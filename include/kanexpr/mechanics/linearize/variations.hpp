@@ -1,0 +1,119 @@
+#pragma once
+
+#include <kanexpr/mechanics/linearize/general_form.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/linear/solve_linear.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Whether the dependent coordinates and speeds follow the others, or are varied by themselves as well.
+enum class directions { along_constraints, free };
+
+/// The directions in which a system can leave an operating point: one for each independent coordinate, then
+/// each independent speed, then each input, where the dependent coordinates and speeds follow so that f_c and
+/// f_v stay zero. Of free directions there is one for each coordinate, each speed and each input, and nothing
+/// follows: they leave the constraints, and the point need not satisfy them.
+class variations {
+public:
+  constexpr variations(graph& g, const general_form& form, directions which)
+      : g_(g), form_(form), of_q_(followed(form.coordinates, which)), of_u_(followed(form.speeds, which)) {
+    for (int i : of_q_.independent) symbols_.push(form.q[i]);
+    for (int i : of_u_.independent) symbols_.push(form.u[i]);
+    for (const expression& input : form.r) symbols_.push(input);
+    coordinates_ = symbolic::matrix(g, of_q_.dependent.size(), size());
+    speeds_ = symbolic::matrix(g, of_u_.dependent.size(), size());
+    if (coordinates_.rows != 0) coordinates_ = follow(form.f_c, form.q, of_q_, form.known.on_q);
+    if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, of_u_, form.known.on_u);
+  }
+
+  /// To be read from what was set aside.
+  constexpr variations(graph& g, const general_form& form) : g_(g), form_(form) {}
+
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.of_q_);
+    visit(self.of_u_);
+    visit(self.symbols_);
+    visit(self.coordinates_);
+    visit(self.speeds_);
+    visit(self.blocks_);
+  }
+
+  constexpr int size() const { return symbols_.size(); }
+  /// Those of coordinates and speeds, which come first.
+  constexpr int states() const { return size() - form_.inputs(); }
+
+  /// How the dependent coordinates and speeds follow, a column for each direction.
+  constexpr const symbolic::matrix& of_coordinates() const { return coordinates_; }
+  constexpr const symbolic::matrix& of_speeds() const { return speeds_; }
+
+  /// The coupled equations that were solved for the dependent coordinates.
+  constexpr const sequence<symbolic::solved_block>& coordinate_blocks() const { return blocks_; }
+
+  /// The symbol that is varied by itself.
+  constexpr expression symbol(int j) const { return symbols_[j]; }
+
+  /// The derivatives of expressions along direction `j`.
+  constexpr symbolic::derivation along(int j) const {
+    symbolic::derivation d(g_);
+    d.set_rate(symbol(j), {g_, graph::one});
+    for (int i = 0; i < coordinates_.rows; ++i) d.set_rate(form_.q[of_q_.dependent[i]], coordinates_(i, j));
+    for (int i = 0; i < speeds_.rows; ++i) d.set_rate(form_.u[of_u_.dependent[i]], speeds_(i, j));
+    return d;
+  }
+
+  /// The same from the derivatives by all symbols, `by(symbol)`.
+  template <class By>
+  constexpr expression contracted(int j, const By& by) const {
+    expression sum = by(symbol(j));
+    for (int i = 0; i < coordinates_.rows; ++i) sum += coordinates_(i, j) * by(form_.q[of_q_.dependent[i]]);
+    for (int i = 0; i < speeds_.rows; ++i) sum += speeds_(i, j) * by(form_.u[of_u_.dependent[i]]);
+    return sum;
+  }
+
+private:
+  /// A choice of what is dependent; nothing is where nothing follows.
+  static constexpr partition followed(const partition& split, directions which) {
+    if (which == directions::along_constraints) return split;
+    return partition_by(sequence<char>(split.dependent.size() + split.independent.size(), 0));
+  }
+
+  /// Keeps some equations zero by the dependent ones among their unknowns.
+  constexpr symbolic::matrix follow(const sequence<expression>& zero, const sequence<expression>& unknowns,
+                                    const partition& split, const symbolic::matrix& known) {
+    const int rows = zero.size();
+    symbolic::matrix by_dependent(g_, rows, rows), right(g_, rows, size());
+    for (int j = 0; j < rows; ++j) {
+      const int column = split.dependent[j];
+      symbolic::derivation d(g_);
+      if (known.rows == 0) d.set_rate(unknowns[column], {g_, graph::one});
+      for (int i = 0; i < rows; ++i) by_dependent(i, j) = known.rows == 0 ? d.of(zero[i]) : known(i, column);
+    }
+    for (int j = 0; j < size(); ++j) {
+      const int place = independent_place(unknowns, split, j);
+      symbolic::derivation d = along(j);
+      for (int i = 0; i < rows; ++i)
+        right(i, j) = place >= 0 && known.rows != 0 ? -known(i, place) : -d.of(zero[i]);
+    }
+    const symbolic::linear_solution solved = symbolic::solve_linear(
+        g_, by_dependent, right, known.rows == 0 ? by_dependent : known, symbolic::nodes_of(zero));
+    if (&zero == &form_.f_c) blocks_ = solved.blocks;
+    return solved.x;
+  }
+
+  /// Where the symbol of a direction stands among some unknowns, or none.
+  constexpr int independent_place(const sequence<expression>& unknowns, const partition& split, int j) const {
+    for (int i : split.independent)
+      if (unknowns[i] == symbol(j)) return i;
+    return none;
+  }
+
+  graph& g_;
+  const general_form& form_;
+  partition of_q_, of_u_; ///< what follows, and what is varied by itself
+  sequence<expression> symbols_{};
+  symbolic::matrix coordinates_{}, speeds_{};
+  sequence<symbolic::solved_block> blocks_{};
+};
+
+} // namespace kanexpr::mechanics

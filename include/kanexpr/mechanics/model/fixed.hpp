@@ -1,0 +1,29 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/components.hpp>
+
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+constexpr bool is_fixed(const graph& g, int id, sequence<char>& seen) {
+  if (seen[id] != 0) return true; // looked at already, or being looked at
+  seen[id] = 1;
+  const symbolic::node& n = g[id];
+  if (n.op == symbolic::operation::constant) return true;
+  if (n.op == symbolic::operation::symbol) return g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
+  return is_fixed(g, n.a, seen) && (!symbolic::is_binary(n.op) || is_fixed(g, n.b, seen));
+}
+
+} // namespace detail
+
+/// Whether a scalar is made of numbers and parameters alone, so that it stays as it is while the system
+/// moves.
+constexpr bool is_fixed(expression e) {
+  sequence<char> seen(e.node() + 1, 0);
+  return detail::is_fixed(e.owner(), e.node(), seen);
+}
+
+constexpr bool is_fixed(const components& v) { return is_fixed(v.x) && is_fixed(v.y) && is_fixed(v.z); }
+
+} // namespace kanexpr::mechanics

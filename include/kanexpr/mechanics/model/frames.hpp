@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+#include <string_view>
+
+/// The ways of saying how a frame stands in its parent.
+namespace kanexpr::mechanics {
+
+constexpr int add_inertial_frame(mechanism& m, const name& called) {
+  frame f;
+  f.called = called;
+  return m.frames.push(f);
+}
+
+/// v in the parent's axes = to_parent · v in the frame's axes.
+constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, const matrix3& to_parent) {
+  frame f;
+  f.called = called;
+  f.parent = parent;
+  f.kind = orientation::matrix;
+  f.to_parent = to_parent;
+  return m.frames.push(f);
+}
+
+/// A turn by `angle` about an axis given in the parent's axes; it need not have unit length.
+constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, expression angle,
+                                const components& axis) {
+  frame f;
+  f.called = called;
+  f.parent = parent;
+  f.angle = angle;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (!axis[j].is_zero() || !axis[k].is_zero() || !axis[i].is_constant()) continue;
+    f.kind = orientation::about_basis;
+    f.axis = i;
+    if (m.g->number_at(axis[i].node()).negative()) f.angle = -angle;
+    return m.frames.push(f);
+  }
+  // R = E + sin [a]× + (1 − cos) (a aᵀ − E), Rodrigues
+  const expression length = sqrt(dot(axis, axis));
+  const components a{axis.x / length, axis.y / length, axis.z / length};
+  const expression s = sin(angle), c = cos(angle), v = 1 - c;
+  f.kind = orientation::about_axis;
+  f.direction = a;
+  f.to_parent.row[0] = {c + v * (a.x * a.x), v * (a.x * a.y) - s * a.z, v * (a.z * a.x) + s * a.y};
+  f.to_parent.row[1] = {v * (a.x * a.y) + s * a.z, c + v * (a.y * a.y), v * (a.y * a.z) - s * a.x};
+  f.to_parent.row[2] = {v * (a.z * a.x) - s * a.y, v * (a.y * a.z) + s * a.x, c + v * (a.z * a.z)};
+  return m.frames.push(f);
+}
+
+/// 0, 1, 2 for the letters and digits of an axis; `none` for anything else.
+constexpr int axis_of(char letter) {
+  switch (letter) {
+  case 'x':
+  case 'X':
+  case '1': return 0;
+  case 'y':
+  case 'Y':
+  case '2': return 1;
+  case 'z':
+  case 'Z':
+  case '3': return 2;
+  default: return none;
+  }
+}
+
+constexpr bool is_sequence(std::string_view letters) {
+  if (letters.size() != 3) return false;
+  const int a = axis_of(letters[0]), b = axis_of(letters[1]), c = axis_of(letters[2]);
+  return a != none && b != none && c != none && a != b && b != c;
+}
+
+/// Three turns; the first two get frames of their own, named after the last one: B', B''.
+constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent, std::string_view letters,
+                                    const sequence<expression>& angles, bool space_fixed) {
+  int last = parent;
+  for (int turn = 0; turn < 3; ++turn) {
+    const int i = space_fixed ? 2 - turn : turn; // space-fixed turns are body-fixed ones in reverse
+    name own = called;
+    if (turn < 2) own.append(turn == 0 ? "'" : "''");
+    components axis(*m.g);
+    axis[axis_of(letters[static_cast<std::size_t>(i)])] = m.one();
+    last = add_rotated_frame(m, own, last, angles[i], axis);
+  }
+  return last;
+}
+
+/// The unit quaternion e0 + e1 i + e2 j + e3 k. Kane, Likins & Levinson (1983), eq. 1.3.10.
+constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
+                                      expression e1, expression e2, expression e3) {
+  const expression xx = e1 * e1, yy = e2 * e2, zz = e3 * e3;
+  const expression xy = e1 * e2, yz = e2 * e3, zx = e3 * e1, wx = e0 * e1, wy = e0 * e2, wz = e0 * e3;
+  matrix3 r;
+  r.row[0] = {1 - 2 * (yy + zz), 2 * (xy - wz), 2 * (zx + wy)};
+  r.row[1] = {2 * (xy + wz), 1 - 2 * (zz + xx), 2 * (yz - wx)};
+  r.row[2] = {2 * (zx - wy), 2 * (yz + wx), 1 - 2 * (xx + yy)};
+  const int place = add_frame_by_matrix(m, called, parent, r);
+  m.frames[place].quaternion = {e0, e1, e2, e3};
+  return place;
+}
+
+/// The angular velocity of a frame in `reference`, given by hand; it is used in place of the derived one.
+/// `apart`: it need not be that of the orientation.
+constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,
+                                        bool apart = false) {
+  m.frames[frame].reference = reference;
+  m.frames[frame].angular_velocity = value;
+  m.frames[frame].turns_apart = apart;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/components.hpp>
+
+namespace kanexpr::mechanics {
+
+/// A symmetric dyadic in the axes of some frame: an inertia, with the sign of I = Σ m (r·r E − r r).
+struct symmetric {
+  expression xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
+
+  static constexpr expression symmetric::* entry(int i, int j) {
+    if (i == j) return i == 0 ? &symmetric::xx : i == 1 ? &symmetric::yy : &symmetric::zz;
+    return i + j == 1 ? &symmetric::xy : i + j == 3 ? &symmetric::yz : &symmetric::zx;
+  }
+
+  constexpr symmetric() = default;
+  constexpr explicit symmetric(graph& g) {
+    const expression zero{g, graph::zero};
+    xx = yy = zz = xy = yz = zx = zero;
+  }
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.xx);
+    visit(self.yy);
+    visit(self.zz);
+    visit(self.xy);
+    visit(self.yz);
+    visit(self.zx);
+  }
+  constexpr expression& operator()(int i, int j) { return this->*entry(i, j); }
+  constexpr const expression& operator()(int i, int j) const { return this->*entry(i, j); }
+  constexpr bool is_zero() const {
+    return xx.is_zero() && yy.is_zero() && zz.is_zero() && xy.is_zero() && yz.is_zero() && zx.is_zero();
+  }
+  constexpr bool is_constant() const {
+    return xx.is_constant() && yy.is_constant() && zz.is_constant() && xy.is_constant() && yz.is_constant() &&
+           zx.is_constant();
+  }
+  friend constexpr symmetric operator+(const symmetric& a, const symmetric& b) {
+    symmetric s;
+    s.xx = a.xx + b.xx, s.yy = a.yy + b.yy, s.zz = a.zz + b.zz;
+    s.xy = a.xy + b.xy, s.yz = a.yz + b.yz, s.zx = a.zx + b.zx;
+    return s;
+  }
+};
+
+constexpr components operator*(const symmetric& a, const components& v) {
+  return {a.xx * v.x + a.xy * v.y + a.zx * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+          a.zx * v.x + a.yz * v.y + a.zz * v.z};
+}
+
+/// Whether an inertia, `symmetric` or a matrix, looks the same from all sides of axis `a`.
+template <class Inertia>
+constexpr bool is_round(const Inertia& i, int a) {
+  const int b = (a + 1) % 3, d = (a + 2) % 3;
+  return i(b, b) == i(d, d) && i(a, b).is_zero() && i(a, d).is_zero() && i(b, d).is_zero();
+}
+
+/// The rigid mass of a part seen from one of its points, in the axes of some frame:
+/// mass, first moment h = Σ m r and inertia about the point.
+struct rigid_mass {
+  expression mass{};
+  components first_moment{};
+  symmetric inertia{};
+
+  constexpr rigid_mass() = default;
+  constexpr explicit rigid_mass(graph& g) : mass(g, graph::zero), first_moment(g), inertia(g) {}
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.mass);
+    visit(self.first_moment);
+    visit(self.inertia);
+  }
+
+  constexpr bool is_zero() const { return mass.is_zero() && first_moment.is_zero() && inertia.is_zero(); }
+  constexpr bool is_constant() const {
+    return mass.is_constant() && first_moment.is_constant() && inertia.is_constant();
+  }
+  constexpr rigid_mass& operator+=(const rigid_mass& other) {
+    mass += other.mass;
+    first_moment += other.first_moment;
+    inertia = inertia + other.inertia;
+    return *this;
+  }
+};
+
+/// The same mass seen from a point that lies at −r: what was about c is now about p, with c at p + r.
+///
+/// With h' = h + m r the diagonal gains r·(h + h') less its own product, the rest r_i h_j + r_j h'_i:
+/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation). Without
+/// mass h' is h, and the diagonal gains twice what the moments of forces at r need as well.
+constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
+  rigid_mass to = at;
+  const components& h = at.first_moment;
+  to.first_moment = h + at.mass * r;
+  const components& k = to.first_moment;
+  if (at.mass.is_zero()) {
+    const expression x = r.x * h.x, y = r.y * h.y, z = r.z * h.z;
+    to.inertia.xx = at.inertia.xx + 2 * (y + z);
+    to.inertia.yy = at.inertia.yy + 2 * (z + x);
+    to.inertia.zz = at.inertia.zz + 2 * (x + y);
+  } else {
+    const expression x = r.x * (h.x + k.x), y = r.y * (h.y + k.y), z = r.z * (h.z + k.z);
+    to.inertia.xx = at.inertia.xx + (y + z);
+    to.inertia.yy = at.inertia.yy + (z + x);
+    to.inertia.zz = at.inertia.zz + (x + y);
+  }
+  to.inertia.xy = at.inertia.xy - (r.x * h.y + r.y * k.x);
+  to.inertia.yz = at.inertia.yz - (r.y * h.z + r.z * k.y);
+  to.inertia.zx = at.inertia.zx - (r.z * h.x + r.x * k.z);
+  return to;
+}
+
+} // namespace kanexpr::mechanics

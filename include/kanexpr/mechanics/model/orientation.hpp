@@ -1,0 +1,190 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/inertia.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+namespace kanexpr::mechanics {
+
+/// One turn of a vector's axes: about a basis vector, which costs four products, or by a matrix.
+struct hop {
+  bool about_basis = true;
+  int axis = 0;
+  expression angle{}; ///< of the old axes in the new ones
+  matrix3 to_new{};
+};
+
+constexpr components turned(const hop& h, const components& v) {
+  if (!h.about_basis) return h.to_new * v;
+  const int b = (h.axis + 1) % 3, d = (h.axis + 2) % 3;
+  const expression s = sin(h.angle), c = cos(h.angle);
+  components out = v;
+  out[b] = c * v[b] - s * v[d];
+  out[d] = s * v[b] + c * v[d];
+  return out;
+}
+
+/// A symmetric dyadic in turned axes. About a basis vector a: with e = s²(I_bb − I_dd) + 2sc I_bd the
+/// diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; the row of a turns like a
+/// vector.
+constexpr symmetric turned(const hop& h, const symmetric& m) {
+  symmetric out = m;
+  if (!h.about_basis) {
+    matrix3 half; // row j: m · (row j of to_new)
+    for (int j = 0; j < 3; ++j) half.row[j] = m * h.to_new.row[j];
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) out(i, j) = dot(h.to_new.row[i], half.row[j]);
+    return out;
+  }
+  const int a = h.axis, b = (a + 1) % 3, d = (a + 2) % 3;
+  const expression s = sin(h.angle), c = cos(h.angle);
+  const expression difference = m(b, b) - m(d, d);
+  const expression ss = s * s, sc = s * c;
+  const expression e = ss * difference + (2 * sc) * m(b, d);
+  out(b, b) = m(b, b) - e;
+  out(d, d) = m(d, d) + e;
+  out(b, d) = sc * difference + (1 - 2 * ss) * m(b, d);
+  out(a, b) = c * m(a, b) - s * m(d, a);
+  out(d, a) = s * m(a, b) + c * m(d, a);
+  return out;
+}
+
+/// The way from the axes of one frame to those of another: up to the common ancestor and down again.
+///
+/// Successive turns about one axis are one turn by the sum of their angles.
+class path {
+public:
+  constexpr path(const mechanism& m, int from, int to) {
+    if (from == to) return;
+    const int meeting = common_ancestor(m, from, to);
+    climb(m, from, meeting);
+    descend(m, to, meeting);
+  }
+
+  constexpr const sequence<hop>& hops() const { return hops_; }
+
+  template <class Quantity>
+  constexpr Quantity turn(Quantity v) const {
+    for (const hop& h : hops_) v = turned(h, v);
+    return v;
+  }
+
+  static constexpr int depth(const mechanism& m, int f) {
+    int n = 0;
+    for (; f != mechanism::inertial; f = m.frames[f].parent) ++n;
+    return n;
+  }
+  static constexpr int common_ancestor(const mechanism& m, int a, int b) {
+    int i = depth(m, a), j = depth(m, b);
+    for (; i > j; --i) a = m.frames[a].parent;
+    for (; j > i; --j) b = m.frames[b].parent;
+    while (a != b) a = m.frames[a].parent, b = m.frames[b].parent;
+    return a;
+  }
+
+private:
+  /// Formed from the meeting outwards and then turned round: so the angles of a chain add up as running sums.
+  constexpr void climb(const mechanism& m, int from, int meeting) {
+    const sequence<int> way = way_down(m, from, meeting);
+    for (int i = way.size() - 1; i >= 0; --i) {
+      const frame& f = m.frames[way[i]];
+      if (f.kind == orientation::about_basis)
+        push_turn(f.axis, f.angle, 0);
+      else if (!f.to_parent.is_identity())
+        hops_.push({false, 0, expression{}, f.to_parent});
+    }
+    for (int i = 0, j = hops_.size() - 1; i < j; ++i, --j) {
+      const hop first = hops_[i];
+      hops_[i] = hops_[j];
+      hops_[j] = first;
+    }
+  }
+  constexpr void descend(const mechanism& m, int to, int meeting) {
+    const sequence<int> way = way_down(m, to, meeting);
+    const int climbed = hops_.size();
+    for (int i = way.size() - 1; i >= 0; --i) {
+      const frame& f = m.frames[way[i]];
+      if (f.kind == orientation::about_basis)
+        push_turn(f.axis, -f.angle, climbed);
+      else if (!f.to_parent.is_identity())
+        hops_.push({false, 0, expression{}, transpose(f.to_parent)});
+    }
+  }
+  /// The frames from `f` to the one below `meeting`, the last first.
+  static constexpr sequence<int> way_down(const mechanism& m, int f, int meeting) {
+    sequence<int> way;
+    for (; f != meeting; f = m.frames[f].parent) way.push(f);
+    return way;
+  }
+  constexpr void push_turn(int axis, expression angle, int first_to_merge) {
+    if (hops_.size() > first_to_merge && hops_.back().about_basis && hops_.back().axis == axis)
+      hops_.back().angle += angle;
+    else
+      hops_.push({true, axis, angle, matrix3{}});
+  }
+
+  sequence<hop> hops_{};
+};
+
+constexpr components express(const mechanism& m, const components& v, int from, int to) {
+  if (v.is_zero() || from == to) return v;
+  return path(m, from, to).turn(v); // not in a conditional expression: g++ 12 would destroy the path twice
+}
+
+/// A sum over frames in the axes of one: the running sum starts at the frame that is farthest away and is
+/// turned hop by hop, taking up the other parts where it meets them.
+constexpr components express(const mechanism& m, const vector& v, int to) {
+  sequence<vector::part> left = v.parts;
+  components total(*m.g);
+  while (!left.empty()) {
+    int farthest = 0, hops = -1;
+    for (int i = 0; i < left.size(); ++i) {
+      const int meeting = path::common_ancestor(m, left[i].frame, to);
+      const int n = path::depth(m, left[i].frame) + path::depth(m, to) - 2 * path::depth(m, meeting);
+      if (n > hops) farthest = i, hops = n;
+    }
+    const vector::part part = left[farthest];
+    left[farthest] = left.back();
+    left.pop();
+    if (hops == 0) {
+      total += part.value;
+      continue;
+    }
+    const int meeting = path::common_ancestor(m, part.frame, to);
+    int next = part.frame;
+    bool met = false; // climb or descend to the next frame on the way that has a part of its own
+    const auto has_part = [&](int f) {
+      for (const vector::part& p : left)
+        if (p.frame == f) return true;
+      return false;
+    };
+    while (!met && next != meeting) {
+      next = m.frames[next].parent;
+      met = has_part(next);
+    }
+    if (!met) {
+      next = to;
+      for (int f = to; f != meeting; f = m.frames[f].parent)
+        if (has_part(f)) next = f; // the last found is the nearest to the meeting
+    }
+    const components arrived = express(m, part.value, part.frame, next);
+    bool joined = false;
+    for (vector::part& p : left)
+      if (p.frame == next) p.value += arrived, joined = true;
+    if (!joined) left.push({next, arrived});
+  }
+  return total;
+}
+
+/// A dyadic's matrix in the axes of one frame.
+constexpr matrix3 express(const mechanism& m, const dyadic& d, int to) {
+  matrix3 total(*m.g);
+  for (const dyadic::part& p : d.parts) {
+    matrix3 half = transpose(p.value); // row j: column j of the value, a vector in the left axes
+    for (int j = 0; j < 3; ++j) half.row[j] = express(m, half.row[j], p.left, to);
+    half = transpose(half);
+    for (int i = 0; i < 3; ++i) total.row[i] += express(m, half.row[i], p.right, to);
+  }
+  return total;
+}
+
+} // namespace kanexpr::mechanics

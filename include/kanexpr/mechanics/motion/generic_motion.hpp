@@ -1,0 +1,282 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
+
+/// How the frames of a mechanism turn, in numbers, at states that nobody chose.
+namespace kanexpr::mechanics {
+
+/// Draws configurations and speeds, solves the kinematic differential equations for the rates of the
+/// coordinates, and says how frames turn then: by what their orientations say, and by what is declared.
+class generic_motion {
+public:
+  /// `more` are expressions whose values and rates are wanted too.
+  constexpr generic_motion(const mechanism& m, const contents& held, const sequence<expression>& more = {})
+      : m_(m), g_(*m.g), equations_(g_, nodes_of(m.kinematics)), scalars_(g_, nodes_of_frames(m, more)),
+        symbols_(g_.size()), frames_(m.frames.size()) {
+    sequence<int> in_equations;
+    for (const expression& e : m.kinematics) {
+      rates_.push({});
+      held.collect(e, kind::coordinate_rate, rates_.back());
+      held.collect(e, kind::speed, in_equations);
+    }
+    for (const expression& u : m.speeds)
+      if (!in_equations.contains(u.node())) free_speeds_.push(u.node());
+  }
+
+  /// Takes up a new configuration and new speeds.
+  constexpr void draw() {
+    for (const sequence<expression>* list : {&m_.coordinates, &m_.speeds, &m_.inputs})
+      for (const expression& e : *list) symbols_[e.node()].value = 1.8 * between() - 0.9;
+    for (const expression& e : m_.parameters) symbols_[e.node()].value = 0.5 + between();
+    symbols_[m_.time.node()] = {1.8 * between() - 0.9, 1};
+    for (const frame& f : m_.frames) normalize(f.quaternion);
+    for (const prescribed_rate& p : m_.prescribed_rates)
+      symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
+  }
+
+  /// Speeds that stand in no kinematic differential equation: the rates of angles that the model leaves out.
+  constexpr bool has_free_speeds() const { return !free_speeds_.empty(); }
+
+  /// Moves by the speeds that were drawn, or without the free ones. False where that is not defined.
+  constexpr bool move(bool with_free_speeds = true) {
+    sequence<double> kept;
+    for (int id : free_speeds_) {
+      kept.push(symbols_[id].value);
+      if (!with_free_speeds) symbols_[id].value = 0;
+    }
+    const bool defined = solve_for_rates() && evaluate();
+    for (int i = 0; i < kept.size(); ++i) symbols_[free_speeds_[i]].value = kept[i];
+    return defined;
+  }
+
+  /// Moves by rates of coordinates that no equation binds.
+  constexpr bool move_freely() {
+    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), between() - 0.5);
+    return evaluate();
+  }
+
+  /// Whether a frame's basis is orthonormal, as quaternions and matrices make it only if they are.
+  constexpr bool is_proper(int f) const { return frames_[f].proper; }
+  /// The frame's basis vectors in inertial axes.
+  constexpr const triad& basis(int f) const { return frames_[f].basis; }
+  /// Its angular velocity in the inertial frame, by its orientation.
+  constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
+  /// Its angular velocity in the inertial frame as the equations of motion use it.
+  constexpr triple turning(int f) const { return frames_[f].turning; }
+  /// What rounding may make of an angular velocity that is zero: all are solved for together.
+  constexpr double rounding() const {
+    double fastest = 0;
+    for (const pose& p : frames_)
+      for (const triple& w : {p.by_orientation, p.turning})
+        if (length(w) > fastest) fastest = length(w);
+    return 1e-14 * fastest;
+  }
+  /// A declared angular velocity in its reference.
+  constexpr triple declared(int f) const { return vector_of(m_.frames[f].angular_velocity); }
+
+  constexpr const symbolic::rated& operator[](expression e) const { return scalars_[e.node()]; }
+  constexpr triple vector_of(const vector& v) const {
+    triple sum;
+    for (const vector::part& p : v.parts) sum = sum + basis(p.frame) * value(p.value);
+    return sum;
+  }
+  constexpr triple value(const components& c) const {
+    return {(*this)[c.x].value, (*this)[c.y].value, (*this)[c.z].value};
+  }
+  constexpr triple rate(const components& c) const {
+    return {(*this)[c.x].rate, (*this)[c.y].rate, (*this)[c.z].rate};
+  }
+
+private:
+  using kind = symbolic::symbol_kind;
+
+  struct pose {
+    triad basis{};
+    triple by_orientation{}, turning{};
+    bool proper = true;
+    bool known = false; ///< `turning`
+  };
+
+  static constexpr sequence<int> nodes_of(const sequence<expression>& all) {
+    sequence<int> nodes;
+    for (const expression& e : all) nodes.push(e.node());
+    return nodes;
+  }
+  static constexpr sequence<int> nodes_of_frames(const mechanism& m, const sequence<expression>& more) {
+    sequence<int> nodes = nodes_of(more);
+    const auto push = [&](const components& c) {
+      for (int i = 0; i < 3; ++i) nodes.push(c[i].node());
+    };
+    for (const frame& f : m.frames) {
+      if (f.kind == orientation::about_basis || f.kind == orientation::about_axis) nodes.push(f.angle.node());
+      if (f.kind == orientation::about_axis) push(f.direction);
+      for (int i = 0; i < 3 && (f.kind == orientation::about_axis || f.kind == orientation::matrix); ++i)
+        push(f.to_parent.row[i]);
+      for (const vector::part& p : f.angular_velocity.parts) push(p.value);
+    }
+    return nodes;
+  }
+
+  /// Between 0 and 1, by Marsaglia's xorshift.
+  constexpr double between() {
+    random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17;
+    return static_cast<double>(random_ >> 11) / 9007199254740992.0;
+  }
+
+  constexpr void set_rate(int rate, double value) {
+    symbols_[rate].value = value;
+    const int q = m_.coordinate_rates.find({g_, rate});
+    symbols_[m_.coordinates[q].node()].rate = value;
+  }
+
+  /// Where the four are symbols of their own.
+  constexpr void normalize(const sequence<expression>& quaternion) {
+    double square = 0;
+    for (const expression& e : quaternion) {
+      if (!m_.coordinates.contains(e)) return;
+      square += symbols_[e.node()].value * symbols_[e.node()].value;
+    }
+    for (const expression& e : quaternion) symbols_[e.node()].value /= symbolic::elementary::sqrt(square);
+  }
+
+  /// The equations are linear in the rates, and most hold one.
+  constexpr bool solve_for_rates() {
+    const int n = m_.kinematics.size();
+    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
+    const sequence<double> at_rest = left_over();
+    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 1);
+    const sequence<double> at_one = left_over();
+    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
+    sequence<int> coupled, known, unknown;
+    for (int i = 0; i < n; ++i) {
+      if (rates_[i].size() != 1) {
+        coupled.push(i);
+        continue;
+      }
+      if (numeric::equal(at_one[i], at_rest[i])) return false;
+      known.push(rates_[i][0]);
+      set_rate(known.back(), -at_rest[i] / (at_one[i] - at_rest[i]));
+    }
+    for (int i : coupled)
+      for (int rate : rates_[i])
+        if (!known.contains(rate) && !unknown.contains(rate)) unknown.push(rate);
+    return unknown.size() == coupled.size() && (coupled.empty() || solve_for(unknown, coupled));
+  }
+  constexpr bool solve_for(const sequence<int>& unknown, const sequence<int>& coupled) {
+    const int order = unknown.size();
+    const symbolic::factors place{order};
+    sequence<double> f(place.size(), 0), x;
+    const sequence<double> base = left_over();
+    for (int i : coupled) x.push(-base[i]);
+    for (int j = 0; j < order; ++j) {
+      set_rate(unknown[j], 1);
+      const sequence<double> moved = left_over();
+      set_rate(unknown[j], 0);
+      for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
+    }
+    symbolic::factorize<symbolic::constant_elimination>(order, &f[0]);
+    if (!(f[place.least_pivot()] > 0)) return false;
+    symbolic::solve_factorized<symbolic::constant_elimination>(order, &f[0], &x[0]);
+    for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
+    return true;
+  }
+  constexpr sequence<double> left_over() {
+    equations_.at([&](int id) { return symbols_[id].value; });
+    sequence<double> values;
+    for (const expression& e : m_.kinematics) values.push(equations_[e.node()]);
+    return values;
+  }
+
+  constexpr bool evaluate() {
+    scalars_.at([&](int id) { return symbols_[id]; });
+    for (int f = 0; f < frames_.size(); ++f) place(f);
+    for (int f = 0; f < frames_.size(); ++f) {
+      turn(f);
+      const triple w = frames_[f].turning - frames_[f].by_orientation;
+      if (!symbolic::elementary::detail::is_finite(w.x + w.y + w.z)) return false;
+    }
+    return true;
+  }
+
+  /// Parents come before what stands in them.
+  constexpr void place(int f) {
+    const frame& own = m_.frames[f];
+    pose p;
+    if (own.kind == orientation::inertial) {
+      p.basis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      frames_[f] = p;
+      return;
+    }
+    const pose& below = frames_[own.parent];
+    p.proper = below.proper;
+    triple w; // in the parent's axes
+    triad turned;
+    if (own.kind == orientation::about_basis) {
+      const symbolic::rated& angle = (*this)[own.angle];
+      turned = about_basis(own.axis, angle.value);
+      w = {own.axis == 0 ? angle.rate : 0, own.axis == 1 ? angle.rate : 0, own.axis == 2 ? angle.rate : 0};
+    } else {
+      const triad rows{value(own.to_parent.row[0]), value(own.to_parent.row[1]), value(own.to_parent.row[2])};
+      const triad rates{rate(own.to_parent.row[0]), rate(own.to_parent.row[1]), rate(own.to_parent.row[2])};
+      turned = transposed(rows);
+      if (own.kind == orientation::about_axis)
+        w = (*this)[own.angle].rate * value(own.direction);
+      else
+        w = 0.5 * axial(transposed(rates), turned), p.proper = p.proper && is_orthonormal(turned);
+    }
+    p.basis = below.basis * turned;
+    p.by_orientation = below.by_orientation + below.basis * w;
+    frames_[f] = p;
+  }
+
+  constexpr void turn(int f) {
+    pose& p = frames_[f];
+    if (p.known) return;
+    p.known = true;
+    const frame& own = m_.frames[f];
+    if (own.turns_by_declaration()) {
+      turn(own.reference);
+      p.turning = frames_[own.reference].turning + declared(f);
+      p.proper = p.proper && frames_[own.reference].proper;
+    } else if (own.parent != none) {
+      turn(own.parent);
+      p.turning = frames_[own.parent].turning + (p.by_orientation - frames_[own.parent].by_orientation);
+    }
+  }
+
+  static constexpr triad about_basis(int axis, double angle) {
+    const double s = symbolic::elementary::sin(angle), c = symbolic::elementary::cos(angle);
+    if (axis == 0) return {{1, 0, 0}, {0, c, s}, {0, -s, c}};
+    if (axis == 1) return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
+    return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
+  }
+  static constexpr triad transposed(const triad& t) {
+    return {{t.x.x, t.y.x, t.z.x}, {t.x.y, t.y.y, t.z.y}, {t.x.z, t.y.z, t.z.z}};
+  }
+  /// Σ b × ḃ over the basis is twice the angular velocity.
+  static constexpr triple axial(const triad& rates, const triad& basis) {
+    return cross(basis.x, rates.x) + cross(basis.y, rates.y) + cross(basis.z, rates.z);
+  }
+  static constexpr bool is_orthonormal(const triad& t) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j)
+        if (!(symbolic::elementary::abs(dot(t[i], t[j]) - (i == j ? 1 : 0)) < 1e-9)) return false;
+    return true;
+  }
+
+  const mechanism& m_;
+  graph& g_;
+  symbolic::evaluation equations_;
+  symbolic::rate_evaluation scalars_;
+  sequence<symbolic::rated> symbols_;
+  sequence<pose> frames_;
+  sequence<sequence<int>> rates_{}; ///< of coordinates, that each equation holds
+  sequence<int> free_speeds_{};
+  std::uint64_t random_ = 88172645463325252u;
+};
+
+} // namespace kanexpr::mechanics

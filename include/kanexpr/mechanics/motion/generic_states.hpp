@@ -1,0 +1,281 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
+#include <kanexpr/symbolic/sizes/magnitudes.hpp>
+#include <kanexpr/symbolic/sizes/typical_sizes.hpp>
+
+#include <limits>
+
+/// What holds in every configuration, found out by numbers: at a few states that nobody chose.
+namespace kanexpr::mechanics {
+
+/// A matrix of numbers by rows.
+struct numbers {
+  int rows = 0;
+  int columns = 0;
+  sequence<double> entries{};
+
+  constexpr double operator()(int i, int j) const { return entries[i * columns + j]; }
+  constexpr bool finite() const {
+    for (double e : entries)
+      if (!symbolic::elementary::detail::is_finite(e)) return false;
+    return true;
+  }
+};
+
+namespace detail {
+
+/// Marks what the arguments of functions are made of, as angles.
+constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>& live) {
+  using symbolic::operation;
+  sequence<char> found(g.size(), 0);
+  for (int i = live.size() - 1; i >= 0; --i) {
+    const symbolic::node& n = g[live[i]];
+    if (symbolic::is_leaf(n.op) || n.op >= operation::pair) continue;
+    if (found[live[i]] == 0 && (n.op < operation::sin || n.op > operation::log)) continue;
+    found[n.a] = 1;
+    if (symbolic::is_binary(n.op)) found[n.b] = 1;
+  }
+  return found;
+}
+
+/// In place of what sizes are beside typical ones: as if units said nothing.
+inline constexpr double all_one = 0;
+
+/// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
+class generic_values {
+public:
+  constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
+                           double beside_typical)
+      : g_(g), of_(of) {
+    const symbolic::typical_sizes sizes(g);
+    for (int id : live)
+      if (g[id].op == symbolic::operation::symbol) symbols_.push(id), size_.push(sizes[id]);
+    if (of != nullptr)
+      for (const frame& f : of->frames) complete(f.quaternion);
+    value_.resize(symbols_.size(), 0.0);
+    if (numeric::equal(beside_typical, 1.0)) return;
+    if (numeric::equal(beside_typical, all_one)) {
+      for (double& size : size_) size = 1;
+      return;
+    }
+    const sequence<char> is_angle = parts_of_arguments(g, live);
+    for (int i = 0; i < symbols_.size(); ++i)
+      if (is_angle[symbols_[i]] == 0) size_[i] *= beside_typical;
+  }
+  generic_values(const generic_values&) = delete;
+  generic_values& operator=(const generic_values&) = delete;
+
+  constexpr void draw() {
+    for (int i = 0; i < symbols_.size(); ++i) {
+      random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
+      const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
+      const bool one_sign = g_.symbol_at(symbols_[i]).kind == symbolic::symbol_kind::parameter;
+      value_[i] = size_[i] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+    }
+    if (of_ == nullptr) return;
+    for (const frame& f : of_->frames) {
+      double square = 0;
+      for (const expression& e : f.quaternion)
+        if (const int i = symbols_.find(e.node()); i >= 0) square += value_[i] * value_[i];
+      for (const expression& e : f.quaternion)
+        if (const int i = symbols_.find(e.node()); i >= 0) value_[i] /= symbolic::elementary::sqrt(square);
+    }
+  }
+  constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
+
+private:
+  /// A quaternion of which a part is live: the others too have their share in its length.
+  constexpr void complete(const sequence<expression>& quaternion) {
+    bool any = false;
+    for (const expression& e : quaternion) any = any || symbols_.contains(e.node());
+    for (const expression& e : quaternion)
+      if (any && g_[e.node()].op == symbolic::operation::symbol && !symbols_.contains(e.node()))
+        symbols_.push(e.node()), size_.push(1);
+  }
+
+  const graph& g_;
+  const mechanism* of_;
+  sequence<int> symbols_{};
+  sequence<double> size_{}, value_{};
+  std::uint64_t random_ = 88172645463325252u;
+};
+
+} // namespace detail
+
+/// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
+/// are what rounding has left of zero are zero, and so are those too small to keep their digits. Of the
+/// mechanism, if it is given, the quaternions have length one; what is no part of an angle is as large as is
+/// asked, beside what is typical.
+constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
+                                              double beside_typical = 1) {
+  sequence<numbers> values;
+  if (a.entries.empty()) return values;
+  sequence<int> outputs;
+  for (const expression& e : a.entries) outputs.push(e.node());
+  const graph& g = a.entries[0].owner();
+  symbolic::evaluation evaluate(g, outputs);
+  sequence<bool> is_nothing;
+  detail::generic_values generic(g, evaluate.live(), of, beside_typical);
+  for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
+    generic.draw();
+    evaluate.at([&](int id) { return generic[id]; });
+    numbers found{a.rows, a.columns, {}};
+    for (int id : outputs) found.entries.push(evaluate[id]);
+    if (!found.finite()) continue;
+    if (values.empty()) { // what is zero at one of them is zero at all
+      const symbolic::magnitudes terms(g, evaluate);
+      for (int i = 0; i < outputs.size(); ++i)
+        is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
+    }
+    for (int i = 0; i < outputs.size(); ++i)
+      if (is_nothing[i] || symbolic::elementary::abs(found.entries[i]) < (std::numeric_limits<double>::min)())
+        found.entries[i] = 0;
+    values.push(found);
+  }
+  return values;
+}
+
+/// The same matrices with rows and columns scaled, all alike, so that the largest entry of each is near 1.
+/// What comes out does not depend on the units of rows and columns: scales are first handed on from entry to
+/// entry along a tree of rows and columns, which only places of entries decide.
+class equilibration {
+public:
+  constexpr explicit equilibration(const sequence<numbers>& states) {
+    if (states.empty()) return;
+    largest_ = states[0];
+    for (const numbers& a : states)
+      for (int i = 0; i < a.entries.size(); ++i) {
+        const double size = symbolic::elementary::abs(a.entries[i]);
+        double& so_far = largest_.entries[i];
+        so_far = symbolic::elementary::abs(so_far);
+        if (size > so_far) so_far = size;
+      }
+    rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
+    for (int i = 0; i < largest_.rows; ++i)
+      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, hand_on(i);
+    for (int sweeps = 0; sweeps < 2; ++sweeps) {
+      for (int j = 0; j < largest_.columns; ++j) {
+        double most = 0;
+        for (int i = 0; i < largest_.rows; ++i)
+          if (scaled(i, j) > most) most = scaled(i, j);
+        if (most > 0) columns_[j] /= most;
+      }
+      for (int i = 0; i < largest_.rows; ++i) {
+        double most = 0;
+        for (int j = 0; j < largest_.columns; ++j)
+          if (scaled(i, j) > most) most = scaled(i, j);
+        if (most > 0) rows_[i] /= most;
+      }
+    }
+  }
+
+  constexpr void apply(numbers& a) const {
+    for (int i = 0; i < a.rows; ++i)
+      for (int j = 0; j < a.columns; ++j) a.entries[i * a.columns + j] *= rows_[i] * columns_[j];
+  }
+
+private:
+  constexpr double scaled(int i, int j) const { return largest_(i, j) * rows_[i] * columns_[j]; }
+
+  /// To the columns of a row, and to the rows of these.
+  constexpr void hand_on(int row) {
+    for (int j = 0; j < largest_.columns; ++j) {
+      if (!numeric::equal(columns_[j], 0.0) || numeric::equal(largest_(row, j), 0.0)) continue;
+      columns_[j] = 1 / (largest_(row, j) * rows_[row]);
+      for (int i = 0; i < largest_.rows; ++i)
+        if (numeric::equal(rows_[i], 0.0) && !numeric::equal(largest_(i, j), 0.0))
+          rows_[i] = 1 / (largest_(i, j) * columns_[j]), hand_on(i);
+    }
+  }
+
+  numbers largest_{}; ///< of all states
+  sequence<double> rows_{}, columns_{};
+};
+
+constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
+  const equilibration scale(states);
+  for (numbers& a : states) scale.apply(a);
+  return states;
+}
+
+/// What is tried beside typical sizes before a model is accused: of how large symbols are it may say too
+/// little.
+inline constexpr double other_sizes[]{detail::all_one, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
+inline constexpr double clearly = 1e-5; ///< what is left there of a whole that does not vanish
+
+/// Rows that were found independent, as an orthonormal basis.
+class row_space {
+public:
+  constexpr explicit row_space(double least = 1e-9) : least_(least) {}
+
+  /// Takes a row up; false where it lies in the space already.
+  constexpr bool add(sequence<double> row) {
+    const double whole = norm(row);
+    if (numeric::equal(whole, 0.0)) return false;
+    for (int twice = 0; twice < 2; ++twice) // once more for what rounding left
+      for (const sequence<double>& unit : basis_) {
+        const double along = dot(unit, row);
+        for (int j = 0; j < row.size(); ++j) row[j] -= along * unit[j];
+      }
+    const double left = norm(row);
+    if (left <= least_ * whole) return false;
+    for (double& e : row) e /= left;
+    basis_.push(row);
+    return true;
+  }
+
+private:
+  static constexpr double dot(const sequence<double>& a, const sequence<double>& b) {
+    double sum = 0;
+    for (int j = 0; j < a.size(); ++j) sum += a[j] * b[j];
+    return sum;
+  }
+  static constexpr double norm(const sequence<double>& a) { return symbolic::elementary::sqrt(dot(a, a)); }
+
+  double least_; ///< of a row that does not vanish, beside it
+  sequence<sequence<double>> basis_{};
+};
+
+/// Which rows of a matrix do not follow from those before them, in some configuration at least.
+constexpr sequence<char> independent_rows(const sequence<numbers>& states, int rows) {
+  sequence<row_space> spaces(states.size());
+  sequence<char> independent;
+  for (int i = 0; i < rows; ++i) {
+    bool adds = states.empty(); // nothing is known
+    for (int s = 0; s < states.size(); ++s) {
+      sequence<double> row;
+      for (int j = 0; j < states[s].columns; ++j) row.push(states[s](i, j));
+      if (spaces[s].add(row)) adds = true;
+    }
+    independent.push(adds ? 1 : 0);
+  }
+  return independent;
+}
+
+constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mechanism* of = nullptr) {
+  return independent_rows(equilibrated(at_generic_states(a, of)), a.rows);
+}
+
+/// Whether the rows of a matrix are independent in some configuration, whatever the sizes of symbols are.
+constexpr bool has_independent_rows(const symbolic::matrix& a, const mechanism& of) {
+  if (!independent_rows(a, &of).contains(0)) return true;
+  for (const double size : other_sizes)
+    for (const numbers& state : equilibrated(at_generic_states(a, &of, size))) {
+      row_space space(clearly);
+      bool all = true;
+      for (int i = 0; i < a.rows; ++i) {
+        sequence<double> row;
+        for (int j = 0; j < a.columns; ++j) row.push(state(i, j));
+        all = space.add(row) && all;
+      }
+      if (all) return true;
+    }
+  return false;
+}
+
+} // namespace kanexpr::mechanics

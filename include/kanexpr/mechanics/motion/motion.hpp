@@ -1,0 +1,167 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/axes.hpp>
+#include <kanexpr/mechanics/skeleton/known_rates.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+
+namespace kanexpr::mechanics {
+
+/// A result that is formed once.
+template <class T>
+struct remembered {
+  bool known = false;
+  T value{};
+  constexpr const T& keep(const T& formed) {
+    known = true;
+    return value = formed;
+  }
+};
+
+/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all
+/// in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
+/// ground, and kept.
+class motion {
+public:
+  constexpr motion() = default;
+  motion(const motion&) = default;
+  motion(motion&&) = default;
+  motion& operator=(const motion&) = default;
+  motion& operator=(motion&&) = default;
+  /// `udot`: the rates of the speeds; without them all accelerations are taken at u̇ = 0, the bias of Kane's
+  /// equations.
+  constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
+      : s_(&s), m_(s.model), along_time_(time_derivative(*s.model, s.coordinate_rates, udot)),
+        omega_(s.model->frames.size()), alpha_(s.model->frames.size()), carry_(s.model->frames.size()),
+        velocity_(s.nodes.size()), acceleration_(s.nodes.size()) {}
+
+  constexpr const skeleton& skeleton_used() const { return *s_; }
+
+  /// The time derivative of a scalar.
+  constexpr expression rate(expression e) { return along_time_.of(e); }
+
+  /// A scalar with the coordinate rates that the kinematic equations give.
+  constexpr expression known(expression e) const { return known_rates(*m_, s_->coordinate_rates).in(e); }
+
+  /// A uniform acceleration given to the ground; −g stands for gravity on every body.
+  constexpr void accelerate_ground(const vector& acceleration) {
+    ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
+  }
+
+  constexpr const vector& ground_acceleration() const { return ground_; }
+
+  /// Angular velocity of frame `f`, in its working axes.
+  constexpr components angular_velocity(int f) {
+    f = s_->rigid_with[f];
+    if (omega_[f].known) return omega_[f].value;
+    components w(*m_->g);
+    if (f != mechanism::inertial) {
+      const int p = s_->turns_in[f];
+      w = turn(angular_velocity(p), p, f) + express(*m_, s_->turning[f], s_->working_axes[f]);
+    }
+    return omega_[f].keep(w);
+  }
+
+  /// Angular acceleration of frame `f`, in its working axes.
+  constexpr components angular_acceleration(int f) {
+    f = s_->rigid_with[f];
+    if (alpha_[f].known) return alpha_[f].value;
+    components a(*m_->g);
+    if (f != mechanism::inertial) {
+      const int p = s_->turns_in[f];
+      a = turn(angular_acceleration(p), p, f) + rate(s_->turning[f], f);
+    }
+    return alpha_[f].keep(a);
+  }
+
+  /// U = [α]× + [ω]×[ω]×: the acceleration of a point at r in the frame is a + U r.
+  constexpr const matrix3& carry(int f) {
+    f = s_->rigid_with[f];
+    if (!carry_[f].known) {
+      const components w = angular_velocity(f), a = angular_acceleration(f);
+      const expression xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+      const expression xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;
+      matrix3 u;
+      u.row[0] = {-(yy + zz), xy - a.z, zx + a.y};
+      u.row[1] = {xy + a.z, -(zz + xx), yz - a.x};
+      u.row[2] = {zx - a.y, yz + a.x, -(xx + yy)};
+      carry_[f].keep(u);
+    }
+    return carry_[f].value;
+  }
+
+  /// Velocity of a node, in the working axes of its own frame.
+  constexpr components velocity(int n) {
+    if (velocity_[n].known) return velocity_[n].value;
+    const node& at = s_->nodes[n];
+    components v(*m_->g);
+    if (!at.absolute) {
+      v = velocity(at.parent, at.axes);
+      v += cross(angular_velocity(at.frame), s_->offset_in_working_axes(n));
+    }
+    v += express(*m_, at.slide, s_->working_axes[at.axes]);
+    return velocity_[n].keep(v);
+  }
+
+  /// Acceleration of a node, in the working axes of its own frame.
+  constexpr components acceleration(int n) {
+    if (acceleration_[n].known) return acceleration_[n].value;
+    const node& at = s_->nodes[n];
+    components a(*m_->g);
+    if (at.absolute) {
+      a = express(*m_, ground_, s_->working_axes[at.axes]);
+    } else {
+      a = acceleration(at.parent, at.axes);
+      const components r = s_->offset_in_working_axes(n);
+      if (at.carried)
+        a += carry(at.frame) * r;
+      else
+        a += cross(angular_acceleration(at.frame), r) +
+             cross(angular_velocity(at.frame), rate(at.offset(), at.frame));
+      if (!at.slide.parts.empty())
+        a += cross(angular_velocity(at.frame), express(*m_, at.slide, s_->working_axes[at.frame]));
+    }
+    if (!at.slide.parts.empty()) a += rate(at.slide, at.axes);
+    return acceleration_[n].keep(a);
+  }
+
+  /// The node that has the velocity `v`, given in the axes of frame `axes`; or none.
+  constexpr int node_with_velocity(const components& v, int axes) {
+    for (int n = 0; n < velocity_.size(); ++n)
+      if (s_->working_axes[s_->nodes[n].axes] == axes && velocity(n) == v) return n;
+    return none;
+  }
+
+  constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->nodes[n].axes, frame); }
+  constexpr components acceleration(int n, int frame) {
+    return turn(acceleration(n), s_->nodes[n].axes, frame);
+  }
+
+  /// From the working axes of one frame to those of another.
+  constexpr components turn(const components& v, int from, int to) const {
+    return express(*m_, v, s_->working_axes[from], s_->working_axes[to]);
+  }
+
+  /// The inertial time derivative of a vector, in the working axes of `f`.
+  constexpr components rate(const vector& v, int f) {
+    components total(*m_->g);
+    for (const vector::part& p : v.parts) {
+      const components own{rate(p.value.x), rate(p.value.y), rate(p.value.z)};
+      const components here = express(*m_, p.value, p.frame, s_->working_axes[f]);
+      total += express(*m_, own, p.frame, s_->working_axes[f]) +
+               cross(turn(angular_velocity(p.frame), s_->rigid_with[p.frame], f), here);
+    }
+    return total;
+  }
+
+private:
+  const skeleton* s_ = nullptr;
+  const mechanism* m_ = nullptr;
+  symbolic::derivation along_time_{};
+  vector ground_{};
+  sequence<remembered<components>> omega_{}, alpha_{};
+  sequence<remembered<matrix3>> carry_{};
+  sequence<remembered<components>> velocity_{}, acceleration_{};
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kanexpr/mechanics/motion/motion.hpp>
+
+/// What a person asks of single points and frames, as vectors in the frames where they are simplest.
+namespace kanexpr::mechanics {
+
+constexpr vector in_working_axes(const motion& k, int frame, const components& value) {
+  vector v;
+  v.add(k.skeleton_used().working_axes[frame], value);
+  return v;
+}
+
+/// Velocity in the inertial frame.
+constexpr vector velocity_of_point(motion& k, int point) {
+  const skeleton& s = k.skeleton_used();
+  const int n = s.node_of_point[point];
+  return in_working_axes(k, s.nodes[n].axes, k.velocity(n));
+}
+
+/// Acceleration in the inertial frame.
+constexpr vector acceleration_of_point(motion& k, int point) {
+  const skeleton& s = k.skeleton_used();
+  const int n = s.node_of_point[point];
+  return in_working_axes(k, s.nodes[n].axes, k.acceleration(n));
+}
+
+/// Angular velocity in the inertial frame.
+constexpr vector angular_velocity_of_frame(motion& k, int frame) {
+  return in_working_axes(k, frame, k.angular_velocity(frame));
+}
+
+/// Angular acceleration in the inertial frame.
+constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
+  return in_working_axes(k, frame, k.angular_acceleration(frame));
+}
+
+/// The time derivative of a vector as `frame` sees it: each part changes by itself and turns with its own
+/// frame.
+constexpr vector derivative_in(motion& k, const vector& v, int frame) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  const vector turning = angular_velocity_of_frame(k, frame);
+  vector total;
+  for (const vector::part& p : v.parts) {
+    const components own{k.rate(k.known(p.value.x)), k.rate(k.known(p.value.y)), k.rate(k.known(p.value.z))};
+    components w(*m.g);
+    if (s.rigid_with[p.frame] != s.rigid_with[frame]) {
+      w = express(m, angular_velocity_of_frame(k, p.frame), p.frame);
+      w -= express(m, turning, p.frame);
+    }
+    total.add(p.frame, own + cross(w, p.value));
+  }
+  return total;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+
+namespace kanexpr::mechanics {
+
+/// How each way of moving enters the velocity of a node along a direction.
+///
+/// v = Σ_f w_f × S_f + slides, with the turning w_f of each frame below the node and S_f, what of the way
+/// from the ground to the node turns with it: the sum is formed inwards once, and each way takes one triple
+/// product of it. For a single point that is cheaper than the forces and moments of a unit force there.
+class point_jacobian {
+public:
+  constexpr point_jacobian(const skeleton& s, int node)
+      : s_(s), m_(*s.model), node_(node), carried_(m_.frames.size()) {
+    for (int n = node; n != none; n = s.nodes[n].absolute ? none : s.nodes[n].parent)
+      if (!s.nodes[n].absolute) carried_[s.nodes[n].frame].add(s.nodes[n].offset());
+    for (int f : s.frames_tips_first())
+      if (s.turns_in[f] != mechanism::inertial) carried_[s.turns_in[f]].add(carried_[f]);
+  }
+
+  /// By speeds, then by auxiliary speeds.
+  constexpr sequence<expression> along(const vector& direction) const {
+    sequence<expression> share(m_.ways(), m_.zero());
+    for (int n = node_; n != none; n = s_.nodes[n].absolute ? none : s_.nodes[n].parent)
+      for (const struct direction& v : s_.partial_slide[n])
+        share[v.speed] += dot(v.value, express(m_, direction, s_.working_axes[s_.nodes[n].axes]));
+    for (int f = 1; f < m_.frames.size(); ++f) {
+      if (s_.rigid_with[f] != f || carried_[f].parts.empty()) continue;
+      for (const struct direction& w : s_.partial_turning[f]) {
+        const seen_from best = nearest(w.value, s_.working_axes[f], direction.parts[0].frame);
+        const components moved = cross(best.value, express(m_, carried_[f], best.axes));
+        share[w.speed] += dot(moved, express(m_, direction, best.axes));
+      }
+    }
+    return share;
+  }
+
+private:
+  struct seen_from {
+    int axes = none;
+    components value;
+  };
+
+  static constexpr bool is_basis(const components& v) {
+    return v.is_constant() &&
+           (v.x.is_zero() ? 0 : 1) + (v.y.is_zero() ? 0 : 1) + (v.z.is_zero() ? 0 : 1) == 1;
+  }
+
+  /// An axis in the axes nearest to `goal` in which it is a basis vector: turns about it cost nothing.
+  constexpr seen_from nearest(const components& w, int axes, int goal) const {
+    seen_from best{axes, w};
+    if (!is_basis(w)) return best;
+    for (int next = axes; path::common_ancestor(m_, next, goal) != next;) {
+      next = m_.frames[next].parent;
+      const components there = express(m_, w, axes, next);
+      if (!is_basis(there)) break;
+      best = {next, there};
+    }
+    return best;
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  int node_;
+  sequence<vector> carried_; ///< S, by frame
+};
+
+} // namespace kanexpr::mechanics

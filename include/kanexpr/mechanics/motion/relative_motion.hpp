@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kanexpr/mechanics/motion/motion.hpp>
+
+/// How frames and points move relative to each other: only what lies between them matters.
+namespace kanexpr::mechanics {
+
+/// ω of a frame without that of another.
+constexpr vector angular_velocity_between(const skeleton& s, int frame, int other) {
+  const auto depth = [&](int f) {
+    int steps = 0;
+    for (; f != mechanism::inertial; f = s.turns_in[f]) ++steps;
+    return steps;
+  };
+  int a = s.rigid_with[frame], b = s.rigid_with[other];
+  int above_a = depth(a), above_b = depth(b);
+  vector w;
+  while (a != b)
+    if (above_a >= above_b) {
+      w.add(s.turning[a]);
+      a = s.turns_in[a], --above_a;
+    } else {
+      w.subtract(s.turning[b]);
+      b = s.turns_in[b], --above_b;
+    }
+  return w;
+}
+
+namespace detail {
+
+/// What a node's velocity has beside that of the node which it is measured from.
+constexpr vector step_of(motion& k, int n) {
+  const skeleton& s = k.skeleton_used();
+  const node& at = s.nodes[n];
+  vector v = at.slide;
+  if (!at.absolute)
+    v.add(s.working_axes[at.frame], cross(k.angular_velocity(at.frame), s.offset_in_working_axes(n)));
+  return v;
+}
+
+} // namespace detail
+
+/// v of a node without that of another.
+constexpr vector velocity_between(motion& k, int node, int other) {
+  const skeleton& s = k.skeleton_used();
+  const auto below = [&](int n) { return s.nodes[n].absolute ? none : s.nodes[n].parent; };
+  const auto depth = [&](int n) {
+    int steps = 0;
+    for (; n != none; n = below(n)) ++steps;
+    return steps;
+  };
+  int above_a = depth(node), above_b = depth(other);
+  vector v;
+  for (int a = node, b = other; a != b;)
+    if (above_a >= above_b) {
+      v.add(detail::step_of(k, a));
+      a = below(a), --above_a;
+    } else {
+      v.subtract(detail::step_of(k, b));
+      b = below(b), --above_b;
+    }
+  return v;
+}
+
+} // namespace kanexpr::mechanics

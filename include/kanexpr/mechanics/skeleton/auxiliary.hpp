@@ -1,0 +1,23 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Auxiliary speeds are zero at all times: once the partial velocities are known that bring out the forces
+/// that do no work, no motion holds them any more. Kane & Levinson (1985), section 4.9.
+class without_auxiliary_speeds : public vector_substitution {
+public:
+  constexpr explicit without_auxiliary_speeds(const mechanism& m) : vector_substitution(*m.g) {
+    for (const expression& u : m.auxiliary_speeds) replace(u, m.zero());
+  }
+};
+
+constexpr void drop_auxiliary_speeds(skeleton& s) {
+  without_auxiliary_speeds drop(*s.model);
+  for (vector& w : s.turning) w = drop.in(w);
+  for (node& n : s.nodes) n.slide = drop.in(n.slide);
+}
+
+} // namespace kanexpr::mechanics

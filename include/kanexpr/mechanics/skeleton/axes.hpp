@@ -1,0 +1,116 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+
+/// In which axes a frame's quantities are formed: where they are constant, where they are sparse, and where
+/// the next transformation is free.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// The frames in whose axes the masses and offsets of frame `f` were described.
+constexpr sequence<int> described_in(const skeleton& s, int f) {
+  const mechanism& m = *s.model;
+  sequence<int> used;
+  const auto note = [&](int frame) {
+    const int stands = s.rigid_with[frame];
+    if (!used.contains(stands)) used.push(stands);
+  };
+  for (const body& b : m.bodies)
+    if (b.frame != none && s.rigid_with[b.frame] == f)
+      for (const dyadic::part& p : b.inertia.parts) note(p.left), note(p.right);
+  for (const node& n : s.nodes)
+    if (n.frame == f && n.rigid && !n.absolute && !n.r.is_zero()) note(n.offset_frame);
+  return used;
+}
+
+/// Whether everything that moves with `f` looks the same from all sides of axis `a`: then f's spin about that
+/// axis changes none of its masses or offsets, and the axes that do not spin serve as well.
+constexpr bool axisymmetric(const skeleton& s, int f, int a) {
+  const mechanism& m = *s.model;
+  const int b = (a + 1) % 3, d = (a + 2) % 3;
+  for (const body& part : m.bodies) {
+    if (part.frame == none || s.rigid_with[part.frame] != f) continue;
+    if (part.about != none && part.about != part.center) return false;
+    if (!is_round(express(m, part.inertia, f), a)) return false;
+  }
+  for (const node& n : s.nodes) {
+    if (n.frame != f || n.absolute) continue;
+    if (s.rigid_with[n.offset_frame] != f) return false;
+    const components r = express(m, n.r, n.offset_frame, f);
+    if (!r[b].is_zero() || !r[d].is_zero()) return false;
+  }
+  return true;
+}
+
+/// Whether every turn of the mechanism is about one axis of the ground, and what slides is told in its axes.
+constexpr bool planar(const skeleton& s) {
+  int axis = none;
+  for (const node& n : s.nodes)
+    for (const vector::part& p : n.slide.parts)
+      if (s.rigid_with[p.frame] != mechanism::inertial) return false;
+  for (int f = 1; f < s.rigid_with.size(); ++f) {
+    const frame& own = s.model->frames[f];
+    if (own.kind == orientation::about_basis) {
+      if (axis == none) axis = own.axis;
+      if (axis != own.axis) return false;
+    } else if (own.turns_by_declaration() || !own.to_parent.is_identity()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether `f` and the frame below it turn about the same axis.
+constexpr bool parallel_to_parent(const skeleton& s, int f) {
+  const int axis = s.joint_axis(f);
+  if (axis == none) return false;
+  int below = s.model->frames[f].parent;
+  while (s.rigid_with[below] != below) {
+    const frame& between = s.model->frames[below];
+    if (between.kind == orientation::about_basis || !between.to_parent.is_identity()) return false;
+    below = between.parent;
+  }
+  return below != mechanism::inertial && s.joint_axis(below) == axis;
+}
+
+} // namespace detail
+
+constexpr void choose_body_axes(skeleton& s) {
+  s.body_axes = s.rigid_with;
+  for (int f = 1; f < s.rigid_with.size(); ++f) {
+    if (s.rigid_with[f] != f) continue;
+    const sequence<int> used = detail::described_in(s, f);
+    const int below = s.model->frames[f].parent;
+    if (used.size() == 1 && used[0] != f)
+      s.body_axes[f] = used[0];
+    else if (!used.empty() && s.rigid_with[below] == below &&
+             s.model->frames[f].kind == orientation::about_basis &&
+             detail::axisymmetric(s, f, s.model->frames[f].axis))
+      s.body_axes[f] = below;
+  }
+}
+
+/// Body axes, but for frames that turn about parallel axes one after another: those share the axes below
+/// them, in which their common axis stands still and nothing needs to be turned between them.
+constexpr void choose_working_axes(skeleton& s) {
+  s.working_axes = s.body_axes;
+  const bool planar = detail::planar(s);
+  for (int f = 1; f < s.rigid_with.size(); ++f) {
+    if (s.rigid_with[f] != f) continue;
+    if (planar) {
+      s.working_axes[f] = mechanism::inertial;
+    } else if (s.body_axes[f] == f && detail::parallel_to_parent(s, f)) {
+      int below = s.rigid_with[s.model->frames[f].parent];
+      if (s.working_axes[below] == below)
+        s.working_axes[below] = s.working_axes[s.rigid_with[s.model->frames[below].parent]];
+      s.working_axes[f] = s.working_axes[below];
+    }
+  }
+  for (int f = 1; f < s.rigid_with.size(); ++f) {
+    s.body_axes[f] = s.body_axes[s.rigid_with[f]];
+    s.working_axes[f] = s.working_axes[s.rigid_with[f]];
+  }
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+
+/// Masses gathered where they move as one, and regrouped to the fewest numbers that the motion can feel.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// Links while they are gathered: at most one for each node and frame.
+class gathering {
+public:
+  constexpr gathering(const skeleton& s, const sequence<link>& links) : s_(s) {
+    for (const link& l : links) put(l);
+  }
+
+  /// Walks from the tips to the ground; `regroup` decides whether numbers may move across joints.
+  constexpr sequence<link> run(bool regroup) {
+    for (int c = s_.nodes.size() - 1; c >= 0; --c)
+      for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
+        const link l = links_[i];
+        links_[i].node = none;
+        const node& at = s_.nodes[c];
+        if (l.frame == at.frame && at.rigid && !at.absolute)
+          put({at.parent, l.frame, shifted(l.mass, at.r)});
+        else if (regroup)
+          settled_.push(without_invisible_part(l));
+        else
+          settled_.push(l);
+      }
+    return settled_;
+  }
+
+private:
+  constexpr void put(const link& added) {
+    for (link& l : links_)
+      if (l.node == added.node && l.frame == added.frame) {
+        l.mass += added.mass;
+        return;
+      }
+    links_.push(added);
+  }
+
+  /// The unsettled link at node `c` whose frame is the farthest from the ground, or -1.
+  constexpr int deepest_at(int c) const {
+    int found = -1, depth = -1;
+    for (int i = 0; i < links_.size(); ++i) {
+      if (links_[i].node != c) continue;
+      const int d = path::depth(*s_.model, links_[i].frame);
+      if (d > depth) found = i, depth = d;
+    }
+    return found;
+  }
+
+  /// Whatever a frame does about a point that is fixed in the frame below it, or about a point at which that
+  /// frame has mass as well, its mass acts on that frame as a particle at the point. A joint about axis a
+  /// does not feel the part {m, h_a, I_dd about both other axes} of what it carries either. These parts move
+  /// to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there, and of symbols
+  /// the mass alone moves, which never costs more than it saves.
+  constexpr link without_invisible_part(const link& l) {
+    const node& at = s_.nodes[l.node];
+    const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
+    const int below = l.frame == at.frame ? s_.turns_in[l.frame] : at.frame;
+    if (l.frame == at.frame ? !carries(l.node, below) : !stands) return l;
+    const mechanism& m = *s_.model;
+    rigid_mass moved(*m.g);
+    link left = l;
+    moved.mass = l.mass.mass;
+    left.mass.mass = m.zero();
+
+    const int a = s_.joint_axis(l.frame);
+    if (a != none && l.mass.is_constant() && s_.body_axes[l.frame] == l.frame &&
+        s_.turns_in[l.frame] == at.frame) {
+      const int b = (a + 1) % 3, d = (a + 2) % 3;
+      components along(*m.g);
+      along[a] = l.mass.first_moment[a];
+      moved.inertia(b, b) = moved.inertia(d, d) = l.mass.inertia(d, d);
+      const path to_below(m, m.frames[l.frame].parent, s_.body_axes[at.frame]);
+      moved.first_moment = to_below.turn(along);
+      moved.inertia = to_below.turn(moved.inertia);
+      left.mass.first_moment[a] = m.zero();
+      left.mass.inertia(b, b) -= l.mass.inertia(d, d);
+      left.mass.inertia(d, d) = m.zero();
+    }
+    const int spin = spin_axis(l.frame, below);
+    if (spin != none && is_round(l.mass.inertia, spin)) {
+      symmetric across = l.mass.inertia; // what is left to the spinning body is its inertia about the axis
+      across(spin, spin) = m.zero();
+      left.mass.inertia = symmetric(*m.g);
+      left.mass.inertia(spin, spin) = l.mass.inertia(spin, spin);
+      moved.inertia = path(m, s_.body_axes[l.frame], s_.body_axes[below]).turn(across);
+    }
+    put({l.node, below, moved});
+    return left;
+  }
+
+  /// Whether there is a mass at a node that moves with a frame which is not the ground.
+  constexpr bool carries(int node, int frame) const {
+    for (const link& l : links_)
+      if (l.node == node && l.frame == frame) return frame != mechanism::inertial;
+    return false;
+  }
+
+  /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
+  constexpr int spin_axis(int f, int below) const {
+    if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
+    const components w = express(*s_.model, s_.turning[f], s_.body_axes[f]);
+    for (int a = 0; a < 3; ++a)
+      if (w[(a + 1) % 3].is_zero() && w[(a + 2) % 3].is_zero()) return a;
+    return none;
+  }
+
+  const skeleton& s_;
+  sequence<link> links_{};
+  sequence<link> settled_{};
+};
+
+} // namespace detail
+
+constexpr void gather_masses(skeleton& s) {
+  s.base_links = detail::gathering(s, s.links).run(true);
+  s.links = detail::gathering(s, s.links).run(false);
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Replaces the coordinate rates q̇ by what the kinematic differential equations say of them.
+class known_rates : public vector_substitution {
+public:
+  constexpr known_rates(const mechanism& m, const sequence<expression>& rates) : vector_substitution(*m.g) {
+    for (int i = 0; i < m.coordinates.size(); ++i) replace(m.coordinate_rates[i], rates[i]);
+  }
+};
+
+} // namespace kanexpr::mechanics

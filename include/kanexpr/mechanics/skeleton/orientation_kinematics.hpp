@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+#include <kanexpr/mechanics/skeleton/turning.hpp>
+
+/// The kinematic differential equations of a frame whose angular velocity is declared.
+namespace kanexpr::mechanics {
+
+/// Why a frame's orientation and its declared angular velocity give no equations, or nothing.
+constexpr problem check_orientation_kinematics(const mechanism& m, int place, int reference) {
+  const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
+  if (place == reference || path::common_ancestor(m, place, reference) != reference)
+    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
+                     " does not stand in ", in});
+  const int told = m.frames[place].reference;
+  if (told == none)
+    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
+                     " has no declared angular velocity"});
+  if (told != reference)
+    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and the angular velocity of frame ",
+                     called, " is declared in ", m.frames[told].called.view()});
+  return {};
+}
+
+namespace detail {
+
+/// ė0 = −(e1 ω1 + e2 ω2 + e3 ω3)/2, ė1 = (e0 ω1 + e2 ω3 − e3 ω2)/2 and so on in a circle, for ω of the frame
+/// in its parent in its own axes. Kane, Likins & Levinson (1983), section 1.13.
+constexpr sequence<expression> quaternion_kinematics(const sequence<expression>& e, const components& omega,
+                                                     symbolic::derivation& along_time) {
+  const components half{omega.x / 2, omega.y / 2, omega.z / 2};
+  const components axial{e[1], e[2], e[3]};
+  const components turned = e[0] * half + cross(axial, half);
+  sequence<expression> vanishing{along_time.of(e[0]) + dot(axial, half)};
+  for (int i = 0; i < 3; ++i) vanishing.push(along_time.of(e[i + 1]) - turned[i]);
+  return vanishing;
+}
+
+} // namespace detail
+
+/// Expressions that vanish where the angular velocity of a frame in `reference` that follows from its
+/// orientation is the declared one.
+///
+/// They are taken in the axes of the frame below the last turn: there the equations of three angles can be
+/// solved one after another.
+constexpr sequence<expression> orientation_kinematics(const mechanism& m, int place, int reference) {
+  symbolic::derivation along_time = time_derivative(m, m.coordinate_rates);
+  vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
+  const frame& last = m.frames[place];
+  const bool quaternion = !last.quaternion.empty();
+  int axes = place;
+  bool turns = false; // above `axes`
+  for (int f = place; f != reference; f = m.frames[f].parent) {
+    if (quaternion && f == place) continue;
+    vector w = turning_of_orientation(m, f, along_time);
+    if (w.is_zero()) continue;
+    if (quaternion || turns)
+      w.parts[0].frame = f; // the axis of a turn has the same components below and above it
+    else
+      axes = w.parts[0].frame;
+    turns = true;
+    missing.subtract(w);
+  }
+  const components left = express(m, missing, axes);
+  if (quaternion) return detail::quaternion_kinematics(last.quaternion, left, along_time);
+  sequence<expression> vanishing;
+  for (int i = 0; i < 3; ++i)
+    if (!left[i].is_zero()) vanishing.push(left[i]);
+  return vanishing;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+/// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
+constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v,
+                                          int f) {
+  const mechanism& m = *s.model;
+  sequence<direction> out;
+  if (v.is_zero()) return out;
+  for (int i = 0; i < m.ways(); ++i) {
+    by_speed.restart();
+    by_speed.set_rate(m.way(i), m.one());
+    vector partial;
+    for (const vector::part& p : v.parts)
+      partial.add(p.frame, {by_speed.of(p.value.x), by_speed.of(p.value.y), by_speed.of(p.value.z)});
+    if (!partial.is_zero()) out.push({i, express(m, partial, s.working_axes[f])});
+  }
+  return out;
+}
+
+} // namespace detail
+
+/// How each speed enters at each frame and node. Kane & Levinson (1985), section 2.14.
+constexpr void form_partial_velocities(skeleton& s) {
+  symbolic::derivation by_speed(*s.model->g);
+  for (int f = 0; f < s.turning.size(); ++f) {
+    sequence<direction> partials;
+    if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.turning[f], f);
+    s.partial_turning.push(partials);
+  }
+  for (const node& n : s.nodes) s.partial_slide.push(detail::partials_of(s, by_speed, n.slide, n.axes));
+}
+
+} // namespace kanexpr::mechanics

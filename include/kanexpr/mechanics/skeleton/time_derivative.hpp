@@ -1,0 +1,20 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The derivative in time of scalars, for given rates of the coordinates and of the speeds; a speed without
+/// a rate counts as constant.
+constexpr symbolic::derivation time_derivative(const mechanism& m, const sequence<expression>& qdot,
+                                               const sequence<expression>& udot = {}) {
+  symbolic::derivation d(*m.g);
+  d.set_rate(m.time, m.one());
+  for (const prescribed_rate& p : m.prescribed_rates) d.set_rate(p.quantity, p.rate);
+  for (int i = 0; i < qdot.size(); ++i) d.set_rate(m.coordinates[i], qdot[i]);
+  for (int i = 0; i < udot.size(); ++i) d.set_rate(m.speeds[i], udot[i]);
+  return d;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The angular velocity of a frame in its parent as its orientation gives it, with the rates that
+/// `along_time` knows.
+constexpr vector turning_of_orientation(const mechanism& m, int place, symbolic::derivation& along_time) {
+  const frame& f = m.frames[place];
+  vector w;
+  switch (f.kind) {
+  case orientation::inertial: break;
+  case orientation::about_basis: w.add(f.parent, along_time.of(f.angle) * unit(*m.g, f.axis)); break;
+  case orientation::about_axis: w.add(f.parent, along_time.of(f.angle) * f.direction); break;
+  case orientation::matrix: { // ω in the frame's own axes from RᵀṘ
+    components sum(*m.g);
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, l = (i + 2) % 3;
+        sum[i] += f.to_parent(k, l) * along_time.of(f.to_parent(k, j));
+      }
+    w.add(place, sum);
+    break;
+  }
+  }
+  return w;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/not_finite.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
+
+#include <array>
+
+namespace kanexpr {
+
+namespace compiled {
+
+/// The constraints of a system at given arguments, for the numerical methods that satisfy them. Where a
+/// constraint is solved for a coordinate of a quaternion they are taken at norm 1.
+template <class System, class P, class R>
+class constraints_at {
+public:
+  static constexpr const derivation::survey& known = survey_of<System>;
+  using quantity = mechanics::quantity;
+  using quaternions = unit_quaternions<System>;
+  using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
+  using square = Eigen::Matrix<double, known.configuration_constraints, known.configuration_constraints>;
+  using speed_vector = Eigen::Matrix<double, known.constraints, 1>;
+
+  constraints_at(double t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
+
+  /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
+  /// constraints shares, so that it is compiled once.
+  static constexpr auto configuration() {
+    return out_of_line<
+        function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{};
+  }
+  static constexpr auto velocities() {
+    return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
+  }
+
+  static constexpr int coordinates() { return known.configuration_constraints; }
+  static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
+
+  coordinate_vector configuration_residual(const state<System>& x) const {
+    if constexpr (coordinates() == 0)
+      return {};
+    else
+      return std::get<0>(configuration()(t_, at_norm_one(x), p_, r_));
+  }
+  coordinate_vector configuration_terms(const state<System>& x) const {
+    if constexpr (coordinates() == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
+  }
+  square configuration_jacobian(const state<System>& x) const {
+    square by_dependent;
+    if constexpr (coordinates() != 0) {
+      const state<System> at = at_norm_one(x);
+      auto [residual, by_all] = configuration()(t_, at, p_, r_);
+      if constexpr (quaternions::are_bound) quaternions::leave_norms_out(by_all, at);
+      for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(place_of_coordinate(i));
+    }
+    return by_dependent;
+  }
+  speed_vector velocity_residual(const state<System>& x) const {
+    if constexpr (known.constraints == 0)
+      return {};
+    else
+      return std::get<0>(velocities()(t_, x, p_, r_));
+  }
+  speed_vector velocity_terms(const state<System>& x) const {
+    if constexpr (known.constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
+  }
+  /// What the norms of quaternions are off.
+  Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
+    return quaternions::residual(x);
+  }
+  static mechanics::problem quaternion_called(int k) { return quaternions::called(k); }
+  kanexpr::status normalize_quaternions(state<System>& x) const {
+    return quaternions::normalize(x, numeric::norm_range{});
+  }
+  /// Gives the state its dependent speeds, if they can be solved for.
+  kanexpr::status solve_speeds(state<System>& x) const {
+    if constexpr (known.constraints == 0) {
+      return {};
+    } else {
+      const auto u = out_of_line<function<System, quantity::dependent_speeds>>{}(t_, x, p_, r_);
+      if (status_of(u))
+        for (int i = 0; i < known.constraints; ++i)
+          x(places[static_cast<std::size_t>(coordinates() + i)]) = u(i);
+      return status_of(u);
+    }
+  }
+
+private:
+  static decltype(auto) at_norm_one(const state<System>& x) {
+    if constexpr (quaternions::are_bound) {
+      state<System> at = x;
+      quaternions::normalize(at, numeric::norm_range{});
+      return at;
+    } else {
+      return (x);
+    }
+  }
+
+  static constexpr auto places = [] {
+    std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
+        found{};
+    std::size_t next = 0;
+    for (int i = 0; i < known.coordinates + known.speeds; ++i)
+      if (known.dependent[i]) found[next++] = i;
+    return found;
+  }();
+
+  double t_;
+  const P& p_;
+  const R& r_;
+};
+
+} // namespace compiled
+
+/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
+/// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is
+/// left as it was and the report says why. No memory is taken and nothing is thrown.
+template <class System, class P = parameter_values<System>, class R = input_values<System>>
+assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
+                  const assembly_options& options = {}) {
+  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+  assembly report = numeric::assemble(constraints, x, options);
+  if (report) return report;
+  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  return report;
+}
+
+/// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
+/// and its quaternions have norm 1; if not, what is off and by how much.
+template <class System, class P = parameter_values<System>, class R = input_values<System>>
+consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
+                              double tolerance = 1e-9) {
+  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+  consistency report = numeric::check_consistency(constraints, x, tolerance);
+  if (report) return report;
+  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  return report;
+}
+
+} // namespace kanexpr

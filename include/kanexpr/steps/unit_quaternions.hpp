@@ -1,0 +1,136 @@
+#pragma once
+
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/derive/causes.hpp>
+#include <kanexpr/numeric/unit_quaternion.hpp>
+#include <kanexpr/symbolic/cost.hpp>
+
+#include <array>
+#include <utility>
+
+namespace kanexpr::compiled {
+
+/// "the quaternion e0, e1, e2 and e3"
+constexpr mechanics::problem quaternion_called(const derivation::survey& known, int k) {
+  mechanics::problem p = mechanics::sentence({"the quaternion "});
+  int left = 0;
+  for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
+  bool is_first = true;
+  for (int i = 0; i < known.coordinates; ++i) {
+    if (known.quaternion_of[i] != k + 1) continue;
+    p = mechanics::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
+    is_first = false, --left;
+  }
+  return p;
+}
+
+/// The quaternions of a system whose norm 1 its motion keeps.
+template <class System>
+class unit_quaternions {
+  static constexpr const derivation::survey& known = survey_of<System>;
+
+public:
+  static constexpr int count = known.quaternions;
+
+  /// Whether a constraint is solved for a coordinate of one of them.
+  static constexpr bool are_bound = [] {
+    bool found = false;
+    for (int i = 0; i < known.coordinates; ++i)
+      found = found || (known.quaternion_of[i] != 0 && known.dependent[i]);
+    return found;
+  }();
+
+  static constexpr mechanics::problem called(int k) { return quaternion_called(known, k); }
+
+  /// Gives each of them norm 1; the status names one whose norm is out of the range.
+  template <class X>
+  [[gnu::always_inline]] static kanexpr::status normalize(X& x, const numeric::norm_range& from) {
+    return for_each(x, from, std::make_integer_sequence<int, count>{});
+  }
+
+  /// Their norms less 1, to first order.
+  template <class X>
+  static Eigen::Matrix<typename X::Scalar, count, 1> residual(const X& x) {
+    Eigen::Matrix<typename X::Scalar, count, 1> left;
+    each([&](int k, const auto& places) { left(k) = (numeric::squared_norm(x, places) - 1.0) / 2.0; });
+    return left;
+  }
+
+  /// The derivatives of these by all coordinates.
+  template <class X>
+  static Eigen::Matrix<typename X::Scalar, count, known.coordinates> jacobian(const X& x) {
+    Eigen::Matrix<typename X::Scalar, count, known.coordinates> by_all;
+    by_all.setZero();
+    each([&](int k, const auto& places) {
+      for (const int place : places) by_all(k, place) = x(place);
+    });
+    return by_all;
+  }
+
+  /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
+  template <class Jacobian, class X>
+  static void leave_norms_out(Jacobian& by_all, const X& x) {
+    each([&](int, const auto& places) { numeric::leave_norm_out(by_all, x, places); });
+  }
+
+  /// Operations of giving all of them norm 1.
+  static constexpr symbolic::cost cost() {
+    symbolic::cost total;
+    each([&](int, const auto& places) {
+      total.multiplications += 2 * static_cast<int>(places.size());
+      total.additions += static_cast<int>(places.size()) - 1;
+      total.divisions += 1;
+      total.other += 1;
+    });
+    return total;
+  }
+  /// And of taking their norms out of derivatives with so many rows.
+  static constexpr symbolic::cost cost_of_leaving_out(int rows) {
+    symbolic::cost total;
+    each([&](int, const auto& places) {
+      total.multiplications += 2 * rows * static_cast<int>(places.size());
+      total.additions += rows * (2 * static_cast<int>(places.size()) - 1);
+    });
+    return total;
+  }
+
+private:
+  template <int k>
+  static constexpr std::size_t size = [] {
+    std::size_t entries = 0;
+    for (int i = 0; i < known.coordinates; ++i)
+      if (known.quaternion_of[i] == k + 1) ++entries;
+    return entries;
+  }();
+  template <int k>
+  static constexpr auto places = [] {
+    std::array<int, size<k>> found{};
+    std::size_t next = 0;
+    for (int i = 0; i < known.coordinates; ++i)
+      if (known.quaternion_of[i] == k + 1) found[next++] = i;
+    return found;
+  }();
+
+  template <int k>
+  static constexpr auto far_from_one = derivation::only_cause(
+      [] { return mechanics::sentence({"the norm of ", called(k).view(), " is far from 1"}); });
+
+  template <class X, int... k>
+  [[gnu::always_inline]] static kanexpr::status for_each(X& x, const numeric::norm_range& from,
+                                                         std::integer_sequence<int, k...>) {
+    kanexpr::status s;
+    static_cast<void>((
+        ... && (numeric::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
+    return s;
+  }
+
+  template <class Function>
+  static constexpr void each(const Function& f) {
+    [&]<int... k>(std::integer_sequence<int, k...>) {
+      (f(k, places<k>), ...);
+    }(std::make_integer_sequence<int, count>{});
+  }
+};
+
+} // namespace kanexpr::compiled

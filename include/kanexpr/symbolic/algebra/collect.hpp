@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kanexpr/symbolic/algebra/expand.hpp>
+
+namespace kanexpr::symbolic {
+
+/// A sum gathered by the powers of some symbols or functions, such as u1 or sin(q1): every power of them
+/// occurs once, with one coefficient, which is multiplied out. What stands under a bar or in a function is no
+/// power.
+inline rewritten collect(expression e, const sequence<expression>& by,
+                         std::size_t most_terms = usual_most_terms) {
+  graph& g = e.owner();
+  algebra::budget left(most_terms);
+  sequence<int> outputs{e.node()};
+  for (const expression& each : by) outputs.push(each.node());
+  const auto sums = algebra::expansion_reader(g, left).read(outputs);
+  if (left.failed()) return {e, "the expression cannot be multiplied out: " + left.cause()};
+  std::vector<int> bases;
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const bool is_power = sums[i].size() == 1 && sums[i].terms[0].factors.size() == 1;
+    if (!is_power || sums[i].terms[0].factors[0].exponent != 1)
+      return {e,
+              "an expression can be collected by symbols and functions, and not by sums, products or powers"};
+    bases.push_back(sums[i].terms[0].factors[0].base);
+  }
+  const auto is_collected = [&bases](int base) { return std::ranges::find(bases, base) != bases.end(); };
+  expression sum(g, graph::zero);
+  for (const auto& [powers, coefficient] :
+       algebra::coefficients<algebra::rational>(sums.front(), is_collected)) {
+    const bool negative = algebra::is_all_negative(coefficient);
+    const expression magnitude = algebra::sum_in(g, negative ? -coefficient : coefficient);
+    const expression term = magnitude * algebra::side_of(g, powers, 1) / algebra::side_of(g, powers, -1);
+    sum = negative ? sum - term : sum + term;
+  }
+  return {sum, {}};
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kanexpr/symbolic/algebra/cancel.hpp>
+#include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
+#include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/linear/expand_solves.hpp>
+
+namespace kanexpr::symbolic {
+
+namespace detail {
+
+inline int operations(expression e) {
+  const cost c = cost_of(e.owner(), {e.node()});
+  return c.multiplications + c.additions + c.divisions + 4 * (c.trigonometric + c.other);
+}
+
+} // namespace detail
+
+/// The form with the fewest operations among an expression itself, with small linear systems written out; the
+/// same in lowest terms (`cancel`); and in lowest terms after its sines and cosines were brought together
+/// (`trigonometric_normal_form`). Forms with more than `most_terms` terms are left out.
+inline expression simplify(expression e, std::size_t most_terms = 1000) {
+  graph& g = e.owner();
+  const expression written_out(g, expand_solves(g, {e.node()})[0]);
+  expression best = written_out;
+  for (const expression form :
+       {expression(cancel(written_out, most_terms)),
+        expression(cancel(trigonometric_normal_form(written_out, most_terms), most_terms))})
+    if (detail::operations(form) < detail::operations(best)) best = form;
+  return best;
+}
+
+/// Every entry by itself.
+inline matrix simplify(matrix m, std::size_t most_terms = 1000) {
+  for (expression& e : m.entries) e = simplify(e, most_terms);
+  return m;
+}
+
+} // namespace kanexpr::symbolic

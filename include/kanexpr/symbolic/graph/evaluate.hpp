@@ -1,0 +1,161 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
+#include <kanexpr/symbolic/numbers/elimination.hpp>
+
+#include <utility>
+
+namespace kanexpr::symbolic {
+
+/// One operation on numbers in a constant expression, where the C library cannot go.
+constexpr double value_of(operation op, double a, double b) {
+  switch (op) {
+  case operation::negate: return -a;
+  case operation::add: return a + b;
+  case operation::subtract: return a - b;
+  case operation::multiply: return a * b;
+  case operation::divide: return a / b;
+  case operation::power: return elementary::pow(a, b);
+  case operation::sqrt: return elementary::sqrt(a);
+  case operation::sin: return elementary::sin(a);
+  case operation::cos: return elementary::cos(a);
+  case operation::tan: return elementary::tan(a);
+  case operation::asin: return elementary::asin(a);
+  case operation::acos: return elementary::acos(a);
+  case operation::atan: return elementary::atan(a);
+  case operation::atan2: return elementary::atan2(a, b);
+  case operation::exp: return elementary::exp(a);
+  case operation::log: return elementary::log(a);
+  case operation::abs: return elementary::abs(a);
+  case operation::sign: return elementary::sign(a);
+  default: return a;
+  }
+}
+
+/// What elimination needs of numbers in a constant expression. A constant expression must not divide by zero:
+/// a vanishing pivot is left out, and whoever solves looks at the least pivot first.
+struct constant_elimination {
+  static constexpr double magnitude(double x) { return elementary::abs(x); }
+  static constexpr double reciprocal(double x) { return numeric::equal(x, 0.0) ? 0 : 1 / x; }
+  static constexpr double root(double x) { return elementary::sqrt(x); }
+  static constexpr void exchange_if_positive(double d, double& a, double& b) {
+    if (!(d > 0)) return;
+    const double kept = a;
+    a = b;
+    b = kept;
+  }
+};
+
+/// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
+/// not defined there (0/0, the solution of a singular system) is not-a-number and all that rests on it.
+class evaluation {
+public:
+  constexpr evaluation(const graph& g, const sequence<int>& outputs)
+      : g_(g), live_(live_values(g, outputs)), value_(live_.empty() ? 0 : live_.back() + 1, 0.0) {
+    if (g.holds_lists()) place_.resize(value_.size(), 0);
+  }
+
+  /// `value_of_symbol(id)` gives the value of a symbol by its node.
+  template <class ValueOfSymbol>
+  constexpr void at(ValueOfSymbol value_of_symbol) {
+    more_.clear();
+    const node* const nodes = g_.begin(); // the compiler interprets calls of []
+    double* const value = value_.begin();
+    for (int id : live_) {
+      const node& n = nodes[id];
+      if (n.op == operation::constant)
+        value[id] = g_.number_at(id).value();
+      else if (n.op == operation::symbol)
+        value[id] = value_of_symbol(id);
+      else if (n.op < operation::pair)
+        value[id] = defined(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
+      else
+        value[id] = solving(id, n);
+    }
+  }
+
+  constexpr double operator[](int id) const { return value_[id]; }
+  /// The nodes that have a value, in the order of their numbers.
+  constexpr const sequence<int>& live() const { return live_; }
+
+private:
+  static constexpr double undefined = elementary::detail::not_a_number;
+
+  static constexpr double defined(operation op, double a, double b) {
+    if (!numeric::is_number(a) || !numeric::is_number(b)) return undefined;
+    if (op == operation::divide && numeric::equal(b, 0.0)) return undefined;
+    return value_of(op, a, b);
+  }
+
+  /// Appends the values of a list, and says whether all are defined.
+  constexpr bool gather(int list) {
+    bool all = true;
+    for (; g_[list].op == operation::pair; list = g_[list].b) {
+      const double value = value_[g_[list].a];
+      all = all && numeric::is_number(value);
+      more_.push(value);
+    }
+    return all;
+  }
+
+  constexpr double solving(int id, const node& n) {
+    if (n.op == operation::component) return more_[place_[n.a] + integer_at(g_, n.b)];
+    const int factorization = n.op == operation::factorization ? id : n.a;
+    const int order = order_of(g_, factorization), first = more_.size();
+    const factors place{order};
+    place_[id] = first;
+    if (n.op == operation::factorization) {
+      bool all = true;
+      for (int rows = n.a; g_[rows].op == operation::pair; rows = g_[rows].b) all = gather(g_[rows].a) && all;
+      more_.resize(first + place.size(), 0);
+      if (all)
+        factorize<constant_elimination>(order, &more_[first]);
+      else
+        more_[first + place.least_pivot()] = undefined;
+      return 0;
+    }
+    const bool all = gather(n.b);
+    const double* const f = &more_[place_[n.a]];
+    const double least = f[place.least_pivot()];
+    if (n.op == operation::regularity)
+      return all && numeric::is_number(least) ? regularity(order, f, first) : undefined;
+    if (!all || !(least > 0)) {
+      for (int i = 0; i < order; ++i) more_[first + i] = undefined;
+    } else if (n.op == operation::solve) {
+      solve_factorized<constant_elimination>(order, f, &more_[first]);
+    } else {
+      solve_transposed_factorized<constant_elimination>(order, f, &more_[first]);
+    }
+    return 0;
+  }
+
+  constexpr double regularity(int order, const double* f, int squares) {
+    if (numeric::equal(f[factors{order}.least_pivot()], 0.0)) return 0;
+    if (order > largest_written_out) return regularity_of<constant_elimination>(order, f, &more_[squares]);
+    double inverse = 1;
+    for (int i = 0; i < order; ++i) inverse *= f[factors{order}.at(i, i)];
+    return 1 / elementary::abs(inverse);
+  }
+
+  const graph& g_;
+  sequence<int> live_;
+  sequence<double> value_;
+  sequence<double> more_{}; ///< factors and solutions
+  sequence<int> place_{};   ///< of them, by node
+};
+
+/// The values of some outputs; `value_of_symbol(id)` gives that of a symbol by its node.
+template <class ValueOfSymbol>
+constexpr sequence<double> values_at(const graph& g, const sequence<int>& outputs,
+                                     ValueOfSymbol value_of_symbol) {
+  evaluation all(g, outputs);
+  all.at(value_of_symbol);
+  sequence<double> values;
+  for (int id : outputs) values.push(all[id]);
+  return values;
+}
+
+} // namespace kanexpr::symbolic

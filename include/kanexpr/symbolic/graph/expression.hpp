@@ -1,0 +1,78 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/build.hpp>
+
+namespace kanexpr::symbolic {
+
+/// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra.
+class expression {
+public:
+  constexpr expression() = default;
+  constexpr expression(graph& owner, int node) : graph_(&owner), node_(node) {}
+
+  constexpr int node() const { return node_; }
+  /// Whether it is of a graph at all.
+  constexpr bool is_given() const { return graph_ != nullptr; }
+  constexpr graph& owner() const { return *graph_; }
+  constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
+  constexpr bool is_zero() const { return node_ == graph::zero; }
+  constexpr bool is_one() const { return node_ == graph::one; }
+  constexpr bool is_constant() const { return graph_->is_constant(node_); }
+  /// The same node; equal expressions are the same node wherever local rules make them so.
+  constexpr bool operator==(const expression& other) const { return node_ == other.node_; }
+
+  constexpr expression number(const symbolic::number& value) const {
+    return {*graph_, graph_->constant(value)};
+  }
+
+  friend constexpr expression operator-(expression a) { return {*a.graph_, negate(*a.graph_, a.node_)}; }
+  friend constexpr expression operator+(expression a, expression b) {
+    return {*a.graph_, add(*a.graph_, a.node_, b.node_)};
+  }
+  friend constexpr expression operator-(expression a, expression b) {
+    return {*a.graph_, subtract(*a.graph_, a.node_, b.node_)};
+  }
+  friend constexpr expression operator*(expression a, expression b) {
+    return {*a.graph_, multiply(*a.graph_, a.node_, b.node_)};
+  }
+  friend constexpr expression operator/(expression a, expression b) {
+    return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
+  }
+  friend constexpr expression operator+(expression a, int b) { return a + a.number(exactly(b)); }
+  friend constexpr expression operator-(expression a, int b) { return a - a.number(exactly(b)); }
+  friend constexpr expression operator*(int a, expression b) { return b.number(exactly(a)) * b; }
+  friend constexpr expression operator-(int a, expression b) { return b.number(exactly(a)) - b; }
+  friend constexpr expression operator/(expression a, int b) { return a / a.number(exactly(b)); }
+  friend constexpr expression operator/(int a, expression b) { return b.number(exactly(a)) / b; }
+  constexpr expression& operator+=(expression b) { return *this = *this + b; }
+  constexpr expression& operator-=(expression b) { return *this = *this - b; }
+  constexpr expression& operator*=(expression b) { return *this = *this * b; }
+
+private:
+  graph* graph_ = nullptr;
+  int node_ = graph::zero;
+};
+
+constexpr expression apply(operation op, expression a) { return {a.owner(), apply(a.owner(), op, a.node())}; }
+constexpr expression sqrt(expression a) { return apply(operation::sqrt, a); }
+constexpr expression sin(expression a) { return apply(operation::sin, a); }
+constexpr expression cos(expression a) { return apply(operation::cos, a); }
+constexpr expression tan(expression a) { return apply(operation::tan, a); }
+constexpr expression asin(expression a) { return apply(operation::asin, a); }
+constexpr expression acos(expression a) { return apply(operation::acos, a); }
+constexpr expression atan(expression a) { return apply(operation::atan, a); }
+constexpr expression exp(expression a) { return apply(operation::exp, a); }
+constexpr expression log(expression a) { return apply(operation::log, a); }
+constexpr expression abs(expression a) { return apply(operation::abs, a); }
+constexpr expression sign(expression a) { return apply(operation::sign, a); }
+constexpr expression atan2(expression y, expression x) {
+  return {y.owner(), atan2(y.owner(), y.node(), x.node())};
+}
+constexpr expression power(expression base, expression exponent) {
+  return {base.owner(), power(base.owner(), base.node(), exponent.node())};
+}
+
+constexpr expression constant(graph& g, const number& value) { return {g, g.constant(value)}; }
+constexpr expression variable(graph& g, const symbol& s) { return {g, g.variable(s)}; }
+
+} // namespace kanexpr::symbolic

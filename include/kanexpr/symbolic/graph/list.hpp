@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+/// Lists as nodes, so that a node with two operands can stand for an operation on many.
+namespace kanexpr::symbolic {
+
+constexpr int list_of(graph& g, const sequence<int>& elements) {
+  int list = graph::zero;
+  for (int i = elements.size() - 1; i >= 0; --i)
+    list = g.find_or_append({operation::pair, elements[i], list});
+  return list;
+}
+
+constexpr void append_elements(const graph& g, int list, sequence<int>& elements) {
+  for (; g[list].op == operation::pair; list = g[list].b) elements.push(g[list].a);
+}
+
+constexpr sequence<int> elements_of(const graph& g, int list) {
+  sequence<int> elements;
+  append_elements(g, list, elements);
+  return elements;
+}
+
+/// An integer that a node carries beside its operand: an order or an index.
+constexpr int integer_at(const graph& g, int constant) {
+  return static_cast<int>(g.number_at(constant).numerator);
+}
+
+constexpr int order_of(const graph& g, int factorization) { return integer_at(g, g[factorization].b); }
+
+/// The entries of a factorized matrix, by rows.
+constexpr sequence<int> entries_of(const graph& g, int factorization) {
+  sequence<int> entries;
+  for (int rows = g[factorization].a; g[rows].op == operation::pair; rows = g[rows].b)
+    append_elements(g, g[rows].a, entries);
+  return entries;
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+namespace kanexpr::symbolic {
+
+/// Whether the second operand is not the end of a list, an order or an index.
+constexpr bool is_value(const node& n) {
+  return n.op == operation::pair ? n.b != graph::zero : !is_numbered(n.op);
+}
+
+/// Marks the nodes that `outputs` need; not the numbers by which lists are ended, orders and indices given.
+constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
+  sequence<char> marks(g.size(), 0);
+  const node* const nodes = g.begin(); // the compiler interprets calls of []
+  char* const live = marks.begin();
+  int last = -1;
+  for (int id : outputs) {
+    live[id] = 1;
+    if (id > last) last = id;
+  }
+  for (int id = last; id >= 0; --id) {
+    if (live[id] == 0) continue;
+    const node& n = nodes[id];
+    if (is_leaf(n.op)) continue;
+    live[n.a] = 1;
+    if (is_binary(n.op) && (n.op < operation::pair || is_value(n))) live[n.b] = 1;
+  }
+  return marks;
+}
+
+/// The same nodes but for lists, in the order of their numbers: operands come before their users.
+constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs) {
+  const sequence<char> marks = live_nodes(g, outputs);
+  const node* const nodes = g.begin();
+  const char* const live = marks.begin();
+  sequence<int> values;
+  for (int id = 0, end = g.size(); id < end; ++id)
+    if (live[id] != 0 && nodes[id].op != operation::pair) values.push(id);
+  return values;
+}
+
+} // namespace kanexpr::symbolic

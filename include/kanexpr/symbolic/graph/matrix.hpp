@@ -1,0 +1,27 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+namespace kanexpr::symbolic {
+
+/// A dense matrix of expressions by rows.
+struct matrix {
+  int rows = 0;
+  int columns = 0;
+  sequence<expression> entries{};
+
+  constexpr matrix() = default;
+  constexpr matrix(graph& g, int rows_, int columns_)
+      : rows(rows_), columns(columns_), entries(rows_ * columns_, expression{g, graph::zero}) {}
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.rows);
+    visit(self.columns);
+    visit(self.entries);
+  }
+
+  constexpr expression& operator()(int i, int j) { return entries[i * columns + j]; }
+  constexpr const expression& operator()(int i, int j) const { return entries[i * columns + j]; }
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,248 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/same_product.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
+
+/// Building expressions in their simplest local form.
+///
+/// Each rule looks at most two levels deep and never makes an expression larger. Signs are drawn outwards,
+/// where the next sum absorbs them; constants are gathered in front; commutative operands stand in the order
+/// of their numbers, so that equal expressions meet in one node.
+namespace kanexpr::symbolic {
+
+constexpr int negate(graph& g, int a);
+constexpr int add(graph& g, int a, int b);
+constexpr int subtract(graph& g, int a, int b);
+constexpr int multiply(graph& g, int a, int b);
+constexpr int divide(graph& g, int a, int b);
+
+namespace detail {
+
+/// `c*x` as c and x; c is one where nothing stands in front.
+struct scaled {
+  number coefficient = exactly(1);
+  int rest = 0;
+};
+
+constexpr scaled split_coefficient(const graph& g, int a) {
+  const node& n = g[a];
+  if (n.op == operation::multiply && g.is_constant(n.a)) return {g.number_at(n.a), n.b};
+  return {exactly(1), a};
+}
+
+constexpr int commutative(graph& g, operation op, int a, int b) {
+  return a < b ? g.find_or_append({op, a, b}) : g.find_or_append({op, b, a});
+}
+
+/// x for sin(x)*sin(x) or cos(x)*cos(x), else -1.
+constexpr int squared_angle(const graph& g, int a, operation function) {
+  const node& n = g[a];
+  return n.op == operation::multiply && n.a == n.b && g[n.a].op == function ? g[n.a].a : -1;
+}
+
+constexpr bool is_pythagorean(const graph& g, int a, int b) {
+  const int s = squared_angle(g, a, operation::sin);
+  return s >= 0 && s == squared_angle(g, b, operation::cos);
+}
+
+} // namespace detail
+
+constexpr int negate(graph& g, int a) {
+  const node n = g[a];
+  if (n.op == operation::constant) return g.constant(-g.number_at(a));
+  if (n.op == operation::negate) return n.a;
+  if (n.op == operation::subtract) {
+    const int turned = g.find({operation::subtract, n.b, n.a});
+    if (turned >= 0) return turned;
+  }
+  return g.find_or_append({operation::negate, a, 0});
+}
+
+constexpr int add(graph& g, int a, int b) {
+  if (a == graph::zero) return b;
+  if (b == graph::zero) return a;
+  const node x = g[a], y = g[b];
+  if (x.op == operation::constant) {
+    if (y.op == operation::constant) return g.constant(g.number_at(a) + g.number_at(b));
+    if (y.op == operation::add && g.is_constant(y.a))
+      return add(g, g.constant(g.number_at(a) + g.number_at(y.a)), y.b);
+    return g.find_or_append({operation::add, a, b});
+  }
+  if (y.op == operation::constant) return add(g, b, a);
+  if (x.op == operation::negate)
+    return y.op == operation::negate ? negate(g, add(g, x.a, y.a)) : subtract(g, b, x.a);
+  if (y.op == operation::negate) return subtract(g, a, y.a);
+  if (x.op == operation::subtract && x.b == b) return x.a;
+  if (y.op == operation::subtract && y.b == a) return y.a;
+  if (a == b) return multiply(g, g.constant(exactly(2)), a);
+  const detail::scaled p = detail::split_coefficient(g, a), q = detail::split_coefficient(g, b);
+  if (p.rest == q.rest) return multiply(g, g.constant(p.coefficient + q.coefficient), p.rest);
+  if (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)) return graph::one;
+  // constants gather in front: (c + x) + y is c + (x + y) only where that meets another constant
+  if (x.op == operation::add && g.is_constant(x.a) && y.op == operation::add && g.is_constant(y.a))
+    return add(g, g.constant(g.number_at(x.a) + g.number_at(y.a)), add(g, x.b, y.b));
+  return detail::commutative(g, operation::add, a, b);
+}
+
+constexpr int subtract(graph& g, int a, int b) {
+  if (a == b) return graph::zero;
+  if (a == graph::zero) return negate(g, b);
+  if (b == graph::zero) return a;
+  const node x = g[a], y = g[b];
+  if (y.op == operation::constant) return add(g, g.constant(-g.number_at(b)), a);
+  if (y.op == operation::negate) return add(g, a, y.a);
+  if (x.op == operation::negate) return negate(g, add(g, x.a, b));
+  if (x.op == operation::add) {
+    if (x.a == b) return x.b;
+    if (x.b == b) return x.a;
+  }
+  if (x.op == operation::subtract && x.a == b) return negate(g, x.b);
+  if (y.op == operation::add) {
+    if (y.a == a) return negate(g, y.b);
+    if (y.b == a) return negate(g, y.a);
+  }
+  if (y.op == operation::subtract && y.a == a) return y.b;
+  if (x.op == operation::constant) {
+    if (y.op == operation::add && g.is_constant(y.a))
+      return subtract(g, g.constant(g.number_at(a) - g.number_at(y.a)), y.b);
+    // 1 - sin² is not rewritten: cos² would cost a product and may need a cosine that nothing else needs
+  } else {
+    const detail::scaled p = detail::split_coefficient(g, a), q = detail::split_coefficient(g, b);
+    if (p.rest == q.rest) return multiply(g, g.constant(p.coefficient - q.coefficient), p.rest);
+    if (detail::is_same_product(g, a, b)) return graph::zero;
+  }
+  const int turned = g.find({operation::subtract, b, a});
+  if (turned >= 0) return negate(g, turned);
+  return g.find_or_append({operation::subtract, a, b});
+}
+
+constexpr int multiply(graph& g, int a, int b) {
+  if (a == graph::zero || b == graph::zero) return graph::zero;
+  if (a == graph::one) return b;
+  if (b == graph::one) return a;
+  const node x = g[a], y = g[b];
+  if (x.op == operation::constant) {
+    const number c = g.number_at(a);
+    if (y.op == operation::constant) return g.constant(c * g.number_at(b));
+    if (c.negative()) return negate(g, multiply(g, g.constant(-c), b));
+    if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
+    if (y.op == operation::multiply && g.is_constant(y.a))
+      return multiply(g, g.constant(c * g.number_at(y.a)), y.b);
+    return g.find_or_append({operation::multiply, a, b});
+  }
+  if (y.op == operation::constant) return multiply(g, b, a);
+  if (x.op == operation::negate)
+    return y.op == operation::negate ? multiply(g, x.a, y.a) : negate(g, multiply(g, x.a, b));
+  if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
+  if (x.op == operation::sqrt && a == b) return x.a;
+  if (x.op == operation::divide && x.b == b) return x.a;
+  if (y.op == operation::divide && y.b == a) return y.a;
+  if (x.op == operation::multiply && g.is_constant(x.a) && y.op == operation::multiply && g.is_constant(y.a))
+    return multiply(g, g.constant(g.number_at(x.a) * g.number_at(y.a)), multiply(g, x.b, y.b));
+  return detail::commutative(g, operation::multiply, a, b);
+}
+
+/// A division by the constant zero stays as it is written: what it means is the model's mistake to report.
+constexpr int divide(graph& g, int a, int b) {
+  if (b == graph::one) return a;
+  const node x = g[a], y = g[b];
+  if (b != graph::zero) {
+    if (a == graph::zero) return graph::zero;
+    if (y.op == operation::constant) return multiply(g, g.constant(exactly(1) / g.number_at(b)), a);
+    if (a == b) return graph::one;
+  }
+  if (x.op == operation::negate) return negate(g, divide(g, x.a, b));
+  if (y.op == operation::negate) return negate(g, divide(g, a, y.a));
+  if (x.op == operation::multiply) {
+    if (x.a == b) return x.b;
+    if (x.b == b) return x.a;
+  }
+  if (y.op == operation::divide && x.op == operation::constant && a == graph::one) return divide(g, y.b, y.a);
+  if (y.op == operation::sqrt && y.a == a) return b;
+  return g.find_or_append({operation::divide, a, b});
+}
+
+/// What a function has near zero where its argument is rounded: the cosine of the double next to π/2 is zero.
+constexpr number beside_argument(double value, double argument) {
+  return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) &&
+                      !numeric::equal(value, argument)
+                  ? 0
+                  : value);
+}
+
+/// A function of one argument.
+constexpr int apply(graph& g, operation op, int a) {
+  const node x = g[a];
+  if (x.op == operation::constant) {
+    const double value = g.number_at(a).value();
+    switch (op) {
+    case operation::sqrt: {
+      const double root = elementary::sqrt(value);
+      const number n = g.number_at(a), folded = real(root);
+      if (!n.exact() || folded.exact()) return g.constant(folded);
+      const number above = real(elementary::sqrt(static_cast<double>(n.numerator)));
+      const number below = real(elementary::sqrt(static_cast<double>(n.denominator)));
+      return g.constant(above.exact() && below.exact() ? above / below : folded);
+    }
+    case operation::sin: return g.constant(beside_argument(elementary::sin(value), value));
+    case operation::cos: return g.constant(beside_argument(elementary::cos(value), value));
+    case operation::tan: return g.constant(real(elementary::tan(value)));
+    case operation::asin: return g.constant(real(elementary::asin(value)));
+    case operation::acos: return g.constant(real(elementary::acos(value)));
+    case operation::atan: return g.constant(real(elementary::atan(value)));
+    case operation::exp: return g.constant(real(elementary::exp(value)));
+    case operation::log: return g.constant(real(elementary::log(value)));
+    case operation::abs: return g.constant(g.number_at(a).negative() ? -g.number_at(a) : g.number_at(a));
+    case operation::sign: return g.constant(real(elementary::sign(value)));
+    default: break;
+    }
+  }
+  if (x.op == operation::negate) {
+    switch (op) {
+    case operation::cos:
+    case operation::abs: return apply(g, op, x.a);
+    case operation::sin:
+    case operation::tan:
+    case operation::asin:
+    case operation::atan:
+    case operation::sign: return negate(g, apply(g, op, x.a));
+    default: break;
+    }
+  }
+  if (op == operation::abs && x.op == operation::abs) return a;
+  return g.find_or_append({op, a, 0});
+}
+
+constexpr int atan2(graph& g, int y, int x) {
+  if (g.is_constant(y) && g.is_constant(x))
+    return g.constant(real(elementary::atan2(g.number_at(y).value(), g.number_at(x).value())));
+  return g.find_or_append({operation::atan2, y, x});
+}
+
+constexpr int integer_power(graph& g, int base, std::int64_t exponent) {
+  if (exponent == 0) return graph::one;
+  if (exponent < 0) return divide(g, graph::one, integer_power(g, base, -exponent));
+  if (exponent == 1) return base;
+  const int half = integer_power(g, base, exponent / 2);
+  const int even = multiply(g, half, half);
+  return exponent % 2 == 0 ? even : multiply(g, base, even);
+}
+
+/// Integer powers become products and halves square roots; the rest is left to `pow`.
+constexpr int power(graph& g, int base, int exponent) {
+  if (base == graph::one) return graph::one;
+  if (g.is_constant(exponent)) {
+    const number n = g.number_at(exponent);
+    constexpr std::int64_t largest = 64;
+    if (n.exact() && n.numerator <= largest && n.numerator >= -largest) {
+      if (n.denominator == 1) return integer_power(g, base, n.numerator);
+      if (n.denominator == 2) return integer_power(g, apply(g, operation::sqrt, base), n.numerator);
+    }
+    if (n == number{0, 0, 0.5}) return apply(g, operation::sqrt, base);
+    if (g.is_constant(base)) return g.constant(real(elementary::pow(g.number_at(base).value(), n.value())));
+  }
+  return g.find_or_append({operation::power, base, exponent});
+}
+
+} // namespace kanexpr::symbolic

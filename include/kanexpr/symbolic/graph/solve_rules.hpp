@@ -1,0 +1,69 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/graph/rules.hpp>
+#include <kanexpr/symbolic/numbers/elimination.hpp>
+#include <kanexpr/symbolic/numbers/inverse.hpp>
+
+/// Building the solutions of linear systems. What has one unknown is a division, what is made of numbers a
+/// number; everything else stays as it is until it is lowered, for only then is it known what is needed.
+namespace kanexpr::symbolic {
+
+/// The entries come by rows.
+constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
+  sequence<int> rows;
+  for (int i = 0; i < order; ++i) {
+    sequence<int> row;
+    for (int j = 0; j < order; ++j) row.push(entries[i * order + j]);
+    rows.push(list_of(g, row));
+  }
+  return g.find_or_append({operation::factorization, list_of(g, rows), g.constant(exactly(order))});
+}
+
+/// The inverse of a factorized matrix of numbers, by rows; nothing where it is none, or has none.
+constexpr sequence<number> constant_inverse(const graph& g, int factorization) {
+  sequence<number> entries;
+  for (int entry : entries_of(g, factorization)) {
+    if (!g.is_constant(entry)) return {};
+    entries.push(g.number_at(entry));
+  }
+  return inverse_of(entries, order_of(g, factorization));
+}
+
+/// All of a solution; zero where the right side is.
+constexpr int solution(graph& g, operation op, int factorization, int right) {
+  bool is_zero = true;
+  for (int list = right; g[list].op == operation::pair; list = g[list].b)
+    is_zero = is_zero && g[list].a == graph::zero;
+  return is_zero ? graph::zero : g.find_or_append({op, factorization, right});
+}
+
+constexpr int component(graph& g, int solution, int index) {
+  if (solution == graph::zero) return graph::zero;
+  const node n = g[solution];
+  const int order = order_of(g, n.a);
+  const sequence<int> right = elements_of(g, n.b);
+  if (order == 1) return divide(g, right[0], entries_of(g, n.a)[0]);
+  bool is_constant = true;
+  for (int id : right) is_constant = is_constant && g.is_constant(id);
+  if (is_constant) {
+    const sequence<number> inverse = constant_inverse(g, n.a);
+    number sum = exactly(0);
+    for (int j = 0; j < order && !inverse.empty(); ++j) {
+      const int place = n.op == operation::solve ? index * order + j : j * order + index;
+      sum = sum + inverse[place] * g.number_at(right[j]);
+    }
+    if (!inverse.empty()) return g.constant(sum);
+  }
+  return g.find_or_append({operation::component, solution, g.constant(exactly(index))});
+}
+
+constexpr int regularity(graph& g, int factorization, int squares) {
+  if (order_of(g, factorization) == 1) return apply(g, operation::abs, entries_of(g, factorization)[0]);
+  bool is_constant = true;
+  for (int id : entries_of(g, factorization)) is_constant = is_constant && g.is_constant(id);
+  if (is_constant && constant_inverse(g, factorization).empty()) return graph::zero;
+  return g.find_or_append({operation::regularity, factorization, squares});
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/generic_values.hpp>
+#include <kanexpr/symbolic/limits/replacement.hpp>
+
+#include <map>
+
+namespace kanexpr::symbolic::taylor {
+
+/// What the nodes that some outputs need are worth where symbols are replaced, all at once, and which of them
+/// have no value there.
+class appraisal {
+public:
+  appraisal(const graph& g, const sequence<int>& outputs, const std::vector<replacement>& point)
+      : g_(g), place_(g.size(), -1) {
+    const sequence<char> live = live_nodes(g, outputs);
+    int count = 0;
+    for (int id = 0; id < g.size(); ++id)
+      if (live[id] != 0) place_[id] = count++;
+    known_.resize(static_cast<std::size_t>(count));
+    if (!point.empty()) replace(point);
+    for (int id = 0; id < g.size(); ++id)
+      if (live[id] != 0) appraise(id);
+  }
+
+  const generic_values& operator[](int id) const { return at(id).values; }
+  /// Whether it rests on a symbol that is replaced.
+  bool is_moved(int id) const { return at(id).moved; }
+  /// Whether it has no value by plain substitution, or rests on what has none.
+  bool is_singular(int id) const { return at(id).singular; }
+  /// What stands for a symbol that is replaced; else nothing.
+  const replacement* replacing(int symbol) const {
+    const auto found = by_symbol_.find(symbol);
+    return found == by_symbol_.end() ? nullptr : found->second;
+  }
+
+private:
+  struct appraised {
+    generic_values values{};
+    bool moved = false;
+    bool singular = false;
+  };
+
+  const appraised& at(int id) const { return known_[static_cast<std::size_t>(place_[id])]; }
+  appraised& at(int id) { return known_[static_cast<std::size_t>(place_[id])]; }
+
+  void replace(const std::vector<replacement>& point) {
+    sequence<int> replacing;
+    for (const replacement& each : point) replacing.push(each.by.node());
+    const appraisal of_those(g_, replacing, {});
+    for (const replacement& each : point) {
+      by_symbol_[each.symbol.node()] = &each;
+      if (place_[each.symbol.node()] < 0) continue;
+      appraised& known = at(each.symbol.node());
+      known.moved = true;
+      known.values = of_those[each.by.node()];
+    }
+  }
+
+  void appraise(int id) {
+    const node& n = g_[id];
+    appraised& known = at(id);
+    if (n.op == operation::constant) known.values = generic_values(bounded::of(g_.number_at(id)));
+    if (n.op == operation::symbol && !known.moved)
+      known.values = generic_values::of_symbol(g_.symbol_at(id).kind, n.a);
+    if (is_leaf(n.op)) return;
+    const bool has_second = is_binary(n.op) && (n.op < operation::pair || is_value(n));
+    const appraised &a = at(n.a), &b = has_second ? at(n.b) : none_;
+    known.moved = a.moved || b.moved;
+    known.singular = a.singular || b.singular;
+    if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, known);
+    if (n.op == operation::component)
+      known.values = known.singular ? undefined_ : solutions_[n.a][component_of(n)];
+    else if (n.op >= operation::pair)
+      known.values = undefined_;
+    else
+      calculate(n.op, a.values, b.values, known);
+  }
+
+  void calculate(operation op, const generic_values& a, const generic_values& b, appraised& known) const {
+    known.values = apply(op, a, b);
+    const bool is_unreal = known.values.is_number() && !known.values.defined();
+    known.singular = known.singular || is_unreal || taylor::is_singular(op, a, b);
+  }
+
+  void solve(int id, appraised& known) {
+    if (known.singular) return;
+    const node& n = g_[id];
+    const int order = order_of(g_, n.a);
+    std::vector<generic_values> a, b;
+    const sequence<int> entries = entries_of(g_, n.a);
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j)
+        a.push_back((*this)[entries[n.op == operation::solve ? i * order + j : j * order + i]]);
+    for (int right : elements_of(g_, n.b)) b.push_back((*this)[right]);
+    if (auto x = solved(a, b))
+      solutions_[id] = *std::move(x);
+    else
+      known.singular = true;
+  }
+
+  std::size_t component_of(const node& n) const { return static_cast<std::size_t>(integer_at(g_, n.b)); }
+
+  const graph& g_;
+  sequence<int> place_;            ///< by node; -1: not needed
+  std::vector<appraised> known_{}; ///< by place
+  std::map<int, const replacement*> by_symbol_{};
+  std::map<int, std::vector<generic_values>> solutions_{};
+  appraised none_{};
+  generic_values undefined_{bounded::undefined()};
+};
+
+} // namespace kanexpr::symbolic::taylor

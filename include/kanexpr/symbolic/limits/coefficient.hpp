@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/limits/generic_values.hpp>
+
+namespace kanexpr::symbolic::taylor {
+
+/// A coefficient of a series: a number, exact while it can be, or an expression. What vanishes at generic
+/// values of its symbols, or within the bound on rounding, is zero.
+class coefficient {
+public:
+  coefficient() = default;
+  explicit coefficient(const number& n) : number_(n), at_(bounded::of(n)), is_exact_(n.exact()) {}
+  explicit coefficient(int n) : coefficient(exactly(n)) {}
+  coefficient(const number& n, bool is_exact, const generic_values& at)
+      : number_(n), at_(at), is_exact_(is_exact && n.exact()) {
+    if (!is_exact_ && at_.vanish()) *this = {};
+  }
+  coefficient(expression e, const generic_values& at) : at_(at) {
+    if (e.is_constant())
+      *this =
+          coefficient(e.owner().number_at(e.node()), at.is_number() && numeric::equal(at[0].error, 0.0), at);
+    else if (at.vanish())
+      *this = {};
+    else
+      expression_ = e, is_exact_ = false, is_number_ = false;
+  }
+
+  bool is_number() const { return is_number_; }
+  bool is_exact() const { return is_exact_; } ///< an exact number
+  bool is_zero() const { return is_number_ && numeric::equal(number_.value(), 0.0); }
+  const number& value() const { return number_; }
+  const generic_values& at() const { return at_; }
+  graph& owner() const { return expression_.owner(); } ///< of an expression
+  expression in(graph& g) const { return is_number_ ? constant(g, number_) : expression_; }
+
+private:
+  number number_{};
+  expression expression_{};
+  generic_values at_{};
+  bool is_number_ = true;
+  bool is_exact_ = true;
+};
+
+namespace detail {
+
+/// The caller has made sure that it is arithmetic and does not divide by zero.
+inline number arithmetic(operation op, const number& a, const number& b) {
+  switch (op) {
+  case operation::add: return a + b;
+  case operation::subtract: return a - b;
+  case operation::multiply: return a * b;
+  default: return a / b;
+  }
+}
+
+/// A quotient of expressions with one number in front, so that those of a direction meet and cancel.
+inline int quotient(graph& g, int a, int b) {
+  const bool is_negative = (g[a].op == operation::negate) != (g[b].op == operation::negate);
+  const auto split = [&g](int id) {
+    return symbolic::detail::split_coefficient(g, g[id].op == operation::negate ? g[id].a : id);
+  };
+  const symbolic::detail::scaled above = split(a), below = split(b);
+  if (g.is_constant(b)) return divide(g, a, b);
+  const int rest = divide(g, g.is_constant(a) ? a : above.rest, below.rest);
+  const number front = (g.is_constant(a) ? exactly(1) : above.coefficient) / below.coefficient;
+  const int scaled = multiply(g, g.constant(front), rest);
+  return is_negative ? negate(g, scaled) : scaled;
+}
+
+inline coefficient combined(operation op, const coefficient& a, const coefficient& b) {
+  const generic_values at = apply(op, a.at(), b.at());
+  if (a.is_number() && b.is_number())
+    return {arithmetic(op, a.value(), b.value()), a.is_exact() && b.is_exact(), at};
+  graph& g = a.is_number() ? b.owner() : a.owner();
+  const int x = a.in(g).node(), y = b.in(g).node();
+  return {expression{g, op == operation::divide ? quotient(g, x, y) : build(g, op, x, y)}, at};
+}
+
+} // namespace detail
+
+inline coefficient operator+(const coefficient& a, const coefficient& b) {
+  if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
+  return detail::combined(operation::add, a, b);
+}
+inline coefficient operator-(const coefficient& a, const coefficient& b) {
+  if (b.is_zero()) return a;
+  return detail::combined(operation::subtract, a, b);
+}
+inline coefficient operator*(const coefficient& a, const coefficient& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  return detail::combined(operation::multiply, a, b);
+}
+/// The caller has made sure that `b` is not zero.
+inline coefficient operator/(const coefficient& a, const coefficient& b) {
+  if (a.is_zero()) return {};
+  return detail::combined(operation::divide, a, b);
+}
+inline coefficient operator-(const coefficient& a) { return coefficient{} - a; }
+
+} // namespace kanexpr::symbolic::taylor

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/coefficient.hpp>
+
+#include <optional>
+
+/// Functions of coefficients; nothing where the value of a number is not real, or not finite.
+namespace kanexpr::symbolic::taylor {
+
+namespace detail {
+
+/// An exact square root of an exact number, else a double.
+inline number root_of(const number& n) {
+  const auto root = [](double x) { return real(elementary::sqrt(x)); };
+  const number whole = root(n.value());
+  if (!n.exact() || whole.exact()) return whole;
+  const number above = root(static_cast<double>(n.numerator)),
+               below = root(static_cast<double>(n.denominator));
+  return above.exact() && below.exact() ? above / below : whole;
+}
+
+inline number function_of(operation op, const number& n) {
+  if (op == operation::sqrt) return root_of(n);
+  if (op == operation::abs) return n.negative() ? -n : n;
+  return real(value_of(op, n.value(), 0));
+}
+
+/// Whether a function of an exact number is exact.
+inline bool stays_exact(operation op, const number& n, const number& f) {
+  switch (op) {
+  case operation::abs:
+  case operation::sign: return true;
+  case operation::sqrt: return f.exact() && f * f == n;
+  case operation::log:
+  case operation::acos: return n == exactly(1);
+  default: return n.numerator == 0;
+  }
+}
+
+inline number integer_power(const number& base, std::int64_t exponent) {
+  if (exponent < 0) return exactly(1) / integer_power(base, -exponent);
+  number power = exactly(1);
+  for (std::int64_t i = 0; i < exponent; ++i) power = power * base;
+  return power;
+}
+
+} // namespace detail
+
+inline std::optional<coefficient> apply(operation op, const coefficient& a) {
+  const generic_values at = apply(op, a.at(), {});
+  if (!a.is_number())
+    return coefficient(expression{a.owner(), apply(a.owner(), op, a.in(a.owner()).node())}, at);
+  const number f = detail::function_of(op, a.value());
+  if (!std::isfinite(f.value())) return std::nullopt;
+  return coefficient(f, a.is_exact() && detail::stays_exact(op, a.value(), f), at);
+}
+
+inline std::optional<coefficient> atan2(const coefficient& y, const coefficient& x) {
+  const generic_values at = apply(operation::atan2, y.at(), x.at());
+  if (y.is_number() && x.is_number()) {
+    const bool is_exact = y.is_exact() && x.is_exact() && y.is_zero() && !x.value().negative();
+    return coefficient(real(elementary::atan2(y.value().value(), x.value().value())), is_exact, at);
+  }
+  graph& g = y.is_number() ? x.owner() : y.owner();
+  return coefficient(atan2(y.in(g), x.in(g)), at);
+}
+
+/// The caller has made sure that the base is not zero.
+inline std::optional<coefficient> power(const coefficient& base, const coefficient& exponent) {
+  const generic_values at = apply(operation::power, base.at(), exponent.at());
+  if (base.is_number() && exponent.is_number()) {
+    constexpr std::int64_t largest = 64;
+    const number n = exponent.value();
+    if (n.integer() && n.numerator <= largest && n.numerator >= -largest)
+      return coefficient(detail::integer_power(base.value(), n.numerator), base.is_exact(), at);
+    const double value = elementary::pow(base.value().value(), n.value());
+    if (!std::isfinite(value)) return std::nullopt;
+    return coefficient(real(value), false, at);
+  }
+  if (base.is_number() && base.value().negative()) return std::nullopt;
+  graph& g = base.is_number() ? exponent.owner() : base.owner();
+  return coefficient(power(base.in(g), exponent.in(g)), at);
+}
+
+} // namespace kanexpr::symbolic::taylor

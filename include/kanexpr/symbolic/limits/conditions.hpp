@@ -1,0 +1,151 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/line.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
+
+#include <string>
+
+namespace kanexpr::symbolic::taylor {
+
+/// What to say of an expression that has no limit: a sentence that names the part to blame.
+class conditions {
+public:
+  conditions(const graph& g, const appraisal& point) : g_(g), point_(point) {}
+
+  /// Of a node that has no series along a line.
+  std::string without_series(const line& l, int id) const {
+    id = l.cause(id);
+    switch (l[id].trouble()) {
+    case obstacle::none:
+    case obstacle::truncated: return "no limit is found with 16 terms of a series" + where(id);
+    case obstacle::zero_divisor:
+    case obstacle::singular_system: return nowhere(id);
+    case obstacle::piecewise: return function(id) + " changes with the signs of what stays" + where(id);
+    case obstacle::zero_logarithm: return function(id) + " is not finite" + where(id);
+    case obstacle::infinite_argument: return "the argument of " + function(id) + " is not finite" + where(id);
+    case obstacle::not_real: return function(id) + " is not real" + where(id);
+    case obstacle::fractional_order: return function(id) + " has no derivative" + where(id);
+    }
+    return {};
+  }
+
+  /// Of a node that has no value at generic values of all symbols either.
+  std::string everywhere(const appraisal& generic, int id) const {
+    const sequence<char> live = live_nodes(g_, {id});
+    int first = 0;
+    while (first < id && (live[first] == 0 || !generic.is_singular(first))) ++first;
+    return nowhere(first);
+  }
+
+  /// Of a node that grows beyond all bounds along a line.
+  std::string pole(const line& l, int id) const {
+    for (;;) {
+      const node& n = g_[id];
+      const int operand = steepest(l, n);
+      if (operand >= 0) {
+        id = operand;
+        continue;
+      }
+      if (n.op == operation::divide) return denominator(n.b) + " vanishes" + where(n.b);
+      if (is_solution(n.op)) return system(n.a) + " is singular" + where(n.a);
+      return function(id) + " is not finite" + where(id);
+    }
+  }
+
+  std::string direction(int id) const {
+    const std::string text = short_text(id);
+    return (text.empty() ? "the limit" : "the limit of " + text) + where(id) + " depends on the direction";
+  }
+
+private:
+  static constexpr std::size_t most_letters = 60;
+
+  static bool is_solution(operation op) {
+    return op == operation::solve || op == operation::transposed_solve;
+  }
+
+  std::string nowhere(int id) const {
+    const node& n = g_[id];
+    if (n.op == operation::divide) return denominator(n.b) + " vanishes identically";
+    return is_solution(n.op) ? system(n.a) + " is singular everywhere" : function(id) + " is defined nowhere";
+  }
+
+  /// The operand with the pole of the highest order; -1: none has one.
+  int steepest(const line& l, const node& n) const {
+    sequence<int> operands;
+    if (is_solution(n.op)) {
+      operands = entries_of(g_, n.a);
+      append_elements(g_, n.b, operands);
+    } else {
+      operands.push(n.a);
+      if (is_binary(n.op) && !is_numbered(n.op)) operands.push(n.b);
+    }
+    int found = -1, least = 0;
+    for (int each : operands)
+      if (l.holds(each) && l[each] && l[each]->has_terms() && l[each]->order() < least)
+        found = each, least = l[each]->order();
+    // a solution is looked into as a whole
+    return found < 0 && n.op == operation::component ? n.a : found;
+  }
+
+  std::string denominator(int id) const {
+    const std::string text = short_text(id);
+    return text.empty() ? "a denominator" : text + " in a denominator";
+  }
+  /// As a formula; a long one by its function alone.
+  std::string function(int id) const {
+    std::string text = short_text(id);
+    if (!text.empty()) return text;
+    const node& n = g_[id];
+    if (n.op == operation::power) return "a power";
+    return *function_name(n.op) == '\0' ? "a part" : std::string(function_name(n.op)) + "(...)";
+  }
+  std::string system(int factorization) const {
+    const int order = order_of(g_, factorization);
+    const sequence<int> entries = entries_of(g_, factorization);
+    std::string text = "the linear system with [";
+    for (int i = 0; i < order * order; ++i) {
+      const std::string entry = short_text(entries[i]);
+      if (entry.empty() || text.size() + entry.size() > 2 * most_letters)
+        return "a linear system of order " + std::to_string(order);
+      text += (i % order != 0 ? ", " : i == 0 ? "[" : "], [") + entry;
+    }
+    return text + "]]";
+  }
+
+  /// " at q1 = 0, q2 = pi", of the symbols that are replaced in a node.
+  std::string where(int id) const {
+    constexpr int most_symbols = 6;
+    const sequence<char> live = live_nodes(g_, {id});
+    std::string text;
+    int count = 0;
+    for (int each = 0; each <= id; ++each) {
+      if (live[each] == 0 || g_[each].op != operation::symbol) continue;
+      const replacement* const r = point_.replacing(each);
+      if (r == nullptr) continue;
+      if (++count > most_symbols) return text + ", ...";
+      const std::string by = short_text(r->by.node());
+      text += (count == 1 ? " at " : ", ") + print(g_, each) + " = " + (by.empty() ? "..." : by);
+    }
+    return text;
+  }
+
+  /// The printed form, or nothing where it is long. Nothing long is printed to find that out.
+  std::string short_text(int id) const {
+    int left = static_cast<int>(most_letters);
+    if (!fits(id, left)) return {};
+    const std::string text = print(g_, id);
+    return text.size() > most_letters ? std::string{} : text;
+  }
+  /// Whether a tree has no more nodes than are left.
+  bool fits(int id, int& left) const {
+    if (--left < 0) return false;
+    const node& n = g_[id];
+    return is_leaf(n.op) || (fits(n.a, left) && (!is_binary(n.op) || fits(n.b, left)));
+  }
+
+  const graph& g_;
+  const appraisal& point_;
+};
+
+} // namespace kanexpr::symbolic::taylor

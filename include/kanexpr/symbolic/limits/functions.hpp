@@ -1,0 +1,123 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/coefficient_functions.hpp>
+#include <kanexpr/symbolic/limits/expansion.hpp>
+
+/// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2.
+namespace kanexpr::symbolic::taylor {
+
+namespace detail {
+
+inline expansion constant_or(const std::optional<coefficient>& c, obstacle otherwise) {
+  if (!c) return otherwise;
+  return series(*c);
+}
+
+/// Σ j s_j w_{k-j} for j = 1..k
+template <class Weights>
+coefficient weighted(const series& s, int k, const Weights& w) {
+  coefficient sum;
+  for (int j = 1; j <= k && j < s.stop(); ++j)
+    sum = sum + coefficient(j) * s[j] * w[static_cast<std::size_t>(k - j)];
+  return sum;
+}
+
+} // namespace detail
+
+/// Why the argument of an entire function will not do.
+inline obstacle unbounded(const series& s) {
+  if (s.has_terms() && s.order() < 0) return obstacle::infinite_argument;
+  return s.end() <= 0 ? obstacle::truncated : obstacle::none;
+}
+
+inline expansion exp(const series& s) {
+  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  const std::optional<coefficient> first = apply(operation::exp, s[0]);
+  if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
+  std::vector<coefficient> e{*first};
+  for (int k = 1; k < s.last(); ++k) e.push_back(detail::weighted(s, k, e) / coefficient(k));
+  return series(0, std::move(e), s.last(), s.most());
+}
+
+/// The sine, or the cosine.
+inline expansion sine(const series& s, operation wanted) {
+  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  if (s.is_constant()) return detail::constant_or(apply(wanted, s[0]), obstacle::not_real);
+  const auto first_sine = apply(operation::sin, s[0]), first_cosine = apply(operation::cos, s[0]);
+  if (!first_sine || !first_cosine) return obstacle::not_real;
+  std::vector<coefficient> sines{*first_sine}, cosines{*first_cosine};
+  for (int k = 1; k < s.last(); ++k) {
+    const coefficient next = detail::weighted(s, k, cosines) / coefficient(k);
+    cosines.push_back(-(detail::weighted(s, k, sines) / coefficient(k)));
+    sines.push_back(next);
+  }
+  return series(0, std::move(wanted == operation::sin ? sines : cosines), s.last(), s.most());
+}
+
+/// By t' = (1 + t²) s'; where the cosine vanishes, by a quotient.
+inline expansion tan(const series& s) {
+  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  const std::optional<coefficient> cosine = apply(operation::cos, s[0]);
+  if (!cosine) return obstacle::not_real;
+  if (cosine->is_zero()) {
+    if (s.is_constant()) return obstacle::zero_divisor;
+    return quotient(*sine(s, operation::sin), *sine(s, operation::cos));
+  }
+  const std::optional<coefficient> first = apply(operation::tan, s[0]);
+  if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
+  std::vector<coefficient> t{*first}, slope{coefficient(1) + *first * *first};
+  for (int k = 1; k < s.last(); ++k) {
+    t.push_back(detail::weighted(s, k, slope) / coefficient(k));
+    coefficient square;
+    for (std::size_t j = 0; j < t.size(); ++j) square = square + t[j] * t[t.size() - 1 - j];
+    slope.push_back(square);
+  }
+  return series(0, std::move(t), s.last(), s.most());
+}
+
+/// sᵖ for a constant exponent, by h' s = p h s'. The first term decides what is real.
+inline expansion power(const series& s, const coefficient& p) {
+  if (s.is_zero() && p.is_number() && !p.value().negative()) return series(coefficient(p.is_zero() ? 1 : 0));
+  if (s.is_zero()) return obstacle::zero_divisor;
+  if (!s.has_terms()) return obstacle::truncated;
+  int order = 0;
+  if (s.order() != 0) {
+    const number scaled = p.value() * exactly(s.order());
+    if (!p.is_number() || !scaled.integer()) return obstacle::fractional_order;
+    order = static_cast<int>(scaled.numerator);
+  }
+  std::optional<coefficient> first = power(s.lead(), p);
+  if (p.is_number() && p.value() == exactly(1, 2)) first = apply(operation::sqrt, s.lead());
+  if (!first) return obstacle::not_real;
+  if (s.end() == series::all_orders && s.stop() == s.order() + 1)
+    return series(order, {*first}, series::all_orders, s.most());
+  std::vector<coefficient> h{*first};
+  const int end = s.last() - s.order(); // that many terms of s are known
+  for (int k = 1; k < end; ++k) {
+    coefficient sum;
+    for (int j = 1; j <= k && j + s.order() < s.stop(); ++j) {
+      const coefficient weight = p * coefficient(j) - coefficient(k - j);
+      sum = sum + weight * s[s.order() + j] * h[static_cast<std::size_t>(k - j)];
+    }
+    h.push_back(sum / (coefficient(k) * s.lead()));
+  }
+  return series(order, std::move(h), order + end, s.most());
+}
+
+inline expansion sqrt(const series& s) { return power(s, coefficient(exactly(1, 2))); }
+
+/// |s|, or the sign of s; the first term decides.
+inline expansion magnitude(const series& s) {
+  if (!s.has_terms()) return s;
+  if (s.lead().is_number()) return s.lead().value().negative() ? -s : s;
+  const std::optional<coefficient> side = apply(operation::sign, s.lead());
+  const series first(s.order(), {*apply(operation::abs, s.lead())}, series::all_orders, s.most());
+  return first + (s - series(s.order(), {s.lead()}, series::all_orders, s.most())) * series(*side);
+}
+inline expansion sign(const series& s) {
+  if (s.is_zero()) return s;
+  if (!s.has_terms()) return obstacle::truncated;
+  return detail::constant_or(apply(operation::sign, s.lead()), obstacle::not_real);
+}
+
+} // namespace kanexpr::symbolic::taylor

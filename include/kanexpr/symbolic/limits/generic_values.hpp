@@ -1,0 +1,112 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/bounded.hpp>
+#include <kanexpr/symbolic/limits/pivoting.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace kanexpr::symbolic::taylor {
+
+/// The values of an expression where its symbols have values that nobody chose: what is zero there is zero
+/// everywhere. A number has one value only.
+class generic_values {
+public:
+  static constexpr int count = 4;
+
+  generic_values() = default;
+  explicit generic_values(const bounded& number) { at_[0] = number; }
+  template <class At>
+  static generic_values by(bool is_number, At at) {
+    generic_values all;
+    all.is_number_ = is_number;
+    for (int i = 0; i < all.size(); ++i) all.at_[static_cast<std::size_t>(i)] = at(i);
+    return all;
+  }
+  /// Those of a symbol: small and large, for functions that are not defined everywhere. Parameters are
+  /// positive, as masses and lengths are.
+  static generic_values of_symbol(symbol_kind kind, int place) {
+    std::uint64_t random = 88172645463325252u + static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15u;
+    constexpr double scales[count] = {1, 0.3, 3, 20};
+    return by(false, [&](int i) {
+      for (int twice = 0; twice < 2; ++twice) // Marsaglia's xorshift
+        random ^= random << 13, random ^= random >> 7, random ^= random << 17;
+      const double between = static_cast<double>(random >> 11) / 9007199254740992.0;
+      return bounded{scales[i] * (kind == symbol_kind::parameter ? 0.5 + between : 1.8 * between - 0.9), 0};
+    });
+  }
+
+  const bounded& operator[](int i) const { return at_[is_number_ ? 0 : static_cast<std::size_t>(i)]; }
+  bool is_number() const { return is_number_; }
+  int size() const { return is_number_ ? 1 : count; }
+
+  bool defined() const {
+    for (int i = 0; i < size(); ++i)
+      if ((*this)[i].defined()) return true;
+    return false;
+  }
+  /// Wherever they are defined.
+  bool vanish() const {
+    for (int i = 0; i < size(); ++i)
+      if ((*this)[i].defined() && !(*this)[i].vanishes()) return false;
+    return defined();
+  }
+
+  /// Whether they vanish at some values of the symbols and not at others, as abs(x) - x does.
+  bool vanish_partly() const {
+    for (int i = 0; i < size(); ++i)
+      if ((*this)[i].defined() && (*this)[i].vanishes()) return !vanish();
+    return false;
+  }
+
+private:
+  std::array<bounded, count> at_{};
+  bool is_number_ = true;
+};
+
+inline generic_values apply(operation op, const generic_values& a, const generic_values& b) {
+  return generic_values::by(a.is_number() && b.is_number(), [&](int i) { return apply(op, a[i], b[i]); });
+}
+
+/// Whether an operation has no value wherever its operands have.
+inline bool is_singular(operation op, const generic_values& a, const generic_values& b) {
+  bool is_known = false;
+  for (int i = 0; i < (a.is_number() ? b : a).size(); ++i) {
+    if (!a[i].defined() || !b[i].defined()) continue;
+    if (!is_singular(op, a[i], b[i])) return false;
+    is_known = true;
+  }
+  return is_known;
+}
+
+/// x in A x = b, with A by rows; nothing where the matrix is singular wherever it is defined.
+inline std::optional<std::vector<generic_values>> solved(const std::vector<generic_values>& a,
+                                                         const std::vector<generic_values>& b) {
+  bool is_number = true, is_defined = false, is_regular = false;
+  for (const auto* list : {&a, &b})
+    for (const generic_values& v : *list) is_number = is_number && v.is_number();
+  std::array<std::vector<bounded>, generic_values::count> x;
+  for (int s = 0; s < (is_number ? 1 : generic_values::count); ++s) {
+    std::vector<bounded> entries, &right = x[static_cast<std::size_t>(s)];
+    bool all = true;
+    for (const generic_values& v : a) entries.push_back(v[s]), all = all && v[s].defined();
+    for (const generic_values& v : b) right.push_back(v[s]), all = all && v[s].defined();
+    const auto worth = [](const bounded& v) {
+      return v.defined() && !v.vanishes() ? std::optional(std::abs(v.value)) : std::nullopt;
+    };
+    const bool found = all && eliminate(entries, right, worth);
+    if (!found) right.assign(b.size(), bounded::undefined());
+    is_defined = is_defined || all;
+    is_regular = is_regular || found;
+  }
+  if (is_defined && !is_regular) return std::nullopt;
+  std::vector<generic_values> solution;
+  solution.reserve(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    solution.push_back(
+        generic_values::by(is_number, [&](int s) { return x[static_cast<std::size_t>(s)][i]; }));
+  return solution;
+}
+
+} // namespace kanexpr::symbolic::taylor

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/functions.hpp>
+
+/// The functions of series that are integrals of algebraic ones.
+namespace kanexpr::symbolic::taylor {
+
+/// f + ∫ rate, where the rate may have a pole that an integral cannot have.
+inline expansion integral_from(const std::optional<coefficient>& f, const expansion& rate) {
+  if (!f) return obstacle::not_real;
+  if (!rate) return rate;
+  if (rate->end() < 0) return obstacle::truncated;
+  if (rate->has_terms() && rate->order() < 0) return obstacle::fractional_order;
+  return integral(*rate, *f);
+}
+
+inline expansion log(const series& s) {
+  if (s.is_zero() || (s.has_terms() && s.order() != 0)) return obstacle::zero_logarithm;
+  if (!s.has_terms()) return obstacle::truncated;
+  return integral_from(apply(operation::log, s[0]), quotient(derivative(s), s));
+}
+
+inline expansion atan(const series& s) {
+  constexpr double right_angle = 1.57079632679489661923;
+  if (s.has_terms() && s.order() < 0) {
+    if (s.lead().at().vanish_partly()) return obstacle::piecewise;
+    const std::optional<coefficient> side = apply(operation::sign, s.lead());
+    const expansion rest = atan(series(coefficient(1)) / s);
+    if (!side || !rest) return obstacle::not_real;
+    return series(*side * coefficient(real(right_angle))) - *rest;
+  }
+  if (s.end() <= 0) return obstacle::truncated;
+  return integral_from(apply(operation::atan, s[0]), quotient(derivative(s), series(coefficient(1)) + s * s));
+}
+
+/// The arcsine, or the arccosine. At the ends of its range the rate is a quotient of what vanishes.
+inline expansion arcsine(const series& s, operation wanted) {
+  if (s.has_terms() && s.order() < 0) return obstacle::not_real;
+  if (s.end() <= 0) return obstacle::truncated;
+  coefficient start = s[0];
+  if ((coefficient(1) - start * start).is_zero() && start.is_number())
+    start = coefficient(start.value().negative() ? -1 : 1);
+  const std::optional<coefficient> first = apply(wanted, start);
+  const series slope = derivative(s);
+  if (slope.is_zero()) return detail::constant_or(first, obstacle::not_real);
+  expansion leg = sqrt(series(coefficient(1)) - s * s);
+  if (!leg) return leg;
+  const expansion rate = quotient(slope, *leg);
+  if (wanted == operation::asin || !rate) return integral_from(first, rate);
+  return integral_from(first, -*rate);
+}
+
+namespace detail {
+
+/// On the negative half of the axis of x the side on which y lies decides.
+inline std::optional<coefficient> first_angle(const series& y, const series& x, int order) {
+  if (!y[order].is_zero() || !y.has_terms()) return atan2(y[order], x[order]);
+  const std::optional<coefficient> side = apply(operation::sign, y.lead()), angle = atan2({}, x[order]);
+  return *side * *angle;
+}
+
+} // namespace detail
+
+/// The angle of (x, y) by (x y' - y x')/(x² + y²); only their ratio counts, so both may vanish.
+inline expansion atan2(const series& y, const series& x) {
+  if (y.is_zero() && x.is_zero()) return obstacle::zero_divisor;
+  const int order = (std::min)(y.order(), x.order());
+  if (y.end() <= order || x.end() <= order) return obstacle::truncated;
+  const bool is_positive = x[order].is_number() && !x[order].value().negative();
+  if (!y.has_terms() && !y.is_zero() && !is_positive) return obstacle::truncated;
+  return integral_from(detail::first_angle(y, x, order),
+                       quotient(x * derivative(y) - y * derivative(x), x * x + y * y));
+}
+
+} // namespace kanexpr::symbolic::taylor

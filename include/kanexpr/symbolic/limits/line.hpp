@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/limits/appraisal.hpp>
+#include <kanexpr/symbolic/limits/solve.hpp>
+
+namespace kanexpr::symbolic::taylor {
+
+/// The series of what some outputs need, where the symbols that are replaced come to their point along a
+/// line: the one replaced by x is x + ε d, for ε > 0.
+class line {
+public:
+  /// `direction(id)` is the d of a symbol by its node; terms are kept to the order `most`.
+  template <class Direction>
+  line(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs,
+       Direction direction, int most)
+      : g_(g), point_(point), plain_(plain), most_(most) {
+    const sequence<char> live = live_nodes(g, outputs);
+    for (int id = 0; id < live.size(); ++id) {
+      const operation op = g[id].op;
+      if (live[id] == 0 || op == operation::pair || op == operation::factorization) continue;
+      found_.emplace(id,
+                     op == operation::symbol && point.is_moved(id)
+                         ? expansion(series::along(replacing(id), coefficient(exactly(direction(id))), most))
+                         : expand(id));
+    }
+  }
+
+  const expansion& operator[](int id) const { return found_.at(id); }
+  bool holds(int id) const { return found_.contains(id); }
+  /// The first node on the way to another that has no series, and why; itself where it has one.
+  int cause(int id) const {
+    const auto blamed = blamed_.find(id);
+    return blamed == blamed_.end() ? id : blamed->second;
+  }
+
+private:
+  coefficient plain(int id) const {
+    if (g_.is_constant(id)) return coefficient(g_.number_at(id));
+    return {plain_.in(expression{g_, id}), point_[id]};
+  }
+  coefficient replacing(int symbol) const {
+    const expression by = point_.replacing(symbol)->by;
+    if (by.is_constant()) return coefficient(g_.number_at(by.node()));
+    return {by, point_[symbol]};
+  }
+
+  expansion expand(int id) {
+    const node n = g_[id];
+    if (!point_.is_singular(id) && !point_.is_moved(id)) return series(plain(id));
+    if (n.op == operation::regularity) return measured(id);
+    if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, n);
+    const expansion& a = found_.at(n.a);
+    if (!a) return passed(id, n.a);
+    if (n.op == operation::component)
+      return solutions_.at(n.a)[static_cast<std::size_t>(integer_at(g_, n.b))];
+    if (!is_binary(n.op)) return apply(n.op, *a, {});
+    const expansion& b = found_.at(n.b);
+    if (!b) return passed(id, n.b);
+    return apply(n.op, *a, *b);
+  }
+
+  expansion passed(int id, int operand) {
+    blamed_[id] = cause(operand);
+    return found_.at(operand);
+  }
+
+  /// Derivatives take it as a constant.
+  expansion measured(int id) {
+    if (point_.is_singular(id)) return obstacle::truncated;
+    return series(0, {plain(id)}, 1, most_);
+  }
+
+  /// What stands for the whole solution is its first component.
+  expansion solve(int id, const node& n) {
+    std::vector<series> a, b, x;
+    const auto gather = [&](const sequence<int>& ids, std::vector<series>& all) {
+      for (int each : ids) {
+        if (!found_.at(each)) return each;
+        all.push_back(*found_.at(each));
+      }
+      return -1;
+    };
+    int without = gather(entries_of(g_, n.a), a);
+    if (without < 0) without = gather(elements_of(g_, n.b), b);
+    if (without >= 0) return passed(id, without);
+    const obstacle trouble = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
+    if (trouble != obstacle::none) return trouble;
+    return solutions_.emplace(id, std::move(x)).first->second.front();
+  }
+
+  graph& g_;
+  const appraisal& point_;
+  substitution& plain_;
+  int most_;
+  std::map<int, expansion> found_{};
+  std::map<int, std::vector<series>> solutions_{};
+  std::map<int, int> blamed_{};
+};
+
+} // namespace kanexpr::symbolic::taylor

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <kanexpr/symbolic/limits/coefficient.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace kanexpr::symbolic::taylor {
+
+/// A truncated Laurent series in ε: terms from some order on, of which the first is not zero, up to an order
+/// from which on nothing is known. A polynomial is known to all orders.
+///
+/// Arithmetic: Knuth, The Art of Computer Programming 2 (1997), section 4.7; Griewank & Walther, Evaluating
+/// Derivatives (2008), section 13.2.
+class series {
+public:
+  static constexpr int all_orders = 1 << 20;
+
+  series() = default; // zero
+  explicit series(const coefficient& constant) : series(0, {constant}, all_orders, all_orders) {}
+  /// The terms from `first` on; nothing is known from `end` on, nor kept beyond the order `most`.
+  series(int first, std::vector<coefficient> terms, int end, int most)
+      : first_(first), end_(end), most_(most), terms_(std::move(terms)) {
+    const int kept = (std::min)(end_, most_ + 1) - first_;
+    if (kept < size()) {
+      const auto cut = terms_.begin() + (std::max)(kept, 0);
+      if (std::any_of(cut, terms_.end(), [](const coefficient& c) { return !c.is_zero(); }))
+        end_ = (std::min)(end_, most_ + 1);
+      terms_.erase(cut, terms_.end());
+    }
+    while (!terms_.empty() && terms_.back().is_zero()) terms_.pop_back();
+    const auto lead =
+        std::find_if(terms_.begin(), terms_.end(), [](const coefficient& c) { return !c.is_zero(); });
+    first_ += static_cast<int>(lead - terms_.begin());
+    terms_.erase(terms_.begin(), lead);
+  }
+  /// constant + slope·ε
+  static series along(const coefficient& constant, const coefficient& slope, int most) {
+    return {0, {constant, slope}, all_orders, most};
+  }
+
+  bool has_terms() const { return !terms_.empty(); }
+  bool is_zero() const { return terms_.empty() && end_ == all_orders; }
+  bool is_constant() const { return end_ == all_orders && (terms_.empty() || (first_ == 0 && size() == 1)); }
+  /// The order of the first term; without terms, that from which on nothing is known.
+  int order() const { return terms_.empty() ? end_ : first_; }
+  int end() const { return end_; }
+  int most() const { return most_; }
+  /// The end of the terms that are worth to be found.
+  int last() const { return (std::min)(end_, most_ + 1); }
+  const coefficient& lead() const { return terms_.front(); }
+  coefficient operator[](int k) const {
+    const int place = k - first_;
+    return place >= 0 && place < size() ? terms_[static_cast<std::size_t>(place)] : coefficient{};
+  }
+  /// The end of the terms that are not zero.
+  int stop() const { return terms_.empty() ? end_ : first_ + size(); }
+
+  /// Times εⁿ.
+  series shifted(int n) const {
+    if (is_zero()) return *this;
+    series moved = *this;
+    moved.first_ += n;
+    if (end_ != all_orders) moved.end_ += n;
+    return moved;
+  }
+
+private:
+  int size() const { return static_cast<int>(terms_.size()); }
+
+  int first_ = 0;
+  int end_ = all_orders;
+  int most_ = all_orders;
+  std::vector<coefficient> terms_{};
+};
+
+namespace detail {
+
+/// A series whose terms from `first` to `stop` a function gives by their orders.
+template <class Term>
+series series_of(int first, int stop, int end, int most, Term term) {
+  if (stop > most + 1) stop = most + 1, end = (std::min)(end, stop);
+  std::vector<coefficient> terms;
+  for (int k = first; k < stop; ++k) terms.push_back(term(k));
+  return {first, std::move(terms), end, most};
+}
+
+template <class Combine>
+series termwise(const series& a, const series& b, Combine combine) {
+  const int end = (std::min)(a.end(), b.end());
+  const int stop = (std::min)(end, (std::max)(a.has_terms() ? a.stop() : 0, b.has_terms() ? b.stop() : 0));
+  return series_of((std::min)({a.order(), b.order(), stop}), stop, end, (std::min)(a.most(), b.most()),
+                   [&](int k) { return combine(a[k], b[k]); });
+}
+
+} // namespace detail
+
+inline series operator+(const series& a, const series& b) {
+  return detail::termwise(a, b, [](const coefficient& x, const coefficient& y) { return x + y; });
+}
+inline series operator-(const series& a, const series& b) {
+  return detail::termwise(a, b, [](const coefficient& x, const coefficient& y) { return x - y; });
+}
+inline series operator-(const series& a) { return series{} - a; }
+
+inline series operator*(const series& a, const series& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  const auto reach = [](const series& known, const series& other) {
+    return known.end() == series::all_orders ? series::all_orders : known.end() + other.order();
+  };
+  const int end = (std::min)(reach(a, b), reach(b, a)), first = a.order() + b.order();
+  const int stop = a.has_terms() && b.has_terms() ? (std::min)(end, a.stop() + b.stop() - 1) : first;
+  return detail::series_of(first, stop, end, (std::min)(a.most(), b.most()), [&](int k) {
+    coefficient sum;
+    for (int j = a.order(); j <= k - b.order() && j < a.stop(); ++j) sum = sum + a[j] * b[k - j];
+    return sum;
+  });
+}
+
+/// The caller has made sure that `b` has terms.
+inline series operator/(const series& a, const series& b) {
+  if (a.is_zero()) return {};
+  const int most = (std::min)(a.most(), b.most()), first = a.order() - b.order();
+  const bool is_single = b.end() == series::all_orders && b.stop() == b.order() + 1;
+  int end = a.end() == series::all_orders ? series::all_orders : a.end() - b.order();
+  if (b.end() != series::all_orders) end = (std::min)(end, b.end() - b.order() + first);
+  if (!is_single) end = (std::min)(end, most + 1);
+  const int stop = !a.has_terms() ? first : is_single ? (std::min)(end, a.stop() - b.order()) : end;
+  std::vector<coefficient> terms;
+  for (int k = first; k < stop; ++k) {
+    coefficient rest = a[k + b.order()];
+    for (int j = first; j < k; ++j)
+      rest = rest - b[b.order() + k - j] * terms[static_cast<std::size_t>(j - first)];
+    terms.push_back(rest / b.lead());
+  }
+  return {first, std::move(terms), end, most};
+}
+
+/// The derivative by ε.
+inline series derivative(const series& a) {
+  const int end = a.end() == series::all_orders ? series::all_orders : a.end() - 1;
+  if (!a.has_terms()) return {end, {}, end, a.most()};
+  return detail::series_of(a.order() - 1, a.stop() - 1, end, a.most(),
+                           [&](int k) { return coefficient(k + 1) * a[k + 1]; });
+}
+
+/// The integral by ε of a series without a term of order -1, with a constant.
+inline series integral(const series& a, const coefficient& constant) {
+  const int end = a.end() == series::all_orders ? series::all_orders : a.end() + 1;
+  return series(0, {constant}, end, a.most()) +
+         detail::series_of((std::min)(a.order() + 1, end), a.has_terms() ? a.stop() + 1 : 0, end, a.most(),
+                           [&](int k) { return k == 0 ? coefficient{} : a[k - 1] / coefficient(k); });
+}
+
+} // namespace kanexpr::symbolic::taylor

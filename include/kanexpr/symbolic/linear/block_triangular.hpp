@@ -1,0 +1,89 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+
+namespace kanexpr::symbolic {
+
+/// Equations of a linear system, by rows, and as many unknowns that only they and earlier blocks settle.
+struct coupled_part {
+  sequence<int> rows{};
+  sequence<int> columns{};
+};
+
+/// Puts a square system into block triangular form by where its matrix is not zero: a matching of equations
+/// with unknowns, and the strongly connected components of what hangs on what then (Duff & Reid, "An
+/// implementation of Tarjan's algorithm for the block triangularization of a matrix", 1978).
+class block_triangular_form {
+public:
+  /// `columns_of_row[i]`: the unknowns that equation i holds.
+  constexpr explicit block_triangular_form(const sequence<sequence<int>>& columns_of_row)
+      : columns_(columns_of_row), n_(columns_of_row.size()), row_of_(n_, none), visited_(n_, 0) {
+    for (int i = 0; i < n_; ++i) {
+      for (char& v : visited_) v = 0;
+      matched_ += matches(i) ? 1 : 0;
+    }
+    number_.resize(n_, none), least_.resize(n_, none), is_open_.resize(n_, 0);
+    for (int j = 0; j < n_; ++j)
+      if (row_of_[j] != none && number_[j] == none) visit(j);
+  }
+
+  /// Whether equations and unknowns can be paired at all; where not, the matrix is singular.
+  constexpr bool is_regular() const { return matched_ == n_; }
+  /// In the order in which they can be solved; unknowns without an equation are left out.
+  constexpr const sequence<coupled_part>& parts() const { return parts_; }
+
+private:
+  static constexpr int none = -1;
+
+  /// Finds a column for a row, and others for the rows that have to give way.
+  constexpr bool matches(int row) {
+    for (int j : columns_[row]) {
+      if (visited_[j] != 0) continue;
+      visited_[j] = 1;
+      if (row_of_[j] != none && !matches(row_of_[j])) continue;
+      row_of_[j] = row;
+      return true;
+    }
+    return false;
+  }
+
+  constexpr void visit(int column) {
+    number_[column] = least_[column] = count_++;
+    open_.push(column);
+    is_open_[column] = 1;
+    for (int j : columns_[row_of_[column]]) {
+      if (row_of_[j] == none) continue;
+      if (number_[j] == none) visit(j);
+      if (is_open_[j] != 0 && least_[j] < least_[column]) least_[column] = least_[j];
+    }
+    if (least_[column] != number_[column]) return;
+    coupled_part part;
+    for (int j = none; j != column;) {
+      j = open_.back();
+      open_.pop();
+      is_open_[j] = 0;
+      insert(part.columns, j);
+      insert(part.rows, row_of_[j]);
+    }
+    parts_.push(part);
+  }
+
+  static constexpr void insert(sequence<int>& ascending, int value) {
+    int place = ascending.push(value);
+    for (; place > 0 && ascending[place - 1] > value; --place) ascending[place] = ascending[place - 1];
+    ascending[place] = value;
+  }
+
+  const sequence<sequence<int>>& columns_;
+  int n_ = 0;
+  int matched_ = 0;
+  int count_ = 0;
+  sequence<int> row_of_; ///< by column
+  sequence<char> visited_;
+  sequence<int> number_{}, least_{}; ///< of columns, as they are met
+  sequence<int> open_{};
+  sequence<char> is_open_{};
+  sequence<coupled_part> parts_{};
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/solve_rules.hpp>
+
+namespace kanexpr::symbolic {
+
+/// Solutions of systems of order 2 or 3 written out with cofactors. Minors are formed where they are needed
+/// and met again as equal nodes; structural zeros vanish.
+class cofactors {
+public:
+  /// How the cofactors are used: column by column (Cramer's rule, which forms most of them with the right
+  /// side), all of them once for any number of right sides, or divided by the determinant beforehand.
+  struct method {
+    enum kind { by_columns, adjugate, inverse } way = adjugate;
+    int column = 0;          ///< whose cofactors make the determinant
+    bool transposed = false; ///< columns of Aᵀ
+  };
+
+  /// The entries come by rows; `results` is how many components of solutions are needed.
+  constexpr cofactors(graph& g, const sequence<int>& entries, int order, method m, int results)
+      : g_(g), a_(entries), n_(order), method_(m) {
+    determinant_ = graph::zero;
+    for (int i = 0; i < n_; ++i)
+      determinant_ =
+          add(g_, determinant_, multiply(g_, at(i, m.column, m.transposed), of(i, m.column, m.transposed)));
+    divides_ = results == 1 && m.way != method::inverse;
+    if (!divides_ && results > 0) reciprocal_ = divide(g_, graph::one, determinant_);
+  }
+
+  constexpr int determinant() const { return determinant_; }
+
+  /// An element of x in A x = b or Aᵀ x = b.
+  constexpr int component(const sequence<int>& b, int j, bool transposed) {
+    if (method_.way == method::inverse) {
+      int sum = graph::zero;
+      for (int i = 0; i < n_; ++i)
+        sum = add(g_, sum, multiply(g_, multiply(g_, of(i, j, transposed), reciprocal_), b[i]));
+      return sum;
+    }
+    const int above = numerator(b, j, transposed);
+    return divides_ ? divide(g_, above, determinant_) : multiply(g_, above, reciprocal_);
+  }
+
+  /// The methods to choose from for a system, its transpose, or both.
+  static constexpr sequence<method> all(int order, bool has_plain, bool has_transposed) {
+    sequence<method> methods;
+    for (int j = 0; j < order; ++j) {
+      methods.push({method::adjugate, j, false});
+      methods.push({method::inverse, j, false});
+      if (order == 3 && has_plain) methods.push({method::by_columns, j, false});
+      if (order == 3 && has_transposed) methods.push({method::by_columns, j, true});
+    }
+    return methods;
+  }
+
+private:
+  constexpr int at(int i, int j) const { return a_[(i % n_) * n_ + j % n_]; }
+  constexpr int at(int i, int j, bool transposed) const { return transposed ? at(j, i) : at(i, j); }
+  /// p s - q r
+  constexpr int minor_of(int p, int q, int r, int s) {
+    return subtract(g_, multiply(g_, p, s), multiply(g_, q, r));
+  }
+
+  /// The cofactor of an entry, with its sign.
+  constexpr int of(int i, int j, bool transposed) {
+    if (transposed) return of(j, i, false);
+    if (n_ == 3) return minor_of(at(i + 1, j + 1), at(i + 1, j + 2), at(i + 2, j + 1), at(i + 2, j + 2));
+    return i == j ? at(i + 1, j + 1) : negate(g_, at(i + 1, j + 1));
+  }
+
+  constexpr int numerator(const sequence<int>& b, int j, bool transposed) {
+    int sum = graph::zero;
+    if (method_.way == method::adjugate || j == method_.column) {
+      for (int i = 0; i < 3 && i < n_; ++i) sum = add(g_, sum, multiply(g_, b[i], of(i, j, transposed)));
+      return sum;
+    }
+    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b), the other way round
+    // negative
+    const int c = method_.column, third = 3 - c - j;
+    for (int i = 0; i < 3; ++i) {
+      const int p = (i + 1) % 3, q = (i + 2) % 3;
+      const int normal = minor_of(at(p, c, transposed), b[p], at(q, c, transposed), b[q]);
+      sum = add(g_, sum, multiply(g_, at(i, third, transposed), normal));
+    }
+    return j == (c + 1) % 3 ? sum : negate(g_, sum);
+  }
+
+  graph& g_;
+  const sequence<int>& a_;
+  int n_ = 0;
+  method method_;
+  int determinant_ = graph::zero;
+  int reciprocal_ = graph::zero;
+  bool divides_ = false;
+};
+
+} // namespace kanexpr::symbolic

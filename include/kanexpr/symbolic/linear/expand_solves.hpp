@@ -1,0 +1,182 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/linear/cofactors.hpp>
+
+namespace kanexpr::symbolic {
+
+namespace detail {
+
+/// What is needed of one factorization.
+struct solves_of_factors {
+  int factorization = 0;
+  sequence<int> solutions{};
+  int results = 0; ///< components of them
+  bool measured = false;
+  cofactors::method method{};
+};
+
+/// Rewrites the solutions of small systems, and of systems of numbers, as ordinary operations. Nodes are
+/// taken in their order, so operands come before their users.
+class expansion {
+public:
+  constexpr expansion(graph& g, const sequence<int>& outputs)
+      : g_(g), live_(live_nodes(g, outputs)), image_(g.size(), 0), uses_of_(g.size(), -1) {
+    for (int id = 0; id < g.size(); ++id) collect(id);
+    for (solves_of_factors& uses : uses_)
+      if (is_small(uses.factorization)) uses.method = cheapest(uses);
+  }
+
+  constexpr int operator[](int id) const { return image_[id]; }
+
+  constexpr void run() {
+    for (int id = 0; id < live_.size(); ++id) {
+      const node n = g_[id];
+      image_[id] = id;
+      if (live_[id] == 0 || is_leaf(n.op)) continue;
+      const int a = image_[n.a], b = !is_binary(n.op) ? 0 : live_[n.b] != 0 ? image_[n.b] : n.b;
+      if (n.op == operation::component)
+        image_[id] = element(n, a);
+      else if (n.op == operation::regularity && is_small(n.a))
+        image_[id] = measure(n, a);
+      else if (a != n.a || b != n.b)
+        image_[id] = build(g_, n.op, a, b);
+    }
+  }
+
+private:
+  constexpr bool is_small(int factorization) const {
+    return order_of(g_, factorization) <= largest_written_out;
+  }
+
+  constexpr void collect(int id) {
+    const node& n = g_[id];
+    if (live_[id] == 0) return;
+    if (n.op == operation::factorization) {
+      uses_of_[id] = uses_.size();
+      uses_.push({id, {}, 0, false, {}});
+    } else if (n.op == operation::solve || n.op == operation::transposed_solve) {
+      uses_[uses_of_[n.a]].solutions.push(id);
+    } else if (n.op == operation::component) {
+      ++uses_[uses_of_[g_[n.a].a]].results;
+    } else if (n.op == operation::regularity) {
+      uses_[uses_of_[n.a]].measured = true;
+    }
+  }
+
+  /// Tries all methods on a graph of their own, whose symbols stand for the entries.
+  constexpr cofactors::method cheapest(const solves_of_factors& uses) {
+    const int order = order_of(g_, uses.factorization);
+    const auto entries = stand_ins(entries_of(g_, uses.factorization));
+    sequence<sequence<int>> right;
+    bool has_plain = false, has_transposed = false;
+    for (int id : uses.solutions) {
+      right.push(stand_ins(elements_of(g_, g_[id].b)));
+      (g_[id].op == operation::solve ? has_plain : has_transposed) = true;
+    }
+    cofactors::method best;
+    int least = -1;
+    for (const cofactors::method& each : cofactors::all(order, has_plain, has_transposed)) {
+      cofactors by(trial_, entries, order, each, uses.results);
+      sequence<int> outputs;
+      if (uses.measured) outputs.push(by.determinant());
+      for (int i = 0; i < right.size(); ++i)
+        for (int j = 0; j < order; ++j)
+          if (is_needed(uses.solutions[i], j))
+            outputs.push(by.component(right[i], j, g_[uses.solutions[i]].op == operation::transposed_solve));
+      const int weight = weight_of(outputs);
+      if (least < 0 || weight < least) best = each, least = weight;
+    }
+    return best;
+  }
+
+  constexpr bool is_needed(int solution, int index) const {
+    const int index_node = g_.find_constant(exactly(index));
+    const int id = index_node < 0 ? -1 : g_.find({operation::component, solution, index_node});
+    return id >= 0 && id < live_.size() && live_[id] != 0;
+  }
+
+  constexpr sequence<int> stand_ins(sequence<int> nodes) {
+    for (int& id : nodes) {
+      const bool negative = g_[id].op == operation::negate;
+      if (g_.is_constant(id)) {
+        id = trial_.constant(g_.number_at(id));
+      } else {
+        const int symbol = trial_.find_or_append({operation::symbol, negative ? g_[id].a : id, 0});
+        id = negative ? negate(trial_, symbol) : symbol;
+      }
+    }
+    return nodes;
+  }
+
+  constexpr int weight_of(const sequence<int>& outputs) const {
+    constexpr int division = 4;
+    const sequence<char> live = live_nodes(trial_, outputs);
+    int weight = 0;
+    for (int id = 0; id < live.size(); ++id) {
+      const operation op = trial_[id].op;
+      if (live[id] != 0 && !is_leaf(op) && op != operation::negate)
+        weight += op == operation::divide ? division : 1;
+    }
+    return weight;
+  }
+
+  constexpr int element(const node& n, int solution) {
+    const int index = integer_at(g_, n.b);
+    if (solution == graph::zero) return graph::zero;
+    const node all = g_[solution];
+    const sequence<int> right = elements_of(g_, all.b), entries = entries_of(g_, all.a);
+    const bool transposed = all.op == operation::transposed_solve;
+    const int order = right.size();
+    if (order <= largest_written_out) {
+      const solves_of_factors& uses = uses_[uses_of_[g_[n.a].a]];
+      return cofactors(g_, entries, order, uses.method, uses.results).component(right, index, transposed);
+    }
+    if (inverted_ != all.a) inverse_ = constant_inverse(g_, all.a);
+    inverted_ = all.a;
+    if (inverse_.empty()) return component(g_, solution, index);
+    int sum = graph::zero;
+    for (int j = 0; j < order; ++j) {
+      const number& weight = inverse_[transposed ? j * order + index : index * order + j];
+      sum = add(g_, sum, multiply(g_, g_.constant(weight), right[j]));
+    }
+    return sum;
+  }
+
+  constexpr int measure(const node& n, int factorization) {
+    const sequence<int> entries = entries_of(g_, factorization);
+    const cofactors by(g_, entries, order_of(g_, factorization), uses_[uses_of_[n.a]].method, 0);
+    return apply(g_, operation::abs, by.determinant());
+  }
+
+  graph& g_;
+  sequence<char> live_;
+  sequence<int> image_;
+  sequence<int> uses_of_; ///< by the node of a factorization
+  sequence<solves_of_factors> uses_{};
+  graph trial_{};
+  int inverted_ = -1; ///< the matrix of numbers that was inverted last
+  sequence<number> inverse_{};
+};
+
+} // namespace detail
+
+/// Whether `expand_solves` has anything to do for what is live.
+constexpr bool holds_solves(const graph& g, const sequence<char>& live) {
+  for (int id = 0; g.holds_lists() && id < live.size(); ++id)
+    if (live[id] != 0 && g[id].op == operation::factorization) return true;
+  return false;
+}
+
+/// The outputs with the solutions of systems of order 1 to 3 written out: one determinant and its reciprocal
+/// for all right sides, and cofactors. Larger systems stay.
+constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs) {
+  detail::expansion expanded(g, outputs);
+  expanded.run();
+  sequence<int> images;
+  for (int id : outputs) images.push(expanded[id]);
+  return images;
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,210 @@
+#pragma once
+
+#include <kanexpr/symbolic/linear/block_triangular.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+#include <kanexpr/symbolic/sizes/mean_square.hpp>
+
+namespace kanexpr::symbolic {
+
+/// One coupled part of a linear system that is solved on its own and may be singular at some states.
+struct solved_block {
+  sequence<int> rows{}, columns{}; ///< equations and unknowns
+  int key = 0;                     ///< the divisor where there is one unknown, else the factorization
+  expression measure{};            ///< far from singular as large as `scale`, up to signs; singular 0
+  expression scale{};
+};
+
+struct linear_solution {
+  matrix x{};
+  sequence<solved_block> blocks{}; ///< not those whose matrix is of numbers
+  bool structurally_regular = true;
+};
+
+/// Whether nodes that are needed rest on the solution of a block.
+constexpr bool rests_on(const graph& g, const sequence<char>& live, int key) {
+  if (g[key].op == operation::factorization) return live[key] != 0;
+  for (int id = key + 1; id < live.size(); ++id)
+    if (live[id] != 0 && g[id].op == operation::divide && g[id].b == key) return true;
+  return false;
+}
+
+namespace detail {
+
+class linear_solver {
+public:
+  constexpr linear_solver(graph& g, const matrix& a, const matrix& b, const matrix& equations,
+                          const sequence<int>& sums)
+      : g_(g), a_(a), b_(b), equations_(equations), sums_(sums), is_solved_(a.columns, 0) {
+    out_.x = matrix(g, a.rows, b.columns);
+  }
+
+  constexpr const linear_solution& run() {
+    sequence<char> is_used(a_.rows, 0);
+    for (bool progress = true; progress;) {
+      progress = false;
+      for (int i = 0; i < a_.rows; ++i) {
+        const int j = is_used[i] != 0 ? none : only_unknown(i);
+        if (j == none) continue;
+        divide(i, j);
+        is_used[i] = is_solved_[j] = 1;
+        progress = true;
+      }
+    }
+    sequence<int> rows{}, columns{};
+    for (int i = 0; i < a_.rows; ++i)
+      if (is_used[i] == 0) rows.push(i);
+    for (int j = 0; j < a_.columns; ++j)
+      if (is_solved_[j] == 0) columns.push(j);
+    if (!rows.empty()) solve_coupled(rows, columns);
+    return out_;
+  }
+
+private:
+  static constexpr int none = -1;
+
+  constexpr int only_unknown(int i) const {
+    int only = none;
+    for (int j = 0; j < a_.columns; ++j) {
+      if (is_solved_[j] != 0 || a_(i, j).is_zero()) continue;
+      if (only != none) return none;
+      only = j;
+    }
+    return only;
+  }
+
+  constexpr void solve_coupled(const sequence<int>& rows, const sequence<int>& columns) {
+    sequence<sequence<int>> held;
+    for (int i : rows) {
+      held.push({});
+      for (int j = 0; j < columns.size(); ++j)
+        if (!a_(i, columns[j]).is_zero()) held.back().push(j);
+    }
+    const block_triangular_form form(held);
+    out_.structurally_regular = form.is_regular();
+    for (coupled_part part : form.parts()) {
+      for (int& i : part.rows) i = rows[i];
+      for (int& j : part.columns) j = columns[j];
+      if (!is_ready(part)) continue;
+      if (part.rows.size() == 1)
+        divide(part.rows[0], part.columns[0]);
+      else
+        solve(part);
+      for (int j : part.columns) is_solved_[j] = 1;
+    }
+  }
+
+  constexpr bool is_ready(const coupled_part& part) const {
+    for (int i : part.rows)
+      for (int j = 0; j < a_.columns; ++j)
+        if (!a_(i, j).is_zero() && is_solved_[j] == 0 && !part.columns.contains(j)) return false;
+    return true;
+  }
+
+  /// What equation i leaves on the right for the unknowns of its own part.
+  constexpr expression right_side(int i, int column) const {
+    expression sum = b_(i, column);
+    for (int j = 0; j < a_.columns; ++j)
+      if (is_solved_[j] != 0 && !a_(i, j).is_zero()) sum -= a_(i, j) * out_.x(j, column);
+    return sum;
+  }
+
+  /// The mean squares of a part's entries, by rows.
+  constexpr sequence<int> squares_of(const sequence<int>& rows, const sequence<int>& columns) const {
+    sequence<int> coefficients, entries, squares;
+    for (int i : rows) {
+      for (int j = 0; j < equations_.columns; ++j) coefficients.push(equations_(i, j).node());
+      for (int j : columns) entries.push(a_(i, j).node());
+    }
+    const mean_square of(g_, coefficients, entries, sums_);
+    for (int id : entries) squares.push(of[id]);
+    return squares;
+  }
+
+  constexpr expression root(int square) const { return sqrt(expression{g_, square}); }
+
+  /// One reciprocal is cheaper than several divisions.
+  constexpr void divide(int i, int j) {
+    const expression divisor = a_(i, j);
+    sequence<expression> right;
+    int used = 0;
+    for (int column = 0; column < b_.columns; ++column) {
+      right.push(right_side(i, column));
+      if (!right.back().is_zero()) ++used;
+    }
+    const expression reciprocal = used > 1 ? 1 / divisor : divisor;
+    for (int column = 0; column < b_.columns; ++column)
+      out_.x(j, column) = used > 1 ? right[column] * reciprocal : right[column] / divisor;
+    if (divisor.is_constant()) return;
+    int key = without_sign(divisor.node());
+    if (used > 1) {
+      const int quotient = without_sign(reciprocal.node());
+      if (g_[quotient].op != operation::divide) return; // the divisor is one part of something
+      key = g_[quotient].b;
+    }
+    out_.blocks.push({{i}, {j}, key, divisor, root(squares_of({i}, {j})[0])});
+  }
+
+  constexpr int without_sign(int id) const { return g_[id].op == operation::negate ? g_[id].a : id; }
+
+  constexpr void solve(const coupled_part& part) {
+    const int order = part.rows.size();
+    matrix a(g_, order, order);
+    bool is_constant = true;
+    for (int i = 0; i < order; ++i) {
+      for (int j = 0; j < order; ++j) {
+        a(i, j) = a_(part.rows[i], part.columns[j]);
+        is_constant = is_constant && a(i, j).is_constant();
+      }
+    }
+    const expression factors = factorization(g_, a);
+    for (int column = 0; column < b_.columns; ++column) {
+      sequence<expression> right;
+      for (int i : part.rows) right.push(right_side(i, column));
+      const sequence<expression> x = symbolic::solve(factors, right);
+      for (int j = 0; j < order; ++j) out_.x(part.columns[j], column) = x[j];
+    }
+    if (is_constant && !constant_inverse(g_, factors.node()).empty()) return;
+    push_block(part, factors);
+  }
+
+  /// The determinant of a small part has a mean square of its own. Of a larger one each pivot is compared
+  /// with the mean squares that elimination makes of those of the entries.
+  constexpr void push_block(const coupled_part& part, expression factors) {
+    const int order = part.rows.size();
+    const sequence<int> squares = squares_of(part.rows, part.columns);
+    const expression one{g_, graph::one};
+    if (order <= largest_written_out) {
+      out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, {}),
+                        root(permanent(g_, squares, order))});
+      return;
+    }
+    sequence<expression> sizes;
+    for (int id : squares) sizes.push({g_, id});
+    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, sizes), one});
+  }
+
+  graph& g_;
+  const matrix& a_;
+  const matrix& b_;
+  const matrix& equations_;
+  const sequence<int>& sums_;
+  sequence<char> is_solved_; ///< by column
+  linear_solution out_{};
+};
+
+} // namespace detail
+
+/// Solves A X = B, where A is square and may have zeros: block by block of its block triangular form, so an
+/// equation with one unknown left is a division. `equations` has a row for each equation with all of its
+/// coefficients, also those of what is no unknown here; `sums` are what they come from, of which all terms
+/// have one unit. Unknowns that a structurally singular matrix leaves open stay zero.
+constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations,
+                                       const sequence<int>& sums = {}) {
+  return detail::linear_solver(g, a, b, equations, sums).run();
+}
+
+constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b) {
+  return solve_linear(g, a, b, a);
+}
+
+} // namespace kanexpr::symbolic

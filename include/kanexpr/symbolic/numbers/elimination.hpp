@@ -1,0 +1,111 @@
+#pragma once
+
+/// Gaussian elimination with row exchanges, without a branch on a value: rows are compared and exchanged by
+/// selection. What is done in which order is the same wherever a system is solved; lower/eliminate.hpp
+/// unrolls it.
+namespace kanexpr::symbolic {
+
+/// Systems up to this order are written out with cofactors when they are lowered.
+inline constexpr int largest_written_out = 3;
+
+/// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
+/// diagonal and the reciprocals of the pivots on it, then by how much the lower row was larger wherever two
+/// rows were compared (positive: they were exchanged), then the least magnitude of a pivot.
+struct factors {
+  int order = 0;
+
+  constexpr int at(int i, int j) const { return i * order + j; }
+  constexpr int excess(int upper, int lower) const {
+    return order * order + upper * (2 * order - upper - 1) / 2 + lower - upper - 1;
+  }
+  constexpr int least_pivot() const { return order * order + order * (order - 1) / 2; }
+  constexpr int size() const { return least_pivot() + 1; }
+};
+
+/// Factorizes the matrix with which `f` begins. `Math` has `magnitude`, `reciprocal` and
+/// `exchange_if_positive(d, a, b)`.
+template <class Math, class T>
+constexpr void factorize(int order, T* f) {
+  const factors place{order};
+  T least = f[0];
+  for (int k = 0; k < order; ++k) {
+    for (int i = k + 1; i < order; ++i) {
+      T& excess = f[place.excess(k, i)];
+      excess = T(Math::magnitude(f[place.at(i, k)]) - Math::magnitude(f[place.at(k, k)]));
+      for (int j = k; j < order; ++j)
+        Math::exchange_if_positive(excess, f[place.at(k, j)], f[place.at(i, j)]);
+    }
+    T& pivot = f[place.at(k, k)];
+    T size = Math::magnitude(pivot);
+    if (k == 0)
+      least = size;
+    else
+      Math::exchange_if_positive(T(least - size), least, size);
+    pivot = Math::reciprocal(pivot);
+    for (int i = k + 1; i < order; ++i) {
+      T& multiplier = f[place.at(i, k)];
+      multiplier = T(multiplier * pivot);
+      for (int j = k + 1; j < order; ++j)
+        f[place.at(i, j)] = T(f[place.at(i, j)] - T(multiplier * f[place.at(k, j)]));
+    }
+  }
+  f[place.least_pivot()] = least;
+}
+
+/// Solves A x = b, where x is b to begin with.
+template <class Math, class T>
+constexpr void solve_factorized(int order, const T* f, T* x) {
+  const factors place{order};
+  for (int k = 0; k < order; ++k) {
+    for (int i = k + 1; i < order; ++i) Math::exchange_if_positive(f[place.excess(k, i)], x[k], x[i]);
+    for (int i = k + 1; i < order; ++i) x[i] = T(x[i] - T(f[place.at(i, k)] * x[k]));
+  }
+  for (int done = 0; done < order; ++done) {
+    const int k = order - 1 - done;
+    for (int j = k + 1; j < order; ++j) x[k] = T(x[k] - T(f[place.at(k, j)] * x[j]));
+    x[k] = T(x[k] * f[place.at(k, k)]);
+  }
+}
+
+/// Solves Aᵀ x = b: the same steps, transposed and in the opposite order.
+template <class Math, class T>
+constexpr void solve_transposed_factorized(int order, const T* f, T* x) {
+  const factors place{order};
+  for (int k = 0; k < order; ++k) {
+    x[k] = T(x[k] * f[place.at(k, k)]);
+    for (int j = k + 1; j < order; ++j) x[j] = T(x[j] - T(f[place.at(k, j)] * x[k]));
+  }
+  for (int done = 0; done < order; ++done) {
+    const int k = order - 1 - done;
+    for (int i = k + 1; i < order; ++i) x[k] = T(x[k] - T(f[place.at(i, k)] * x[i]));
+    for (int i = order - 1; i > k; --i) Math::exchange_if_positive(f[place.excess(k, i)], x[k], x[i]);
+  }
+}
+
+/// The least of the pivots beside the terms that each is the sum of: what elimination does to the entries is
+/// done to `squares` of their sizes, by rows, without a cancellation. Each has the unit of its entry, so it
+/// does not matter in which units rows and columns are. What is no number remains none.
+template <class Math, class T>
+constexpr T regularity_of(int order, const T* f, T* squares) {
+  const factors place{order};
+  T largest = f[0]; // overwritten by the first
+  for (int k = 0; k < order; ++k) {
+    for (int i = k + 1; i < order; ++i)
+      for (int j = k; j < order; ++j)
+        Math::exchange_if_positive(f[place.excess(k, i)], squares[place.at(k, j)], squares[place.at(i, j)]);
+    const T& inverse = f[place.at(k, k)];
+    T own = T(inverse * T(inverse * squares[place.at(k, k)]));
+    if (k > 0) Math::exchange_if_positive(T(largest - own), own, largest);
+    largest = own;
+    for (int i = k + 1; i < order; ++i) {
+      const T square = T(f[place.at(i, k)] * f[place.at(i, k)]);
+      for (int j = k + 1; j < order; ++j)
+        squares[place.at(i, j)] = T(squares[place.at(i, j)] + T(square * squares[place.at(k, j)]));
+    }
+  }
+  T least = f[place.least_pivot()], beside = Math::root(Math::reciprocal(largest));
+  Math::exchange_if_positive(f[place.least_pivot()], least, beside);
+  return least; // where a pivot is zero, what comes behind it is no number
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
+
+namespace kanexpr::symbolic {
+
+/// Inverts a matrix of numbers, by rows, exactly where they are fractions. Nothing for a singular one.
+constexpr sequence<number> inverse_of(sequence<number> a, int order) {
+  sequence<number> inverse(order * order, exactly(0));
+  for (int i = 0; i < order; ++i) inverse[i * order + i] = exactly(1);
+  const auto magnitude = [](const number& n) { return n.negative() ? -n.value() : n.value(); };
+  const auto subtract_row = [&](sequence<number>& m, int from, int row, const number& weight) {
+    for (int j = 0; j < order; ++j) m[from * order + j] = m[from * order + j] - weight * m[row * order + j];
+  };
+  for (int k = 0; k < order; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < order; ++i)
+      if (magnitude(a[i * order + k]) > magnitude(a[pivot * order + k])) pivot = i;
+    if (numeric::equal(magnitude(a[pivot * order + k]), 0.0)) return {};
+    const number below = a[pivot * order + k];
+    for (sequence<number>* m : {&a, &inverse})
+      for (int j = 0; j < order; ++j) {
+        const number lifted = (*m)[pivot * order + j] / below;
+        (*m)[pivot * order + j] = (*m)[k * order + j];
+        (*m)[k * order + j] = lifted;
+      }
+    for (int i = 0; i < order; ++i) {
+      const number weight = a[i * order + k];
+      if (i == k || numeric::equal(magnitude(weight), 0.0)) continue;
+      subtract_row(a, i, k, weight);
+      subtract_row(inverse, i, k, weight);
+    }
+  }
+  return inverse;
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <kanexpr/symbolic/polynomials/budget.hpp>
+#include <kanexpr/symbolic/polynomials/exact_number.hpp>
+#include <kanexpr/symbolic/polynomials/monomial.hpp>
+
+#include <unordered_map>
+#include <utility>
+
+namespace kanexpr::symbolic::algebra {
+
+template <class Coefficient>
+struct term {
+  monomial factors;
+  Coefficient coefficient;
+
+  bool operator==(const term&) const = default;
+};
+
+/// A sum of terms, the largest monomial first, none of them zero. Exponents may be negative.
+template <class Coefficient>
+struct polynomial {
+  std::vector<term<Coefficient>> terms{};
+
+  polynomial() = default;
+  polynomial(const Coefficient& c) {
+    if (!c.is_zero()) terms.push_back({{}, c});
+  }
+  polynomial(monomial m, const Coefficient& c) { terms.push_back({std::move(m), c}); }
+
+  bool is_zero() const { return terms.empty(); }
+  bool is_constant() const { return is_zero() || (terms.size() == 1 && terms.front().factors.empty()); }
+  bool is_one() const { return *this == polynomial(Coefficient(1)); }
+  std::size_t size() const { return terms.size(); }
+  bool operator==(const polynomial&) const = default;
+};
+
+/// p c m.
+template <class C>
+polynomial<C> scaled(polynomial<C> p, const C& c, const monomial& m = {}) {
+  for (term<C>& t : p.terms) {
+    t.coefficient = t.coefficient * c;
+    if (!m.empty()) t.factors = times(t.factors, m);
+  }
+  return p;
+}
+
+template <class C>
+polynomial<C> operator-(const polynomial<C>& p) {
+  return scaled(p, C(-1));
+}
+
+template <class C>
+polynomial<C> operator+(const polynomial<C>& p, const polynomial<C>& q) {
+  polynomial<C> sum;
+  sum.terms.reserve(p.size() + q.size());
+  auto x = p.terms.begin(), y = q.terms.begin();
+  while (x != p.terms.end() && y != q.terms.end()) {
+    const auto order = compare(x->factors, y->factors);
+    if (order != 0) {
+      sum.terms.push_back(order > 0 ? *x++ : *y++);
+      continue;
+    }
+    sum.terms.push_back(*x++);
+    sum.terms.back().coefficient += (y++)->coefficient;
+    if (sum.terms.back().coefficient.is_zero()) sum.terms.pop_back();
+  }
+  sum.terms.insert(sum.terms.end(), x, p.terms.end());
+  sum.terms.insert(sum.terms.end(), y, q.terms.end());
+  return sum;
+}
+
+template <class C>
+polynomial<C> operator-(const polynomial<C>& p, const polynomial<C>& q) {
+  return p + -q;
+}
+
+/// Terms in any order, with repetitions, as a polynomial.
+template <class C>
+class term_sum {
+public:
+  void add(const monomial& m, const C& c) {
+    const auto [place, is_new] = coefficients_.try_emplace(m, c);
+    if (!is_new) place->second += c;
+  }
+  std::size_t size() const { return coefficients_.size(); }
+
+  polynomial<C> sorted() const {
+    polynomial<C> sum;
+    for (const auto& [m, c] : coefficients_)
+      if (!c.is_zero()) sum.terms.push_back({m, c});
+    std::ranges::sort(sum.terms, descending(), &term<C>::factors);
+    return sum;
+  }
+
+private:
+  std::unordered_map<monomial, C, monomial_hash> coefficients_{};
+};
+
+template <class C>
+bool has_large_exponent(const polynomial<C>& p) {
+  for (const term<C>& t : p.terms)
+    for (const factor& f : t.factors)
+      if (f.exponent > largest_exponent || f.exponent < -largest_exponent) return true;
+  return false;
+}
+
+/// What a product with such coefficients takes, that of small ones being 1.
+template <class C>
+std::size_t effort(const polynomial<C>& p) {
+  std::size_t most = 0;
+  for (const term<C>& t : p.terms) most = (std::max)(most, bits_of(t.coefficient));
+  return 1 + (most / 128) * (most / 128);
+}
+
+/// Zero where the budget does not suffice.
+template <class C>
+polynomial<C> product(const polynomial<C>& p, const polynomial<C>& q, budget& left) {
+  if (p.size() > q.size()) return product(q, p, left);
+  if (p.is_zero() || !left.spend(p.size() * q.size() * (effort(p) + effort(q)) / 2)) return {};
+  polynomial<C> result;
+  if (p.size() == 1) {
+    result = scaled(q, p.terms.front().coefficient, p.terms.front().factors);
+  } else {
+    term_sum<C> sum;
+    for (const term<C>& x : p.terms) {
+      for (const term<C>& y : q.terms) sum.add(times(x.factors, y.factors), x.coefficient * y.coefficient);
+      if (!left.allows(sum.size())) return {};
+    }
+    result = sum.sorted();
+  }
+  if (has_large_exponent(result)) left.fail("an exponent is too large");
+  return result;
+}
+
+template <class C>
+polynomial<C> raised(const polynomial<C>& p, std::int64_t exponent, budget& left) {
+  polynomial<C> result(C(1)), square = p;
+  for (; exponent > 0 && !left.failed(); exponent /= 2) {
+    if (exponent % 2 != 0) result = product(result, square, left);
+    if (exponent > 1) square = product(square, square, left);
+  }
+  return result;
+}
+
+} // namespace kanexpr::symbolic::algebra

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <kanexpr/symbolic/polynomials/polynomial.hpp>
+
+#include <functional>
+#include <map>
+#include <optional>
+
+/// What polynomials are made of: common factors that are seen at once, degrees, coefficients, exact
+/// quotients.
+namespace kanexpr::symbolic::algebra {
+
+struct exponent_range {
+  std::int64_t least = 0;
+  std::int64_t largest = 0;
+};
+
+/// By base; what stands in some terms only has an exponent of zero in the others.
+template <class C>
+std::map<int, exponent_range> exponent_ranges(const polynomial<C>& p) {
+  std::map<int, exponent_range> ranges;
+  std::map<int, std::size_t> occurrences;
+  for (const term<C>& t : p.terms)
+    for (const factor& f : t.factors) {
+      const auto place = ranges.try_emplace(f.base, exponent_range{f.exponent, f.exponent}).first;
+      place->second.least = (std::min)(place->second.least, f.exponent);
+      place->second.largest = (std::max)(place->second.largest, f.exponent);
+      ++occurrences[f.base];
+    }
+  for (auto& [base, range] : ranges)
+    if (occurrences[base] < p.size()) {
+      range.least = (std::min)(range.least, std::int64_t{0});
+      range.largest = (std::max)(range.largest, std::int64_t{0});
+    }
+  return ranges;
+}
+
+/// The largest monomial of nodes that divides all terms; exponentials are left alone, so that what is real
+/// stays so.
+template <class C>
+monomial common_monomial(const polynomial<C>& p) {
+  monomial common;
+  for (const auto& [base, range] : exponent_ranges(p))
+    if (base >= 0 && range.least != 0) common.push_back({base, range.least});
+  return common;
+}
+
+/// The positive number that leaves whole coefficients without a common divisor.
+template <class C>
+rational common_number(const polynomial<C>& p) {
+  rational common = 0;
+  for (const term<C>& t : p.terms) common = common_measure(common, measure_of(t.coefficient));
+  return common;
+}
+
+template <class C>
+bool holds_decimals(const polynomial<C>& p) {
+  return std::ranges::any_of(p.terms, [](const term<C>& t) { return is_decimal(t.coefficient); });
+}
+
+/// The coefficients of a polynomial by the monomials in some of its bases.
+template <class C>
+std::map<monomial, polynomial<C>, descending> coefficients(const polynomial<C>& p,
+                                                           const std::function<bool(int)>& is_taken_out) {
+  std::map<monomial, polynomial<C>, descending> parts;
+  for (const term<C>& t : p.terms) {
+    monomial out, in;
+    for (const factor& f : t.factors) (is_taken_out(f.base) ? out : in).push_back(f);
+    parts[out].terms.push_back({in, t.coefficient}); // the order of the rest is that of the whole
+  }
+  return parts;
+}
+
+/// p/d where d divides p; nothing where it does not, or the budget does not suffice.
+template <class C>
+std::optional<polynomial<C>> exact_quotient(const polynomial<C>& p, const polynomial<C>& d, budget& left) {
+  std::map<int, exponent_range> bounds = exponent_ranges(p);
+  for (const auto& [base, range] : exponent_ranges(d)) {
+    exponent_range& bound = bounds[base];
+    bound = {bound.least - range.least, bound.largest - range.largest};
+    if (bound.least > bound.largest) return std::nullopt;
+  }
+  const auto is_within = [&bounds](const monomial& m) {
+    return std::ranges::all_of(bounds, [&m](const auto& bound) {
+      const std::int64_t exponent = exponent_of(m, bound.first);
+      return exponent >= bound.second.least && exponent <= bound.second.largest;
+    });
+  };
+  if (p.is_zero()) return p;
+  if (!is_within(over(p.terms.back().factors, d.terms.back().factors))) return std::nullopt;
+
+  std::map<monomial, C, descending> rest;
+  for (const term<C>& t : p.terms) rest.emplace(t.factors, t.coefficient);
+  polynomial<C> quotient;
+  while (!rest.empty()) {
+    const auto& [leading, coefficient] = *rest.begin();
+    const monomial step = over(leading, d.terms.front().factors);
+    if (!is_within(step) || !left.spend(d.size()) || !left.allows(rest.size())) return std::nullopt;
+    const C weight = coefficient / d.terms.front().coefficient;
+    for (const term<C>& t : d.terms) {
+      const auto place = rest.try_emplace(times(step, t.factors), C(0)).first;
+      place->second += -(weight * t.coefficient);
+      if (place->second.is_zero()) rest.erase(place);
+    }
+    quotient.terms.push_back({step, weight});
+  }
+  return quotient;
+}
+
+} // namespace kanexpr::symbolic::algebra

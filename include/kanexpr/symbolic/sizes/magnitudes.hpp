@@ -1,0 +1,102 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
+
+namespace kanexpr::symbolic {
+
+/// How large the terms are of which values are the sums, to first order in what rounding makes of them
+/// (Higham 2002, section 3.3). A value far below its own magnitude is what rounding has left of zero, in
+/// whatever units.
+class magnitudes {
+public:
+  /// Of what was evaluated last.
+  constexpr magnitudes(const graph& g, const evaluation& value) : g_(g) {
+    if (value.live().empty()) return;
+    size_.resize(value.live().back() + 1, 0.0);
+    for (int id : value.live()) size_[id] = size_of(id, value);
+  }
+
+  constexpr double operator[](int id) const { return size_[id]; }
+
+  /// Whether no digit of a value is to be relied on, that of a constant with ten of them included.
+  constexpr bool is_nothing_of(int id, double value) const {
+    return elementary::abs(value) <= negligible * size_[id];
+  }
+
+private:
+  static constexpr double negligible = 1e-10;
+
+  constexpr double size_of(int id, const evaluation& value) {
+    const node& n = g_[id];
+    const double v = elementary::abs(value[id]);
+    switch (n.op) {
+    case operation::pair:
+    case operation::factorization: return 0;
+    case operation::solve:
+    case operation::transposed_solve: return solve(id, value), 0.0;
+    case operation::component: return solutions_[first_of(n.a) + integer_at(g_, n.b)];
+    case operation::negate:
+    case operation::abs: return size_[n.a];
+    case operation::add:
+    case operation::subtract: return size_[n.a] + size_[n.b];
+    case operation::multiply:
+      return size_[n.a] * elementary::abs(value[n.b]) + elementary::abs(value[n.a]) * size_[n.b];
+    case operation::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
+    case operation::sqrt: return over(size_[n.a], v);
+    case operation::cos: return v + size_[n.a] * (size_[n.a] < 1 ? size_[n.a] : 1);
+    case operation::constant:
+    case operation::symbol:
+    case operation::regularity: return v;
+    case operation::exp: return v * (1 + size_[n.a]);
+    case operation::power: return v * (1 + over(size_[n.a], value[n.a]));
+    case operation::log: return v + over(size_[n.a], value[n.a]);
+    default: return v + size_[n.a];
+    }
+  }
+
+  static constexpr double over(double a, double b) {
+    return numeric::equal(b, 0.0) ? 0 : a / elementary::abs(b);
+  }
+
+  /// |A⁻¹| (|A| |x| + |b|) of the solution x.
+  constexpr void solve(int id, const evaluation& value) {
+    const node& n = g_[id];
+    const int order = order_of(g_, n.a);
+    const sequence<int> entries = entries_of(g_, n.a), right = elements_of(g_, n.b);
+    const auto entry = [&](int i, int j) {
+      return entries[n.op == operation::solve ? i * order + j : j * order + i];
+    };
+    const factors place{order};
+    sequence<double> f(place.size(), 0.0), x(order, 0.0), terms(order, 0.0);
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j) f[place.at(i, j)] = value[entry(i, j)];
+    factorize<constant_elimination>(order, &f[0]);
+    for (int i = 0; i < order; ++i) x[i] = value[right[i]];
+    solve_factorized<constant_elimination>(order, &f[0], &x[0]);
+    for (int i = 0; i < order; ++i) {
+      terms[i] = size_[right[i]];
+      for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
+    }
+    const int first = solutions_.size();
+    solved_.push(id), places_.push(first);
+    solutions_.resize(first + order, 0.0);
+    for (int j = 0; j < order; ++j) {
+      sequence<double> unit(order, 0.0);
+      unit[j] = 1;
+      solve_factorized<constant_elimination>(order, &f[0], &unit[0]);
+      for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
+    }
+  }
+  constexpr int first_of(int solution) const {
+    int i = solved_.size() - 1;
+    while (solved_[i] != solution) --i;
+    return places_[i];
+  }
+
+  const graph& g_;
+  sequence<double> size_{}, solutions_{};
+  sequence<int> solved_{}, places_{}; ///< solve nodes, and where their solutions begin
+};
+
+} // namespace kanexpr::symbolic

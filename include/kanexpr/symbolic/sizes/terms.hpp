@@ -1,0 +1,47 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+namespace kanexpr::symbolic {
+
+/// How large the terms are of which an expression is the sum: |l cos(q1)| + |l0| of l cos(q1) - l0. By that
+/// it can be told in any units whether a sum that should vanish does.
+class sizes_of_terms {
+public:
+  constexpr explicit sizes_of_terms(graph& g) : g_(g), found_(g.size(), none) {}
+
+  constexpr expression of(const expression& e) {
+    const int id = e.node();
+    if (found_[id] == none) found_[id] = form(e).node();
+    return {g_, found_[id]};
+  }
+
+private:
+  static constexpr int none = -1;
+
+  constexpr expression form(const expression& e) {
+    const node n = g_[e.node()]; // the graph grows
+    const expression a(g_, n.a), b(g_, is_binary(n.op) && n.op < operation::pair ? n.b : n.a);
+    switch (n.op) {
+    case operation::negate: return of(a);
+    case operation::add:
+    case operation::subtract: return of(a) + of(b);
+    case operation::multiply: return product(a, b);
+    case operation::divide: return of(a) / abs(b);
+    default: return abs(e);
+    }
+  }
+
+  /// To first order, so that what is left of sums that nearly vanish does not grow from product to product.
+  constexpr expression product(const expression& a, const expression& b) {
+    const expression left = abs(a), right = abs(b);
+    if (of(a).node() == left.node()) return left * of(b);
+    if (of(b).node() == right.node()) return of(a) * right;
+    return of(a) * right + left * (of(b) - right);
+  }
+
+  graph& g_;
+  sequence<int> found_; ///< by node
+};
+
+} // namespace kanexpr::symbolic

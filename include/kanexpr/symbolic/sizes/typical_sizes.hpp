@@ -1,0 +1,143 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
+
+namespace kanexpr::symbolic {
+
+/// How large symbols are where nobody says it: as what they are added to, or an angle's one. So a coordinate
+/// that is a length is as long as the lengths that a model has as numbers, in whatever units.
+class typical_sizes {
+public:
+  constexpr explicit typical_sizes(const graph& g) : g_(g) {
+    if (!holds_unusual_number()) return;
+    known_.resize(g.size());
+    for (int passes = 0; passes < most_passes; ++passes) {
+      found_ = false;
+      for (int id = 0; id < g.size(); ++id) known_[id] = estimate(g[id], id);
+      sequence<double> wanted(g.size(), 0.0); // size of a node, as where it stands has it; 0: any
+      for (int id = g.size() - 1; id >= 0; --id)
+        if (g[id].op < operation::pair) hand_down(id, wanted, passes > 0);
+      if (!found_ && passes > 0) break;
+    }
+  }
+
+  /// Of a symbol; 1 unless that is far off.
+  constexpr double operator[](int symbol) const {
+    for (int i = 0; i < symbols_.size(); ++i)
+      if (symbols_[i] == symbol) return is_usual(sizes_[i]) ? 1 : sizes_[i];
+    return 1;
+  }
+
+private:
+  static constexpr int none = -1, mixed = -2;
+  static constexpr int most_passes = 4;
+
+  /// As the numbers of a machine in metres and kilograms: there is nothing to find out.
+  static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
+  constexpr bool holds_unusual_number() const {
+    for (const number& n : g_.numbers()) {
+      const double size = elementary::abs(n.value());
+      if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
+    }
+    return false;
+  }
+
+  /// A factor times a power of a symbol whose size is not known.
+  struct estimate_of {
+    double factor = 1;
+    int unknown = mixed;
+    double power = 0;
+
+    constexpr bool is_known() const { return unknown == none; }
+    constexpr bool is_open() const { return unknown >= 0 && !numeric::equal(power, 0.0); }
+  };
+  static constexpr estimate_of of_size(double size) { return {size, none, 0}; }
+
+  constexpr estimate_of estimate(const node& n, int id) const {
+    if (n.op == operation::symbol) {
+      const int at = symbols_.find(id);
+      return at >= 0 ? of_size(sizes_[at]) : estimate_of{1, id, 1};
+    }
+    if (n.op == operation::constant) return of_size(elementary::abs(g_.number_at(id).value()));
+    if (n.op >= operation::pair) return {};
+    const estimate_of& a = known_[n.a];
+    switch (n.op) {
+    case operation::negate:
+    case operation::abs: return a;
+    case operation::add:
+    case operation::subtract: return sum(a, known_[n.b]);
+    case operation::multiply: return product(a, known_[n.b], 1);
+    case operation::divide: return product(a, known_[n.b], -1);
+    case operation::sqrt: return {elementary::sqrt(a.factor), a.unknown, a.power / 2};
+    case operation::power: return {};
+    default: return of_size(1);
+    }
+  }
+
+  constexpr estimate_of product(const estimate_of& a, const estimate_of& b, double sign) const {
+    if (a.unknown == mixed || b.unknown == mixed || numeric::equal(b.factor, 0.0)) return {};
+    if (a.is_open() && b.is_open() && a.unknown != b.unknown) return {};
+    const double factor = sign > 0 ? a.factor * b.factor : a.factor / b.factor,
+                 power = a.power + sign * b.power;
+    return {factor, numeric::equal(power, 0.0) ? none : a.is_open() ? a.unknown : b.unknown, power};
+  }
+
+  static constexpr estimate_of sum(const estimate_of& a, const estimate_of& b) {
+    if (a.is_known() && b.is_known()) return of_size(a.factor > b.factor ? a.factor : b.factor);
+    if (a.is_known() && !numeric::equal(a.factor, 0.0)) return a;
+    if (b.is_known() && !numeric::equal(b.factor, 0.0)) return b;
+    return a.is_open() && b.is_open() && a.unknown == b.unknown && numeric::equal(a.power, b.power)
+               ? a
+               : estimate_of{};
+  }
+
+  /// What the operands of a node should be as large as, if something says it: first that they are in the
+  /// argument of a function, which is a number, then the terms beside them.
+  constexpr void hand_down(int id, sequence<double>& wanted, bool by_terms) {
+    const node& n = g_[id];
+    const estimate_of& own = known_[id];
+    if (is_leaf(n.op)) return take(own, wanted[id]);
+    if (own.is_open()) take(own, wanted[id]);
+    const double size = by_terms && own.is_known() ? own.factor : wanted[id];
+    const auto want = [&](int operand, double as_large) {
+      if (!known_[operand].is_known() && numeric::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
+    };
+    switch (n.op) {
+    case operation::negate:
+    case operation::abs: return want(n.a, size);
+    case operation::add:
+    case operation::subtract: return want(n.a, size), want(n.b, size);
+    case operation::multiply:
+      if (known_[n.a].is_known() && !numeric::equal(known_[n.a].factor, 0.0))
+        want(n.b, size / known_[n.a].factor);
+      if (known_[n.b].is_known() && !numeric::equal(known_[n.b].factor, 0.0))
+        want(n.a, size / known_[n.b].factor);
+      return;
+    case operation::divide:
+      if (known_[n.b].is_known()) want(n.a, size * known_[n.b].factor);
+      return;
+    case operation::sqrt: return want(n.a, size * size);
+    case operation::power:
+    case operation::atan2: return;
+    default: return want(n.a, 1);
+    }
+  }
+  constexpr void take(const estimate_of& open, double size) {
+    if (!open.is_open() || numeric::equal(open.factor, 0.0) || numeric::equal(size, 0.0) ||
+        symbols_.contains(open.unknown))
+      return;
+    const double ratio = size / open.factor;
+    symbols_.push(open.unknown);
+    sizes_.push(numeric::equal(open.power, 1.0) ? ratio : elementary::pow(ratio, 1 / open.power));
+    found_ = true;
+  }
+
+  const graph& g_;
+  sequence<estimate_of> known_{};
+  sequence<int> symbols_{};
+  sequence<double> sizes_{};
+  bool found_ = false;
+};
+
+} // namespace kanexpr::symbolic

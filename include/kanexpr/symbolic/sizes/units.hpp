@@ -1,0 +1,115 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/numbers/elementary.hpp>
+
+namespace kanexpr::symbolic {
+
+/// What sums tell about units: all terms of one have the same unit, and the argument of a sine has none.
+/// Numbers may have any unit, as symbols may.
+class units {
+public:
+  constexpr units(const graph& g, const sequence<int>& sums) : g_(g) {
+    const sequence<char> live = live_nodes(g, sums);
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0) live_.push(id), unit_.push(unit_of(id));
+  }
+
+  /// Whether two symbols must have the same unit.
+  constexpr bool are_alike(int a, int b) const { return reduced(product({{a, 1}}, {{b, 1}}, -1)).empty(); }
+
+private:
+  struct factor {
+    int base = 0; ///< a symbol, or another node of which nothing is known
+    double power = 0;
+  };
+  using unit = sequence<factor>; ///< sorted by base
+
+  static constexpr int time = -1; ///< a base that is no node
+
+  constexpr bool is_symbol(int id, symbol_kind kind) const {
+    return g_[id].op == operation::symbol && g_.symbol_at(id).kind == kind;
+  }
+
+  /// A rate has the unit of its coordinate, by that of time.
+  constexpr unit unit_of_base(int id) const {
+    if (is_symbol(id, symbol_kind::coordinate_rate))
+      for (int of : live_)
+        if (is_symbol(of, symbol_kind::coordinate) && g_.symbol_at(of).position == g_.symbol_at(id).position)
+          return {{time, -1}, {of, 1}};
+    return {{id, 1}};
+  }
+
+  static constexpr unit product(const unit& a, const unit& b, double power) {
+    unit both;
+    int i = 0, j = 0;
+    while (i < a.size() || j < b.size())
+      if (j == b.size() || (i < a.size() && a[i].base < b[j].base)) {
+        both.push(a[i++]);
+      } else if (i == a.size() || b[j].base < a[i].base) {
+        both.push({b[j].base, power * b[j].power}), ++j;
+      } else {
+        const double sum = a[i].power + power * b[j].power;
+        if (elementary::abs(sum) > 1e-9) both.push({a[i].base, sum});
+        ++i, ++j;
+      }
+    return both;
+  }
+
+  constexpr unit reduced(unit u) const {
+    for (const unit& none : without_unit_)
+      for (const factor& f : u)
+        if (f.base == none.back().base) {
+          u = product(u, none, -f.power / none.back().power);
+          break;
+        }
+    return u;
+  }
+
+  constexpr void equate(const unit& a, const unit& b) {
+    const unit none = reduced(product(a, b, -1));
+    if (!none.empty()) without_unit_.push(none);
+  }
+
+  constexpr const unit& of(int id) const {
+    int first = 0, last = live_.size() - 1;
+    while (live_[first] != id) {
+      const int middle = (first + last + 1) / 2;
+      live_[middle] <= id ? first = middle : last = middle - 1;
+    }
+    return unit_[first];
+  }
+
+  constexpr unit unit_of(int id) {
+    const node& n = g_[id];
+    switch (n.op) {
+    case operation::negate:
+    case operation::abs: return of(n.a);
+    case operation::add:
+    case operation::subtract: return equate(of(n.a), of(n.b)), of(n.a);
+    case operation::multiply: return product(of(n.a), of(n.b), 1);
+    case operation::divide: return product(of(n.a), of(n.b), -1);
+    case operation::sqrt: return product({}, of(n.a), 0.5);
+    case operation::atan2: return equate(of(n.a), of(n.b)), unit();
+    case operation::sin:
+    case operation::cos:
+    case operation::tan:
+    case operation::asin:
+    case operation::acos:
+    case operation::atan:
+    case operation::exp:
+    case operation::log: return equate(of(n.a), {}), unit();
+    case operation::sign: return {};
+    default: return unit_of_base(id);
+    }
+  }
+
+  const graph& g_;
+  sequence<int> live_{};  ///< in the order of their numbers
+  sequence<unit> unit_{}; ///< of these
+  sequence<unit>
+      without_unit_{}; ///< what products are plain numbers; each ends in a base that no later one has
+};
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,33 @@
+// The derivatives of the whole right side by the whole state, of systems without constraints and by
+// Lagrange's method.
+#include "compiled/complex_steps.hpp"
+
+#include <models/double_pendulum.hpp>
+#include <models/four_bar.hpp>
+#include <models/rotating_tube.hpp>
+#include <models/simple_pendulum.hpp>
+
+namespace {
+
+using steps::jacobian_is_that_of_rhs;
+
+TEST(jacobian, simple_pendulum) { jacobian_is_that_of_rhs<simple_pendulum::System>(); }
+TEST(jacobian, double_pendulum) { jacobian_is_that_of_rhs<double_pendulum::System>(); }
+TEST(jacobian, rotating_tube) { jacobian_is_that_of_rhs<rotating_tube::System>(); }
+TEST(jacobian, rotating_tube_by_lagrange) { jacobian_is_that_of_rhs<rotating_tube::LagrangeSystem>(); }
+TEST(jacobian, four_bar_by_lagrange) { jacobian_is_that_of_rhs<four_bar::LagrangeSystem>(); }
+
+// Nothing follows anything, so it is the linearization, and costs what that costs.
+using lin = kanexpr::linearization<double_pendulum::System>;
+static_assert(lin::cost(lin::jacobian) == lin::cost(lin::explicit_form));
+
+TEST(jacobian, is_the_linearization_without_constraints) {
+  std::mt19937_64 source(3);
+  const auto at = steps::random_point(source, steps::plain_point<double_pendulum::System>(), 3);
+  const auto [A, B] = lin::explicit_form(at.x, at.p, at.r);
+  const auto [by_state, by_inputs] = lin::jacobian(at.x, at.p, at.r);
+  EXPECT_EQ(A, by_state);
+  EXPECT_EQ(B, by_inputs);
+}
+
+} // namespace

@@ -1,0 +1,160 @@
+// builds: sanitize
+#include "symbolic/random_formula.hpp"
+
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kanexpr::symbolic;
+using graph_evaluation::are_close;
+using graph_evaluation::evaluate;
+using real = long double;
+using complex = std::complex<real>;
+
+class differentiate_each : public testing::Test, protected symbols {};
+using total_time_derivative = differentiate_each;
+
+/// The derivative of e along `direction`, by an imaginary step.
+real complex_step(expression e, const std::vector<real>& at, const std::vector<real>& direction) {
+  constexpr real step = 1e-25L;
+  std::vector<complex> values;
+  for (std::size_t i = 0; i < at.size(); ++i) values.emplace_back(at[i], step * direction[i]);
+  return evaluate(e, values).imag() / step;
+}
+
+real central_difference(expression e, std::vector<real> at, const std::vector<real>& direction) {
+  constexpr real step = 1e-6L;
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] += step * direction[i];
+  const real above = evaluate(e, at);
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] -= 2 * step * direction[i];
+  return (above - evaluate(e, at)) / (2 * step);
+}
+
+std::vector<real> along(std::size_t size, int axis) {
+  std::vector<real> direction(size, 0);
+  direction[static_cast<std::size_t>(axis)] = 1;
+  return direction;
+}
+
+TEST(derivatives, agree_with_an_imaginary_step_and_with_reverse_accumulation) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    symbols s;
+    random_formulas random(s, seed, true);
+    for (int i = 0; i < 40; ++i) {
+      const expression e = random.make(1 + i % 4).e;
+      accumulation reverse(s.g, {e});
+      reverse.seed(e, s.number(1));
+      reverse.run();
+      for (const expression by : {s.a, s.b, s.q1, s.u1}) {
+        const expression forward = differentiate(e, by);
+        const int axis = s.g[by.node()].a;
+        for (std::size_t p = 0; p < 2; ++p) {
+          const std::vector<real>& at = random.point(p);
+          const real expected = complex_step(e, at, along(at.size(), axis));
+          const real tolerance = 1e-11L * (1 + std::abs(expected));
+          ASSERT_PRED3(are_close, evaluate(forward, at), expected, tolerance)
+              << seed << ' ' << i << ' ' << axis;
+          ASSERT_PRED3(are_close, evaluate(reverse.by(by), at), expected, tolerance)
+              << seed << ' ' << i << ' ' << axis;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(differentiate_each, function_by_an_imaginary_step) {
+  std::vector<real> at(static_cast<std::size_t>(g.symbols().size()), 0.3L);
+  const std::vector<real> by_x = along(at.size(), g[x.node()].a);
+  at[static_cast<std::size_t>(g[y.node()].a)] = 1.7L;
+  for (const expression e : {-x,
+                             x + y,
+                             x - y,
+                             y - x,
+                             x * y,
+                             x / y,
+                             y / x,
+                             power(x, y),
+                             power(y, x),
+                             sqrt(x),
+                             sin(x),
+                             cos(x),
+                             tan(x),
+                             asin(x),
+                             acos(x),
+                             atan(x),
+                             exp(x),
+                             log(x),
+                             power(x, number(-3)),
+                             power(x, number(0.3)),
+                             power(x, fraction(3, 2)),
+                             sin(x) / (x * x + y),
+                             y + c})
+    EXPECT_PRED3(are_close, evaluate(differentiate(e, x), at), complex_step(e, at, by_x), 1e-15L);
+}
+
+TEST_F(differentiate_each, function_with_corners_by_differences) {
+  for (const real value : {-0.7L, 0.4L}) {
+    std::vector<real> at(static_cast<std::size_t>(g.symbols().size()), value);
+    at[static_cast<std::size_t>(g[y.node()].a)] = -1.2L;
+    const std::vector<real> by_x = along(at.size(), g[x.node()].a);
+    for (const expression e :
+         {abs(x), sign(x), atan2(x, y), atan2(y, x), abs(x * x - y) * sign(x * y), x * sign(x)})
+      EXPECT_PRED3(are_close, evaluate(differentiate(e, x), at), central_difference(e, at, by_x), 1e-10L);
+  }
+}
+
+TEST_F(differentiate_each, is_simple) {
+  EXPECT_EQ(differentiate(a * x + b, x), a);
+  EXPECT_EQ(differentiate(x * x, x), 2 * x);
+  EXPECT_EQ(differentiate(sin(q1), q1), cos(q1));
+  EXPECT_EQ(differentiate(cos(q1), q1), -sin(q1));
+  EXPECT_EQ(differentiate(exp(a), x), number(0));
+  EXPECT_EQ(differentiate(sign(x), x), number(0));
+  EXPECT_EQ(differentiate(abs(x), x), sign(x));
+}
+
+TEST_F(differentiate_each, output_of_an_accumulation) {
+  const expression first = x * y;
+  accumulation both(g, {first, x});
+  both.seed(first, a);
+  both.seed(x, b);
+  both.run();
+  EXPECT_EQ(both.by(x), a * y + b);
+  EXPECT_EQ(both.by(y), a * x);
+  EXPECT_EQ(both.by(z), number(0));
+  both.restart();
+  both.seed(x, b);
+  both.run();
+  EXPECT_EQ(both.by(x), b);
+  EXPECT_EQ(both.by(y), number(0));
+}
+
+TEST_F(total_time_derivative, follows_every_rate) {
+  derivation d(g);
+  d.set_rate(q1, q1_rate);
+  d.set_rate(u1, u1_rate);
+  EXPECT_EQ(d.of(q1), q1_rate);
+  EXPECT_EQ(d.of(m * r), number(0));
+  EXPECT_EQ(d.of(sin(q1)), cos(q1) * q1_rate);
+  const expression e = m * u1 * u1 * power(cos(q1), number(3)) / (r + sin(q1 * u1));
+  std::vector<real> at, direction;
+  for (int i = 0; i < g.symbols().size(); ++i) at.push_back(0.4L + 0.1L * i), direction.push_back(0);
+  const auto place = [this](expression symbol) { return static_cast<std::size_t>(g[symbol.node()].a); };
+  direction[place(q1)] = at[place(q1_rate)];
+  direction[place(u1)] = at[place(u1_rate)];
+  EXPECT_PRED3(are_close, evaluate(d.of(e), at), complex_step(e, at, direction), 1e-15L);
+}
+
+TEST_F(total_time_derivative, is_cheap_where_much_is_shared) {
+  expression e = q1;
+  for (int i = 0; i < 200; ++i) e = sin(e) * cos(e) + e;
+  const int before = g.size();
+  derivation d(g);
+  d.set_rate(q1, q1_rate);
+  d.of(e);
+  EXPECT_LT(g.size(), before + 200 * 10);
+}
+
+} // namespace
