@@ -1,39 +1,19 @@
 #pragma once
 
 #include <kanexpr/compiled/finite_function.hpp>
+#include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/compiled/linked_model.hpp>
 
 namespace kanexpr {
 
 namespace compiled {
 
-/// One result with its status, whether or not something was solved for it: its type follows from its size
-/// alone.
-template <class System, auto wanted, class T>
-auto stated_result() {
-  constexpr derivation::extent size = extent_of<wanted, System>;
-  if constexpr (size.scalar)
-    return with_status<T>{};
-  else
-    return with_status<Eigen::Matrix<T, size.rows, size.columns>>{};
-}
-
-/// The results of a function, each with its status.
-template <class Function>
-struct stated;
-template <class System_, auto... wanted>
-struct stated<function<System_, wanted...>> {
-  using System = System_;
-  template <class T>
-  using results = std::tuple<decltype(stated_result<System, wanted, T>())...>;
+template <class System, auto wanted>
+struct result_shape {
+  static constexpr derivation::extent size = extent_of<wanted, System>;
+  static constexpr int rows = size.rows, columns = size.columns;
+  static constexpr bool is_scalar = size.scalar;
 };
-template <class System_, auto wanted>
-struct stated<function<System_, wanted>> {
-  using System = System_;
-  template <class T>
-  using results = decltype(stated_result<System, wanted, T>());
-};
-template <class System, auto... wanted>
-struct stated<finite_function<System, wanted...>> : stated<function<System, wanted...>> {};
 
 template <class T, class Found>
 void put(with_status<T>& result, const Found& found) {
@@ -50,25 +30,6 @@ void put(std::tuple<T...>& results, const std::tuple<Found...>& found) {
   }(std::index_sequence_for<T...>{});
 }
 
-template <class System, class T>
-struct vectors {
-  using state = Eigen::Matrix<T, survey_of<System>.coordinates + survey_of<System>.speeds, 1>;
-  using parameters = Eigen::Matrix<T, survey_of<System>.parameters, 1>;
-  using inputs = Eigen::Matrix<T, survey_of<System>.inputs, 1>;
-  using rates = Eigen::Matrix<T, survey_of<System>.speeds, 1>;
-};
-
-/// The code of a function for one type of scalars, which stands once in a program. `extern template` of it
-/// leaves the derivation to the file that instantiates it.
-template <class T, class Function>
-struct instance {
-  using vectors = compiled::vectors<typename stated<Function>::System, T>;
-  using results = typename stated<Function>::template results<T>;
-
-  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
-                                            const typename vectors::parameters& p,
-                                            const typename vectors::inputs& r) noexcept;
-};
 template <class T, class Function>
 typename instance<T, Function>::results
 instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
@@ -79,17 +40,6 @@ instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
   return all;
 }
 
-/// The same of a function that is given the rates of the speeds.
-template <class T, class Function>
-struct instance_at_rates {
-  using vectors = compiled::vectors<typename stated<Function>::System, T>;
-  using results = typename stated<Function>::template results<T>;
-
-  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
-                                            const typename vectors::parameters& p,
-                                            const typename vectors::inputs& r,
-                                            const typename vectors::rates& a) noexcept;
-};
 template <class T, class Function>
 typename instance_at_rates<T, Function>::results instance_at_rates<T, Function>::evaluate(
     const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
@@ -97,19 +47,6 @@ typename instance_at_rates<T, Function>::results instance_at_rates<T, Function>:
   results all{};
   put(all, Function{}(t, x, p, r, a));
   return all;
-}
-
-/// A vector as it is passed out of line: itself where it is one of that type, else a copy.
-template <class Vector, class Given>
-decltype(auto) passed(const Given& given) {
-  if constexpr (std::is_base_of_v<Vector, Given>) {
-    return static_cast<const Vector&>(given);
-  } else {
-    Vector copy;
-    for (Eigen::Index i = 0; i < copy.size(); ++i)
-      copy(i) = lower::scalar_math<typename Vector::Scalar>::from(given[i]);
-    return copy;
-  }
 }
 
 /// Whether a vector can be passed. A call with another one is left to the function itself, which says what is
@@ -142,7 +79,7 @@ struct out_of_line {
     if constexpr (compiled::can_be_passed<System, symbols_of::state, X>() &&
                   compiled::can_be_passed<System, symbols_of::parameters, P>() &&
                   compiled::can_be_passed<System, symbols_of::inputs, R>())
-      return compiled::instance<T, Function>::evaluate(
+      return code<System, T>::evaluate(
           lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
           compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r));
     else
@@ -150,13 +87,23 @@ struct out_of_line {
   }
   template <class Time, class X, class P, class R, class A>
   auto operator()(const Time& t, const X& x, const P& p, const R& r, const A& a) const noexcept {
+    using System = typename compiled::stated<Function>::System;
     using T = typename X::Scalar;
-    using vectors = compiled::vectors<typename compiled::stated<Function>::System, T>;
-    return compiled::instance_at_rates<T, Function>::evaluate(
+    using vectors = compiled::vectors<System, T>;
+    return code_at_rates<System, T>::evaluate(
         lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
         compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r),
         compiled::passed<typename vectors::rates>(a));
   }
+
+private:
+  template <class System, class T>
+  using code = std::conditional_t<compiled::is_in_library<System, T, Function>(),
+                                  compiled::linked_instance<T, Function>, compiled::instance<T, Function>>;
+  template <class System, class T>
+  using code_at_rates = std::conditional_t<compiled::is_in_library<System, T, Function, true>(),
+                                           compiled::linked_instance_at_rates<T, Function>,
+                                           compiled::instance_at_rates<T, Function>>;
 };
 
 } // namespace kanexpr

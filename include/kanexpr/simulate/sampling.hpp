@@ -87,7 +87,7 @@ public:
     for (int k = 0; k <= s.degree(); ++k) {
       if (k > 0) factorial *= k;
       if (!s.derivative(elapsed, k, room_for(s))) break;
-      for (Eigen::Index i = 0; i < state::SizeAtCompileTime; ++i)
+      for (int i = 0; i < around_.system().states(); ++i)
         p.coefficients.push_back(whole_[static_cast<std::size_t>(i)] / factorial);
     }
     if (!p.coefficients.empty() && p.begin < p.end) around_.system().keep(std::move(p));
