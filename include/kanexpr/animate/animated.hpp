@@ -1,102 +1,55 @@
 #pragma once
 
-#include <kanexpr/animate/filming.hpp>
-#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/animate/camera.hpp>
+#include <kanexpr/animate/scene.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 
+#include <algorithm>
 #include <iterator>
 
 namespace kanexpr {
 
 namespace animate {
 
-/// Evaluates a picture along a trajectory.
+/// A picture and a trajectory of types.
 template <class Picture, class Trajectory>
-class camera {
-  using numbers = numbers_of<Picture>;
+class compiled_scene final : public scene {
+  using numbers_in = numbers_of<Picture>;
   using System = typename Picture::System;
 
 public:
-  explicit camera(const Trajectory& trajectory) : trajectory_(trajectory) {}
+  explicit compiled_scene(const Trajectory& trajectory)
+      : scene(compiled::survey_of<System>, records_of<Picture>::list, numbers_in::count,
+              numbers_in::first_rate, numbers_in::rate_count),
+        trajectory_(trajectory) {}
 
-  animation film() {
-    name_columns();
-    const auto count = std::distance(trajectory_.begin(), trajectory_.end());
-    if (count == 0) made_.reason = "the trajectory holds no sample";
-    film_.numbers.resize(numbers::count, count);
-    for (const auto& s : trajectory_)
-      if (made_) take(s);
-    if (!made_) return std::move(made_);
-    integrate();
-    develop(made_, records_of<Picture>::list, film_);
-    made_.reason = check_numbers(made_);
-    return std::move(made_);
+  std::size_t samples() const override {
+    return static_cast<std::size_t>(std::distance(trajectory_.begin(), trajectory_.end()));
+  }
+  status take(std::size_t sample, double& t, double* x, double* all) const override {
+    const auto& s = *std::next(trajectory_.begin(), static_cast<std::ptrdiff_t>(sample));
+    t = s.t;
+    std::copy_n(s.x.data(), s.x.size(), x);
+    return evaluate(s, all);
+  }
+  bool take_between(double t, double* all) const override {
+    if constexpr (requires { *trajectory_.at(t); })
+      if (const auto between = trajectory_.at(t)) {
+        evaluate(*between, all);
+        return true;
+      }
+    return false;
   }
 
 private:
-  using rates = Eigen::Matrix<double, numbers::rate_count, 1>;
-
-  void name_columns() {
-    constexpr const derivation::survey& known = compiled::survey_of<System>;
-    for (int i = 0; i < known.coordinates + known.speeds; ++i) {
-      std::string name(known.names[i].view());
-      if (known.takes_rates_as_speeds && i >= known.coordinates)
-        name = std::string(known.names[i - known.coordinates].view()) + '\'';
-      made_.columns.push_back({name, {}});
-    }
-  }
-
   template <class Sample>
-  auto evaluate(const Sample& s) const {
-    return function<System, numbers{}>{}(s.t, s.x, trajectory_.parameters(), s.r);
-  }
-
-  template <class Sample>
-  void take(const Sample& s) {
-    const auto now = evaluate(s);
-    const kanexpr::status status = compiled::status_of(now);
-    if (!status) made_.reason = std::string(status.cause()) + at_time(s.t);
-    if (!s.x.allFinite()) made_.reason = "the state holds something that is not a number" + at_time(s.t);
-    if (!std::isfinite(s.t)) made_.reason = "the time of a sample is not a number";
-    if (!made_.times.empty() && s.t < made_.times.back())
-      made_.reason = "the samples are not in the order of time" + at_time(s.t);
-    film_.numbers.col(static_cast<Eigen::Index>(made_.times.size())) = now;
-    made_.times.push_back(s.t);
-    for (std::size_t i = 0; i < made_.columns.size(); ++i)
-      made_.columns[i].values.push_back(s.x(static_cast<Eigen::Index>(i)));
-  }
-
-  rates rates_at(Eigen::Index k) const {
-    return film_.numbers.col(k).template segment<numbers::rate_count>(numbers::first_rate);
-  }
-
-  /// Over a step: by Simpson's rule where the trajectory tells the state halfway, else the trapezoidal rule.
-  rates mean_rates(Eigen::Index k) const {
-    const rates ends = (rates_at(k) + rates_at(k + 1)) / 2;
-    const double before = made_.times[static_cast<std::size_t>(k)];
-    const double after = made_.times[static_cast<std::size_t>(k) + 1];
-    if constexpr (requires { *trajectory_.at(before); }) {
-      if (const auto halfway = trajectory_.at((before + after) / 2); halfway && before < after) {
-        const rates there = evaluate(*halfway).template segment<numbers::rate_count>(numbers::first_rate);
-        return (ends + 2 * there) / 3;
-      }
-    }
-    return ends;
-  }
-
-  void integrate() {
-    const Eigen::Index count = film_.numbers.cols();
-    film_.integrals.setZero(numbers::rate_count, count);
-    if constexpr (numbers::rate_count != 0)
-      for (Eigen::Index k = 0; k + 1 < count; ++k) {
-        const double step =
-            made_.times[static_cast<std::size_t>(k) + 1] - made_.times[static_cast<std::size_t>(k)];
-        film_.integrals.col(k + 1) = film_.integrals.col(k) + step * mean_rates(k);
-      }
+  status evaluate(const Sample& s, double* all) const {
+    const auto found = out_of_line<function<System, numbers_in{}>>{}(s.t, s.x, trajectory_.parameters(), s.r);
+    std::copy_n(found.data(), found.size(), all);
+    return compiled::status_of(found);
   }
 
   const Trajectory& trajectory_;
-  animation made_{};
-  footage film_{};
 };
 
 } // namespace animate
@@ -106,7 +59,7 @@ private:
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
   if constexpr (animate::sound_picture<Picture>::value)
-    return animate::camera<Picture, Trajectory>(trajectory).film();
+    return animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
   else
     return {};
 }

@@ -1,72 +1,10 @@
 #pragma once
 
 #include <kanexpr/animate/animated.hpp>
-#include <kanexpr/animate/page_text.hpp>
-#include <kanexpr/base/outcome.hpp>
-
-#include <fstream>
-#include <iterator>
-
-#ifndef KANEXPR_PAGE // where the target kanexpr::animate puts the page without a motion
-#define KANEXPR_PAGE ""
-#endif
+#include <kanexpr/animate/page_file.hpp>
+#include <kanexpr/animate/page_options.hpp>
 
 namespace kanexpr {
-
-struct page_options {
-  std::string title{};                  ///< the name of the system, unless given
-  std::string text{};                   ///< a sentence under the title
-  std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
-};
-
-namespace animate {
-
-inline constexpr std::string_view place_of_motion = "@motion@";
-inline constexpr std::string_view place_of_title = "@title@";
-
-/// A title as the text of an element. Control characters, which a page may not hold, become spaces, and what
-/// is not UTF-8 the sign for that.
-inline std::string without_markup(const std::string& text) {
-  std::string plain;
-  for (const char c : sound_text(text))
-    if (c == '&' || c == '<')
-      plain += c == '&' ? "&amp;" : "&lt;";
-    else
-      plain += is_control(c) ? ' ' : c;
-  return plain;
-}
-
-/// Fills the places of an empty page, in their order in the page: what is put in one place is not searched
-/// for the others.
-inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
-                    const std::string& from) {
-  const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
-  if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
-    return outcome(from + " is not a page for a motion");
-  page.replace(motion_at, place_of_motion.size(), motion);
-  page.replace(title_at, place_of_title.size(), title);
-  return {};
-}
-
-inline outcome write_page(const std::string& path, const animation& a, const page_options& options) {
-  if (!a) return outcome(a.cause());
-  std::ifstream file(options.empty_page, std::ios::binary);
-  std::string page{std::istreambuf_iterator<char>(file), {}};
-  if (page.empty())
-    return outcome("the page without a motion is not there" +
-                   (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
-                   "; the target kanexpr_page makes it, with npm");
-  outcome filled = fill(page, without_markup(options.title), page_text(a, options.title, options.text),
-                        options.empty_page);
-  if (!filled) return filled;
-  std::ofstream out(path, std::ios::binary);
-  out << page;
-  out.close();
-  if (!out) return outcome(path + " cannot be written");
-  return {};
-}
-
-} // namespace animate
 
 /// Writes an animated page of a system moving along a trajectory, which a browser opens without a network; or
 /// says why it could not.

@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/surveyed.hpp>
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
@@ -10,9 +11,6 @@
 /// Mistakes that a person can make when calling a compiled function.
 namespace kanexpr::compiled {
 
-/// What stands for arguments that are not given.
-struct not_given {};
-
 template <auto wanted>
 constexpr std::string_view result_name() {
   using mechanics::quantity;
@@ -20,15 +18,6 @@ constexpr std::string_view result_name() {
     return mechanics::row_of(wanted).called;
   if constexpr (requires { wanted.result_name(); }) return wanted.result_name();
   return "the expression";
-}
-
-/// How many entries an argument has, if its type says so.
-template <class Argument>
-constexpr int entries_of() {
-  if constexpr (std::is_same_v<Argument, not_given>)
-    return Eigen::Dynamic;
-  else
-    return Argument::SizeAtCompileTime;
 }
 
 /// What the code loads from an argument that is not given.

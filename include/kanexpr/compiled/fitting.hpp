@@ -1,7 +1,8 @@
 #pragma once
 
-#include <kanexpr/compiled/surveyed.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/derive/model_error.hpp>
 
 #include <Eigen/Core>
 
@@ -17,6 +18,18 @@ constexpr mechanics::problem check_size(std::string_view what, std::string_view 
   w.append(wanted), g.append(given);
   return mechanics::sentence({"the ", what, " vector of ", system, " has ", w.view(),
                               wanted == 1 ? " entry, not " : " entries, not ", g.view()});
+}
+
+/// What stands for arguments that are not given.
+struct not_given {};
+
+/// How many entries an argument has, if its type says so.
+template <class Argument>
+constexpr int entries_of() {
+  if constexpr (std::is_same_v<Argument, not_given>)
+    return Eigen::Dynamic;
+  else
+    return Argument::SizeAtCompileTime;
 }
 
 /// A vector of numbers that does not fit.

@@ -61,7 +61,8 @@ struct arguments {
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
-  constexpr derivation::extent size = derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
+  constexpr derivation::extent size =
+      derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
@@ -71,7 +72,8 @@ auto no_result_of() {
 }
 
 template <auto wanted, class System>
-inline constexpr derivation::extent extent_of = derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
+inline constexpr derivation::extent extent_of =
+    derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
 
 } // namespace compiled
 

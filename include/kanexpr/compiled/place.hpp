@@ -1,7 +1,9 @@
 #pragma once
 
-#include <kanexpr/compiled/surveyed.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
 /// The place of a symbol of a model in a vector of values.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/derive/stages.hpp>
 
@@ -15,8 +16,5 @@ struct surveyed {
       derivation::stages_of<System>::constrained.follows_from_unparsed;
   static_assert(derivation::tell<surveyed>());
 };
-
-template <class System>
-inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
 
 } // namespace kanexpr::compiled

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <kanexpr/compiled/gap.hpp>
+#include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
+#include <kanexpr/describe/system.hpp>
 
 #include <array>
 

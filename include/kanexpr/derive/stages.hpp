@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/check_words.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derive/take_survey.hpp>
 
 /// The derivation of a system in stages, each of which goes on where the one before it was set aside. A stage
 /// is derived when something of it is asked for, and once.

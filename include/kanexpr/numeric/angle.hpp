@@ -15,23 +15,26 @@ namespace kanexpr::numeric {
 template <class Functions>
 bool is_angle(const Functions& at) {
   const Eigen::VectorXd here = at(0.0);
-  Eigen::VectorXd sizes = 2 * here.cwiseAbs();
-  const auto bend = [&](double by) -> Eigen::VectorXd {
-    const Eigen::VectorXd ahead = at(by), behind = at(-by);
-    for (Eigen::Index i = 0; i < here.size(); ++i)
-      sizes(i) = (std::max)(sizes(i), std::abs(ahead(i)) + std::abs(behind(i)));
-    return (ahead - 2 * here + behind).cwiseAbs();
+  Eigen::VectorXd sizes = here;
+  for (double& size : sizes) size = 2 * std::abs(size);
+  const auto bend = [&](double by) {
+    Eigen::VectorXd bent = at(by);
+    const Eigen::VectorXd behind = at(-by);
+    for (Eigen::Index i = 0; i < here.size(); ++i) {
+      sizes(i) = (std::max)(sizes(i), std::abs(bent(i)) + std::abs(behind(i)));
+      bent(i) = std::abs(bent(i) - 2 * here(i) + behind(i));
+    }
+    return bent;
   };
   constexpr double little = 1e-8;
-  const Eigen::VectorXd nearby = bend(1), further = bend(2.5),
-                        rounding = (bend(1 + little) - nearby).cwiseAbs() +
-                                   (bend(2.5 + little) - further).cwiseAbs(),
-                        least = 1e-9 * sizes, turned = bend(24 * std::numbers::pi);
+  const Eigen::VectorXd nearby = bend(1), further = bend(2.5), nearby_beside = bend(1 + little),
+                        further_beside = bend(2.5 + little);
+  const Eigen::VectorXd measured = sizes, turned = bend(24 * std::numbers::pi);
   int repeating = 0, others = 0;
   for (Eigen::Index i = 0; i < here.size(); ++i) {
-    const double bent = (std::max)(nearby(i), further(i));
-    if (bent > least(i) && rounding(i) < 1e-4 * bent)
-      ++(turned(i) <= 1e-6 * bent + least(i) ? repeating : others);
+    const double bent = (std::max)(nearby(i), further(i)), least = 1e-9 * measured(i);
+    const double rounding = std::abs(nearby_beside(i) - nearby(i)) + std::abs(further_beside(i) - further(i));
+    if (bent > least && rounding < 1e-4 * bent) ++(turned(i) <= 1e-6 * bent + least ? repeating : others);
   }
   return repeating > others;
 }

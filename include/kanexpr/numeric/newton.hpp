@@ -51,9 +51,9 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     report.singular = factors.is_singular();
     Vector step = -scale.rows.cwiseProduct(f);
     if (report.singular) {
-      Matrix damped = scaled.transpose() * scaled;
+      Matrix damped = scaled.transpose().lazyProduct(scaled);
       damped.diagonal().array() += 1e-6 * damped.trace();
-      step = scaled.transpose() * step;
+      step = Vector(scaled.transpose().lazyProduct(step));
       factors = factorized<Vector>(damped);
     }
     factors.solve(step);

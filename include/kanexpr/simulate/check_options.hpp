@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/sundials/stepper.hpp>
+#include <kanexpr/simulate/settings.hpp>
+#include <kanexpr/simulate/system.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -82,15 +82,14 @@ inline std::string check_output_times(const std::vector<double>& times, const ti
   return {};
 }
 
-template <class System>
-std::string check_options(const simulation_options<System>& o, const time_span& span) {
+inline std::string check_options(const settings& o, const time_span& span) {
   if (const std::string wrong = check_span(span); !wrong.empty()) return wrong;
-  if (o.inputs.problem()) return std::string(o.inputs.problem().view());
+  if (!o.mistake_in_inputs.empty()) return std::string(o.mistake_in_inputs);
   for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance.value_or(1)})
     if (std::string wrong = check_tolerance(tolerance); !wrong.empty()) return wrong;
   if (o.relative_tolerance >= 1)
     return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
-  if (std::string wrong = check_output_every(o.output_every, span, o.keep ? sizeof(sample<System>) : 0);
+  if (std::string wrong = check_output_every(o.output_every, span, o.keep ? o.bytes_of_sample : 0);
       !wrong.empty())
     return wrong;
   if (o.output_every > 0 && !o.output_times.empty())
@@ -104,26 +103,24 @@ std::string check_options(const simulation_options<System>& o, const time_span& 
     return "the greatest step, " + digits(o.greatest_step) + ", is lost to rounding in a span of " +
            digits(span.to - span.from) + " s";
   if (o.most_steps <= 0) return "the most steps that are allowed must be positive";
-  if (!o.keep && !o.each_sample) return "samples are neither kept nor handed to a function";
-  for (std::size_t i = 0; i < o.events.size(); ++i)
-    if (!o.events[i].value) return "the event " + o.events[i].name + " has no function whose zeros it is";
+  if (!o.keep && !o.shows_samples) return "samples are neither kept nor handed to a function";
+  for (const watched_event& each : o.events)
+    if (!each.has_value) return "the event " + each.name + " has no function whose zeros it is";
   return check_output_times(o.output_times, span);
 }
 
 /// The absolute tolerance of each entry of a state, `sizes` being how large they are.
-template <class System>
-std::string read_tolerances(const simulation_options<System>& o, const kanexpr::state<System>& sizes,
-                            std::vector<double>& tolerances) {
-  kanexpr::state<System> each;
-  each = 0.01 * o.relative_tolerance * sizes;
-  if (o.absolute_tolerance) each.setConstant(*o.absolute_tolerance);
-  compiled::values_reader reader(compiled::survey_of<System>, System::record, type_name<System>(),
-                                 range_of(compiled::symbols_of::state, compiled::survey_of<System>),
+inline std::string read_tolerances(const system& of, const settings& o, const Eigen::VectorXd& sizes,
+                                   std::vector<double>& tolerances) {
+  Eigen::VectorXd each = sizes;
+  for (double& size : each) size *= 0.01 * o.relative_tolerance;
+  if (o.absolute_tolerance) std::ranges::fill(each, *o.absolute_tolerance);
+  compiled::values_reader reader(of.known, of.told, of.name, range_of(compiled::symbols_of::state, of.known),
                                  each.data());
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
   reader.look_for_infinite();
   if (reader.problem()) return "of the tolerances, " + std::string(reader.problem().view());
-  if (!(each.array() > 0).all()) return "a tolerance must be positive";
+  if (!std::ranges::all_of(each, [](double size) { return size > 0; })) return "a tolerance must be positive";
   tolerances.assign(each.begin(), each.end());
   return {};
 }

@@ -13,14 +13,13 @@ namespace kanexpr::simulated {
 
 /// Watched functions that are zero where an integration begins, at the start or after a handler. Integrators
 /// look for changes of sign, so that they take no notice of those.
-template <class System>
 class departures {
 public:
-  using state = kanexpr::state<System>;
+  using state = Eigen::VectorXd;
 
-  explicit departures(surroundings<System>& around) : around_(around) {}
+  explicit departures(surroundings& around) : around_(around) {}
 
-  void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
+  void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
   /// Finds the functions that pass zero at the start: those that are zero there, as far as the tolerances
   /// tell, and leave it in the direction of their event. An event of either direction must be seen on both
@@ -99,7 +98,7 @@ public:
     for (std::size_t i = 0; i < count(); ++i) {
       if (passed[i] == 0) continue;
       const bool goes_back = slopes[i] * passed[i] <= 1e-6 * std::abs(slopes_before[i]);
-      if (goes_back && around_.events()[i].handler) returning_[i] = -passed[i];
+      if (goes_back && around_.events()[i].has_handler) returning_[i] = -passed[i];
       if (!goes_back && here_[i] * passed[i] <= 0) completing_[i] = passed[i];
     }
     if (none(returning_) && none(completing_) && none(waiting_)) return;
@@ -166,7 +165,7 @@ private:
     if (!rates(t, x, slope)) return;
     for (double ahead = 1e-3 / fastest(x, slope); ahead <= farthest && !none(waiting_); ahead *= 2) {
       if (!advance(t, x, ahead, rough, fine)) return;
-      if (state(fine - x).cwiseQuotient(units).cwiseAbs().maxCoeff() > 1e6) return;
+      if (largest(moved(fine, -1, x), units) > 1e6) return;
       if (!evaluate(t + ahead, rough, later_)) return;
       const std::vector<double> roughly = later_;
       if (!evaluate(t + ahead, fine, later_)) return;
@@ -182,11 +181,11 @@ private:
   /// Goes a step by the midpoint rule and by the classic Runge-Kutta method.
   bool advance(double t, const state& x, double h, state& rough, state& fine) {
     state k1, k2, k3, k4;
-    if (!rates(t, x, k1) || !rates(t + h / 2, state(x + h / 2 * k1), k2) ||
-        !rates(t + h / 2, state(x + h / 2 * k2), k3) || !rates(t + h, state(x + h * k3), k4))
+    if (!rates(t, x, k1) || !rates(t + h / 2, moved(x, h / 2, k1), k2) ||
+        !rates(t + h / 2, moved(x, h / 2, k2), k3) || !rates(t + h, moved(x, h, k3), k4))
       return false;
-    rough = x + h * k2;
-    fine = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    rough = moved(x, h, k2);
+    fine = moved(x, h, k1, k2, k3, k4);
     return true;
   }
 
@@ -197,7 +196,7 @@ private:
     if (evaluate(t, x, here_) && rates(t, x, now)) {
       const double seen = 16 * std::numeric_limits<double>::epsilon() * std::abs(t); // of the time itself
       const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
-      if (std::isfinite(ahead) && evaluate(t + ahead, state(x + ahead * now), later_))
+      if (std::isfinite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
     }
     around_.forget();
@@ -205,12 +204,10 @@ private:
   }
 
   /// Of rates, beside the tolerances.
-  double fastest(const state& x, const state& rates) const {
-    return rates.cwiseQuotient(tolerances_.at(x)).cwiseAbs().maxCoeff();
-  }
+  double fastest(const state& x, const state& rates) const { return largest(rates, tolerances_.at(x)); }
 
-  surroundings<System>& around_;
-  tolerances<System> tolerances_{};
+  surroundings& around_;
+  tolerances tolerances_{};
   double least_ahead_ = 0;
   std::vector<int> waiting_{};                  ///< to leave zero in a direction
   std::vector<int> returning_{}, completing_{}; ///< to a side, in a direction

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <kanexpr/compiled/function.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/simulate/settings.hpp>
+#include <kanexpr/simulate/system.hpp>
 
 #include <concepts>
 #include <functional>
@@ -8,11 +10,6 @@
 #include <utility>
 
 namespace kanexpr {
-
-/// How a watched expression passes zero.
-enum class crossing { falling = -1, either = 0, rising = 1 };
-
-enum class after_event { go_on, stop };
 
 /// When something happened, and the state, which the handler of an event may change. What depends on it by a
 /// constraint follows after that.
@@ -92,16 +89,10 @@ event<System> when(std::string name, crossing direction = crossing::either,
           [](double t, const state<System>& x, const parameter_values<System>& p,
              const input_values<System>& r) -> double {
             if constexpr (simulated::watched<expression>::passes_zero)
-              return kanexpr::function<System, expression>{}(t, x, p, r);
+              return out_of_line<kanexpr::function<System, expression>>{}(t, x, p, r);
             return 0;
           },
           direction, std::move(handler)};
 }
-
-/// An event that happened.
-struct occurrence {
-  double t;
-  std::string name;
-};
 
 } // namespace kanexpr

@@ -3,8 +3,8 @@
 #include <kanexpr/simulate/check_options.hpp>
 #include <kanexpr/simulate/departures.hpp>
 #include <kanexpr/simulate/moving_system.hpp>
+#include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/sampling.hpp>
-#include <kanexpr/simulate/simulation.hpp>
 #include <kanexpr/simulate/state_sizes.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
@@ -15,21 +15,17 @@
 namespace kanexpr::simulated {
 
 /// One simulation, from its first check to its end.
-template <class System, integrator by>
+template <integrator by>
 class integration {
 public:
-  integration(const given_parameters<System>& p, const time_span& span,
-              const simulation_options<System>& options)
-      : options_(options), span_(span), around_(p.values, span, options.inputs, options.events),
-        moving_(around_), sampling_(options, span, around_, result_.trajectory), departures_(around_) {
-    result_.trajectory = kanexpr::trajectory<System>(p.values);
-    if (p.problem) fail(std::string(p.problem.view()));
-  }
+  integration(system& of, const time_span& span, const settings& options)
+      : options_(options), span_(span), around_(of, span, options), moving_(around_),
+        sampling_(options, span, around_) {}
 
-  simulation<System> run(const given_state<System>& x) {
+  ending run(const Eigen::VectorXd& x) {
     result_.time = span_.from;
-    result_.state = x.values;
-    if (begin(x)) {
+    result_.state = x;
+    if (begin()) {
       go();
       end();
     }
@@ -37,12 +33,9 @@ public:
   }
 
 private:
-  using state = kanexpr::state<System>;
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
-  using quaternions = compiled::unit_quaternions<System>;
-  static constexpr bool is_constrained =
-      known.constraints + known.configuration_constraints + known.quaternions != 0;
+  using state = Eigen::VectorXd;
 
+  const derivation::survey& known() const { return around_.known(); }
   solvers::stepper& stepper() { return moving_.stepper(); }
 
   bool fail(std::string why) {
@@ -55,25 +48,23 @@ private:
     const std::string because = around_.reason();
     if (has_begun_) sampling_.end(result_.time, result_.state);
     std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
-    for (int i = 0; i < known.coordinates + known.speeds; ++i)
-      where +=
-          (i == 0 ? "" : ", ") + surroundings<System>::name_of_state(i) + " = " + digits(result_.state(i));
+    for (int i = 0; i < around_.system().states(); ++i)
+      where += (i == 0 ? "" : ", ") + around_.name_of_state(i) + " = " + digits(result_.state(i));
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
-  bool begin(const given_state<System>& x) {
-    if (!result_.reason.empty()) return false;
-    if (x.problem) return fail(std::string(x.problem.view()));
+  bool begin() {
     solvers::stepper_options o = stepper_options();
     if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
     state first = result_.state;
     if (!assemble_at(span_.from, first)) return false;
     result_.state = first;
-    const state_sizes<System> found(around_, span_.from, first, around_.length());
+    const state_sizes found(around_, span_.from, first, around_.length());
     around_.set_sizes(found.sizes());
-    if (std::string wrong = read_tolerances(options_, found.sizes(), o.absolute_tolerances); !wrong.empty())
+    if (std::string wrong = read_tolerances(around_.system(), options_, found.sizes(), o.absolute_tolerances);
+        !wrong.empty())
       return fail(std::move(wrong));
-    const tolerances<System> of_entries = tolerances_of(o);
+    const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
     if (moving_.start(result_.state, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
@@ -81,10 +72,9 @@ private:
     return sampling_.begin(span_.from, result_.state) || fail_here("");
   }
 
-  static tolerances<System> tolerances_of(const solvers::stepper_options& o) {
-    tolerances<System> of_entries{o.relative_tolerance, {}};
-    std::ranges::copy(o.absolute_tolerances, of_entries.absolute.begin());
-    return of_entries;
+  static tolerances tolerances_of(const solvers::stepper_options& o) {
+    const auto entries = static_cast<Eigen::Index>(o.absolute_tolerances.size());
+    return {o.relative_tolerance, Eigen::Map<const state>(o.absolute_tolerances.data(), entries)};
   }
 
   solvers::stepper_options stepper_options() const {
@@ -98,18 +88,14 @@ private:
     return o;
   }
 
-  /// Lets the dependent coordinates and speeds follow. A quaternion that is given may be rounded, no more.
+  /// Lets the dependent coordinates and speeds follow.
   bool assemble_at(double t, state& x) {
-    if constexpr (!quaternions::are_bound)
-      if (const status s = quaternions::normalize(x, {0.99, 1.01}); !s)
-        return fail_here(std::string(s.cause()));
     if (around_.take(t, x) != answer::given) return fail_here("");
-    if constexpr (is_constrained) {
-      const assembly built = kanexpr::assemble<System>(x, around_.p(), around_.r(), t);
-      if (!built) return fail_here(std::string(built.cause()));
-      if (around_.take(t, x) != answer::given) return fail_here("");
-    }
-    return true;
+    const auto constraints = around_.system().own_manifold();
+    if (!constraints) return true;
+    const assembly built = constraints->assemble(t, x, around_.r());
+    if (!built) return fail_here(std::string(built.cause()));
+    return around_.take(t, x) == answer::given || fail_here("");
   }
 
   void go() {
@@ -129,9 +115,8 @@ private:
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
     double elapsed = stepper().time(), t = around_.time(elapsed);
-    state x;
-    std::copy_n(stepper().state(), x.size(), x.begin());
-    if (!x.allFinite()) return fail_here(too_large(x));
+    state x = Eigen::Map<const state>(stepper().state(), result_.state.size());
+    if (!is_finite(x)) return fail_here(too_large(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
     if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
@@ -169,10 +154,10 @@ private:
     if (elapsed - elapsed_ <= 2 * rounding) elapsed = elapsed_, x = result_.state;
   }
 
-  static std::string too_large(const state& x) {
+  std::string too_large(const state& x) const {
     int i = 0;
     while (std::isfinite(x(i))) ++i;
-    return std::string(known.names[i].view()) + " becomes larger than numbers can say";
+    return around_.name_of_state(i) + " becomes larger than numbers can say";
   }
 
   /// Of a function that stays at zero, integrators find any time at which it is there.
@@ -197,17 +182,16 @@ private:
     for (std::size_t i = 0; i < events.size(); ++i) {
       if (passed[i] == 0) continue;
       result_.events.push_back({t, events[i].name});
-      if (!events[i].handler) continue;
+      if (!events[i].has_handler) continue;
       handled = true;
-      moment<System> now{t, x, around_.p(), around_.r()};
-      const answer a = around_.guarded("the handler of the event " + events[i].name,
-                                       [&] { stops |= events[i].handler(now) == after_event::stop; });
+      const answer a = around_.guarded("the handler of the event " + events[i].name, [&] {
+        stops |= around_.system().handle(i, t, x.data(), around_.r().data()) == after_event::stop;
+      });
       if (a != answer::given) return fail_here("");
     }
     if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
     const bool changed = x != result_.state;
-    if (changed && !x.allFinite())
-      return fail_here("the handler of an event left a state that is not finite");
+    if (changed && !is_finite(x)) return fail_here("the handler of an event left a state that is not finite");
     if (changed && !assemble_at(t, x)) return false;
     departures_.note(t, result_.state, x, passed);
     result_.state = x;
@@ -249,13 +233,13 @@ private:
 
   static constexpr const char* ever_faster = "events happen ever faster; a handler must end that";
 
-  const simulation_options<System>& options_;
+  const settings& options_;
   const time_span span_;
-  surroundings<System> around_;
-  moving_system<System, by> moving_;
-  simulation<System> result_{};
-  sampling<System> sampling_;
-  departures<System> departures_{};
+  surroundings around_;
+  moving_system<by> moving_;
+  ending result_{};
+  sampling sampling_;
+  departures departures_{around_};
   double elapsed_ = 0; ///< where the simulation stands, since the start
   double begun_ = -std::numeric_limits<double>::infinity();
   /// How often in a row an event has happened at one time.
@@ -266,5 +250,10 @@ private:
   std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
   bool has_begun_ = false;
 };
+
+template <integrator by>
+ending run(system& moved, const Eigen::VectorXd& from, const time_span& span, const settings& options) {
+  return integration<by>(moved, span, options).run(from);
+}
 
 } // namespace kanexpr::simulated

@@ -12,19 +12,19 @@
 namespace kanexpr::simulated {
 
 /// A system with the integrator that moves it.
-template <class System, integrator by>
+template <integrator by>
 class moving_system {
 public:
   static constexpr bool is_implicit = by == integrator::differential_algebraic;
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
   using motion_type =
-      std::conditional_t<is_implicit, multiplier_motion<System>, explicit_motion<System, has_newton>>;
+      std::conditional_t<is_implicit, multiplier_motion<surroundings>, explicit_motion<has_newton>>;
 
-  explicit moving_system(surroundings<System>& around) : motion(around) {}
+  explicit moving_system(surroundings& around) : motion(around) {}
 
   /// Sets the integrator up at the start of the span; where that fails the stepper, or the surroundings, know
   /// why.
-  answer start(const kanexpr::state<System>& x, const solvers::stepper_options& options) {
+  answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
     std::vector<double> y(static_cast<std::size_t>(motion.size()));
     if constexpr (is_implicit) {
       std::vector<double> ydot(y.size());
@@ -43,7 +43,7 @@ public:
   solvers::stepper& stepper() { return *integrating_; }
 
   /// Goes on from another state, and from no later time.
-  bool restart(double elapsed, const kanexpr::state<System>& x) {
+  bool restart(double elapsed, const Eigen::VectorXd& x) {
     solvers::stepper& s = stepper();
     s.go_back_to(elapsed);
     if constexpr (is_implicit) {

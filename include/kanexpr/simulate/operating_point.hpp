@@ -1,11 +1,13 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
+#include <kanexpr/simulate/trim.hpp>
 #include <kanexpr/simulate/trim_search.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -41,10 +43,7 @@ public:
   int freedom = 0; ///< directions in which the unknowns may move and it stays an operating point
 
   /// A residual with its name: "the rate of speed u2".
-  struct residual {
-    std::string name;
-    double value;
-  };
+  using residual = trim::residual;
 
   explicit operating_point(const guessed_state<System>& guess,
                            const given_parameters<System>& parameters = {},
@@ -76,7 +75,8 @@ private:
 
   Eigen::VectorXd all() const {
     Eigen::VectorXd values(known.symbols());
-    values << x, p, r;
+    std::copy(r.begin(), r.end(),
+              std::copy(p.begin(), p.end(), std::copy(x.begin(), x.end(), values.data())));
     return values;
   }
 
@@ -88,41 +88,39 @@ private:
   }
 
   void find(const operating_point_options<System>& o) {
-    const trim::conditions asked(known, System::record, type_name<System>(),
-                                 {o.held, o.freed, o.changing, o.rates});
-    if (asked.problem()) {
-      cause_ = asked.problem().view();
-      return;
-    }
-    trim::trim_equations equations(asked, evaluate, o.t, all());
-    const trim::finding found = trim::search(asked, equations, o.tolerance, o.most_iterations).find();
-    x = found.values.template head<states>();
-    p = found.values.template segment<known.parameters>(states);
-    r = found.values.template tail<known.inputs>();
+    trim::finding found =
+        trim::find({known, System::record, type_name<System>(), evaluate},
+                   {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
+    const double* values = found.values.data();
+    std::copy_n(values, states, x.data());
+    std::copy_n(values + states, known.parameters, p.data());
+    std::copy_n(values + states + known.parameters, known.inputs, r.data());
     iterations = found.iterations;
     freedom = found.freedom;
-    cause_ = found.cause;
-    Eigen::Index row = 0;
-    for (const trim::condition& c : asked.equations())
-      residuals_.push_back({asked.name_of(c), found.left(row++)});
+    cause_ = std::move(found.cause);
+    residuals_ = std::move(found.residuals);
   }
 
-  static std::string_view evaluate(double t, const trim::complex_vector& at, trim::complex_vector& result) {
-    using number = std::complex<double>;
+  using number = std::complex<double>;
+  template <int size>
+  using vector = Eigen::Matrix<number, size, 1>;
+
+  static std::string_view evaluate(double t, const number* at, number* result) {
     using mechanics::quantity;
-    const kanexpr::state<System, number> x_at = at.template head<states>();
-    const parameter_values<System, number> p_at = at.template segment<known.parameters>(states);
-    const input_values<System, number> r_at = at.template tail<known.inputs>();
-    const auto norms = compiled::unit_quaternions<System>::residual(x_at);
+    const vector<states> x_at(at);
+    const vector<known.parameters> p_at(at + states);
+    const vector<known.inputs> r_at(at + states + known.parameters);
+    const auto put = [&result](const auto& part) { result = std::copy_n(part.data(), part.size(), result); };
+    put(compiled::unit_quaternions<System>::residual(x_at));
     if constexpr (known.constraints + known.configuration_constraints == 0) {
-      const auto rates = function<System, quantity::rhs>{}(t, x_at, p_at, r_at);
-      result << norms, rates;
-      return compiled::status_of(rates).cause();
+      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
+      put(rates);
+      return rates.status.cause();
     } else {
       const auto [left, rates] =
-          function<System, quantity::constraint_residual, quantity::rhs>{}(t, x_at, p_at, r_at);
-      result << norms, left, rates;
-      return compiled::status_of(rates).cause();
+          out_of_line<function<System, quantity::constraint_residual, quantity::rhs>>{}(t, x_at, p_at, r_at);
+      put(left), put(rates);
+      return rates.status.cause();
     }
   }
 

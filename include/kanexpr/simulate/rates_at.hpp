@@ -1,17 +1,14 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 
 namespace kanexpr::simulated {
 
 /// The rates of a state with the inputs of that time and state; false where there are none.
-template <class System>
-bool rates_at(surroundings<System>& around, double t, const state<System>& x, state<System>& rates) {
+inline bool rates_at(surroundings& around, double t, const Eigen::VectorXd& x, Eigen::VectorXd& rates) {
   if (around.take(t, x) != answer::given) return false;
-  const auto found = equations_of_motion<System>::rhs(t, x, around.p(), around.r());
-  rates = found;
-  return static_cast<bool>(compiled::status_of(found)) && rates.allFinite();
+  rates.resize(x.size());
+  return static_cast<bool>(around.rates(t, rates.data())) && is_finite(rates);
 }
 
 } // namespace kanexpr::simulated

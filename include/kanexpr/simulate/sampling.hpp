@@ -1,9 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/simulate/constraint_projection.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 #include <kanexpr/simulate/tolerances.hpp>
@@ -18,19 +16,16 @@ namespace kanexpr::simulated {
 
 /// Takes the samples of a simulation when they are due, and keeps them or hands them on. Where one cannot be
 /// taken the surroundings know why.
-template <class System>
 class sampling {
 public:
-  using state = kanexpr::state<System>;
-  using sample = kanexpr::sample<System>;
+  using state = Eigen::VectorXd;
 
-  sampling(const simulation_options<System>& options, const time_span& span, surroundings<System>& around,
-           trajectory<System>& kept)
+  sampling(const settings& options, const time_span& span, surroundings& around)
       : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
-        kept_(kept) {}
+        manifold_(around.system().own_manifold()) {}
 
   /// What corrections are measured by.
-  void set(const tolerances<System>& of_entries) { tolerances_ = of_entries; }
+  void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
   bool takes_each_step() const { return schedule_.takes_each_step(); }
 
@@ -62,16 +57,16 @@ public:
 
   bool record(double t, const state& x) {
     if (around_.take(t, x) != answer::given) return false;
-    const sample now{t, x, around_.r()};
+    const double* r = around_.r().data();
     try {
-      if (options_.keep) kept_.add(now);
+      if (options_.keep) around_.system().keep(t, x.data(), r);
     } catch (const std::bad_alloc&) {
       around_.refuse("there is no memory for another sample");
       return false;
     }
-    last_ = now;
-    is_refused_ = options_.each_sample && around_.guarded("the function that is given each sample", [&] {
-      options_.each_sample(now);
+    last_ = {t, x};
+    is_refused_ = options_.shows_samples && around_.guarded("the function that is given each sample", [&] {
+      around_.system().show(t, x.data(), r);
     }) != answer::given;
     return !is_refused_;
   }
@@ -92,10 +87,10 @@ public:
     for (int k = 0; k <= s.degree(); ++k) {
       if (k > 0) factorial *= k;
       if (!s.derivative(elapsed, k, room_for(s))) break;
-      for (Eigen::Index i = 0; i < state::SizeAtCompileTime; ++i)
+      for (int i = 0; i < around_.system().states(); ++i)
         p.coefficients.push_back(whole_[static_cast<std::size_t>(i)] / factorial);
     }
-    if (!p.coefficients.empty() && p.begin < p.end) kept_.add(std::move(p));
+    if (!p.coefficients.empty() && p.begin < p.end) around_.system().keep(std::move(p));
   }
 
   /// The state at a time of the last step.
@@ -110,22 +105,21 @@ private:
   bool interpolate(solvers::stepper& s, double elapsed, state& x) {
     const bool found = s.derivative(elapsed, 0, room_for(s));
     if (found) std::copy_n(whole_.begin(), x.size(), x.begin());
-    if (!found || !x.allFinite()) around_.refuse("the solution could not be interpolated");
-    return found && x.allFinite();
+    if (!found || !is_finite(x)) around_.refuse("the solution could not be interpolated");
+    return found && is_finite(x);
   }
 
   /// What an integrator interpolates is only near them.
   bool bring_to_constraints(double t, state& x) {
-    if constexpr (constraint_projection<System>::is_needed) {
-      if (around_.take(t, x) != answer::given) return false;
-      const state weights = state(tolerances_.at(x).cwiseInverse());
-      if (!projection_(t, x, around_.p(), around_.r(), weights)) {
-        around_.refuse("the constraints are dependent, or cannot be met, near this state");
-        return false;
-      }
-      x += projection_.correction();
+    if (manifold_ == nullptr) return true;
+    if (around_.take(t, x) != answer::given) return false;
+    state weights = tolerances_.at(x);
+    for (double& weight : weights) weight = 1 / weight;
+    if (!manifold_->project(t, x, around_.r(), weights)) {
+      around_.refuse("the constraints are dependent, or cannot be met, near this state");
+      return false;
     }
-    static_cast<void>(t);
+    x = moved(x, 1, manifold_->correction());
     return true;
   }
 
@@ -135,14 +129,18 @@ private:
     return whole_.data();
   }
 
-  const simulation_options<System>& options_;
+  struct instant {
+    double t;
+    state x;
+  };
+
+  const settings& options_;
   output_schedule schedule_;
-  surroundings<System>& around_;
-  trajectory<System>& kept_;
-  constraint_projection<System> projection_{};
-  std::optional<sample> last_{};
+  surroundings& around_;
+  std::unique_ptr<manifold> manifold_;
+  std::optional<instant> last_{};
   bool is_refused_ = false; ///< by the function that is given each sample
-  tolerances<System> tolerances_{};
+  tolerances tolerances_{};
   std::vector<double> whole_{};
 };
 

@@ -1,8 +1,42 @@
 #pragma once
 
+#include <kanexpr/simulate/compiled_system.hpp>
+#include <kanexpr/simulate/constraint_manifold.hpp>
 #include <kanexpr/simulate/integration.hpp>
+#include <kanexpr/simulate/run.hpp>
+#include <kanexpr/simulate/simulation.hpp>
 
 namespace kanexpr {
+
+namespace simulated {
+
+template <class System>
+settings settings_of(const simulation_options<System>& o) {
+  settings s{o.relative_tolerance,
+             o.absolute_tolerance,
+             o.absolute_tolerances,
+             o.output_every,
+             o.output_times,
+             o.dense,
+             o.keep,
+             static_cast<bool>(o.each_sample),
+             o.first_step,
+             o.least_step,
+             o.greatest_step,
+             o.most_steps,
+             o.analytic_jacobian,
+             {},
+             o.progress,
+             o.inputs.problem().view(),
+             o.inputs.depends_on_state(),
+             sizeof(sample<System>)};
+  for (const event<System>& e : o.events)
+    s.events.push_back(
+        {e.name, static_cast<int>(e.direction), static_cast<bool>(e.value), static_cast<bool>(e.handler)});
+  return s;
+}
+
+} // namespace simulated
 
 /// Moves a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g, 9.81}},
 /// {0, 10})`. What the constraints bind in the state is solved for at the start, from the values given, and
@@ -13,7 +47,21 @@ namespace kanexpr {
 template <class System, integrator by = integrator::adams>
 simulation<System> simulate(const given_state<System>& x, const given_parameters<System>& p, time_span span,
                             const simulation_options<System>& options = {}) {
-  return simulated::integration<System, by>(p, span, options).run(x);
+  simulation<System> result;
+  result.trajectory = trajectory<System>(p.values);
+  result.time = span.from;
+  result.state = x.values;
+  result.reason = (p.problem ? p.problem : x.problem).view();
+  if (!result.reason.empty()) return result;
+  simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
+  simulated::ending end = simulated::run<by>(moved, x.values, span, simulated::settings_of(options));
+  result.time = end.time;
+  result.state = end.state;
+  result.events = std::move(end.events);
+  result.statistics = end.statistics;
+  result.stopped_by_event = end.stopped_by_event;
+  result.reason = std::move(end.reason);
+  return result;
 }
 
 } // namespace kanexpr

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace kanexpr::simulated {
@@ -15,39 +16,39 @@ namespace kanexpr::simulated {
 /// Another coordinate that does not move at all is as large as the largest of these, or as what would move
 /// them if the angles stood otherwise, or 1; a speed takes its coordinate through its size in that time, and
 /// is not much smaller.
-template <class System>
 class state_sizes {
 public:
-  using state = kanexpr::state<System>;
+  using state = Eigen::VectorXd;
 
-  state_sizes(surroundings<System>& around, double t, const state& x, double span)
-      : state_sizes(around, t, x, trial_steps<System>(around, t, x, span)) {}
+  state_sizes(surroundings& around, double t, const state& x, double span)
+      : state_sizes(around, t, x, trial_steps(around, t, x, span)) {}
 
   const state& sizes() const { return sizes_; }
 
 private:
-  state_sizes(surroundings<System>& around, double t, const state& x, const trial_steps<System>& ahead)
-      : sizes_(ahead.sizes()), time_(ahead.time()), least_share_(ahead.has_own_time() ? 0.1 : 1e-4) {
+  state_sizes(surroundings& around, double t, const state& x, const trial_steps& ahead)
+      : manifold_(around.system().own_manifold()), coordinates(around.known().coordinates),
+        speeds(around.known().speeds), sizes_(ahead.sizes()), time_(ahead.time()),
+        least_share_(ahead.has_own_time() ? 0.1 : 1e-4) {
     fill_coordinates(around, t, x);
     fill_speeds(around, t, x);
     around.forget();
   }
 
-  static constexpr int coordinates = state::coordinates, speeds = state::speeds;
   static constexpr double nothing = 1e-12; ///< beside a size
 
   /// The rates with the inputs of the first instant, where they can be had, and what the configuration
   /// constraints leave.
-  static Eigen::VectorXd functions(const surroundings<System>& around, double t, const state& x) {
-    const compiled::constraints_at<System, parameter_values<System>, input_values<System>> constraints(
-        t, around.p(), around.r());
-    Eigen::VectorXd all(x.size() + compiled::survey_of<System>.configuration_constraints);
-    all << equations_of_motion<System>::rhs(t, x, around.p(), around.r()),
-        constraints.configuration_residual(x);
+  Eigen::VectorXd functions(const surroundings& around, double t, const state& x) const {
+    const derivation::survey& known = around.known();
+    Eigen::VectorXd all(x.size() + known.configuration_constraints);
+    around.system().rates(t, x.data(), around.r().data(), all.data());
+    if (known.configuration_constraints != 0)
+      std::ranges::copy(manifold_->configuration_residual(t, x, around.r()), all.data() + x.size());
     return all;
   }
 
-  void fill_coordinates(const surroundings<System>& around, double t, const state& x) {
+  void fill_coordinates(const surroundings& around, double t, const state& x) {
     std::vector<bool> angles;
     double longest = 0;
     for (int j = 0; j < coordinates; ++j) {
@@ -56,7 +57,7 @@ private:
         moved(j) += by;
         return functions(around, t, moved);
       };
-      angles.push_back(compiled::survey_of<System>.quaternion_of[j] != 0 || numeric::is_angle(beside));
+      angles.push_back(around.known().quaternion_of[j] != 0 || numeric::is_angle(beside));
       if (!angles.back()) longest = (std::max)(longest, sizes_(j));
     }
     const double way = longest_way(around, t, x, angles);
@@ -69,13 +70,13 @@ private:
   }
 
   /// How far coordinates that are no angles would go if the angles stood otherwise.
-  double longest_way(const surroundings<System>& around, double t, const state& x,
+  double longest_way(const surroundings& around, double t, const state& x,
                      const std::vector<bool>& angles) const {
     state turned = x, moving = x;
     for (int j = 0; j < coordinates; ++j)
       if (angles[static_cast<std::size_t>(j)]) turned(j) += 1;
-    moving.template tail<speeds>() =
-        functions(around, t, turned).template segment<speeds>(coordinates) * time_ / 2;
+    const Eigen::VectorXd pushed = functions(around, t, turned);
+    for (int k = coordinates; k < coordinates + speeds; ++k) moving(k) = pushed(k) * time_ / 2;
     const Eigen::VectorXd rates = functions(around, t, moving);
     double longest = 0;
     for (int j = 0; j < coordinates; ++j)
@@ -86,13 +87,13 @@ private:
 
   /// The rates of coordinates are linear in the speeds. Errors of a speed do not matter that move each
   /// coordinate by less than its own error.
-  void fill_speeds(const surroundings<System>& around, double t, const state& x) {
+  void fill_speeds(const surroundings& around, double t, const state& x) {
     state alone = x;
-    alone.template tail<speeds>().setZero();
+    std::fill_n(alone.data() + coordinates, speeds, 0.0);
     const Eigen::VectorXd at_rest = functions(around, t, alone);
     for (int k = coordinates; k < coordinates + speeds; ++k) {
       alone(k) = 1;
-      const Eigen::VectorXd change = functions(around, t, alone) - at_rest;
+      const Eigen::VectorXd change = moved(functions(around, t, alone), -1, at_rest);
       alone(k) = 0;
       double usual = 0;
       for (int j = 0; j < coordinates; ++j) {
@@ -105,6 +106,8 @@ private:
     }
   }
 
+  std::unique_ptr<manifold> manifold_;
+  int coordinates, speeds;
   state sizes_;
   double time_;        ///< in which the motion changes
   double least_share_; ///< of what takes a coordinate through its size in that time, to be a size of a speed

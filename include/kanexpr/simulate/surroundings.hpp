@@ -1,10 +1,9 @@
 #pragma once
 
-#include <kanexpr/compiled/equations_of_motion.hpp>
-#include <kanexpr/simulate/event.hpp>
-#include <kanexpr/simulate/input_source.hpp>
+#include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
-#include <kanexpr/simulate/time_span.hpp>
+#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/vectors.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,17 +16,19 @@ namespace kanexpr::simulated {
 
 using solvers::answer;
 
-/// What acts on a system in a simulation: its parameters, its inputs at each time and state, the events that
-/// are watched; and the reason of the last refusal, in words. What its user's functions throw ends here.
-template <class System>
+/// What acts on a system in a simulation: its inputs at each time and state, the events that are watched; and
+/// the reason of the last refusal, in words. What its user's functions throw ends here.
 class surroundings {
 public:
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
-  using state = kanexpr::state<System>;
+  using vector = Eigen::VectorXd;
 
-  surroundings(const parameter_values<System>& p, const time_span& span, const input_source<System>& inputs,
-               const std::vector<event<System>>& events)
-      : p_(p), span_(span), source_(inputs), events_(events) {}
+  surroundings(simulated::system& of, const time_span& span, const settings& options)
+      : of_(of), span_(span), options_(options), x_(vector::Zero(of.states())),
+        sizes_(vector::Ones(of.states())), r_(of.known.inputs) {}
+
+  simulated::system& system() { return of_; }
+  const simulated::system& system() const { return of_; }
+  const derivation::survey& known() const { return of_.known; }
 
   /// Integrators count the time from the start, as numbers are finest near zero.
   double time(double elapsed) const {
@@ -36,38 +37,37 @@ public:
   double elapsed(double t) const { return t - span_.from; }
   double length() const { return span_.to - span_.from; }
 
-  const parameter_values<System>& p() const { return p_; }
-  const state& x() const { return x_; }
-  const input_values<System>& r() const { return r_; }
-  const input_source<System>& source() const { return source_; }
-  const std::vector<event<System>>& events() const { return events_; }
+  const vector& x() const { return x_; }
+  const vector& r() const { return r_; }
+  bool inputs_depend_on_state() const { return options_.inputs_depend_on_state; }
+  const std::vector<watched_event>& events() const { return options_.events; }
 
   /// How large the entries of the state are, in whatever units.
-  const state& sizes() const { return sizes_; }
-  void set_sizes(const state& sizes) { sizes_ = sizes; }
+  const vector& sizes() const { return sizes_; }
+  void set_sizes(const vector& sizes) { sizes_ = sizes; }
 
   /// Goes to a time and a state, whose inputs are then known.
   answer take(double t, const double* y) {
-    x_ = Eigen::Map<const typename state::base>(y);
+    std::copy_n(y, x_.size(), x_.data());
     return take_inputs(t);
   }
-  answer take(double t, const state& x) {
-    x_ = x;
-    return take_inputs(t);
-  }
+  answer take(double t, const vector& x) { return take(t, x.data()); }
+
+  /// ẋ where it stands.
+  status rates(double t, double* xdot) const { return of_.rates(t, x_.data(), r_.data(), xdot); }
 
   answer watch(double t, const double* y, double* values) {
     if (const answer a = take(t, y); a != answer::given) return a;
-    for (std::size_t i = 0; i < events_.size(); ++i) {
+    for (std::size_t i = 0; i < events().size(); ++i) {
       const answer a =
-          guarded("the event ", events_[i].name, [&] { values[i] = events_[i].value(t, x_, p_, r_); });
+          guarded("the event ", events()[i].name, [&] { values[i] = of_.event(i, t, x_.data(), r_.data()); });
       if (a != answer::given) return a;
       if (!std::isfinite(values[i]))
-        return refuse("the value of the event " + events_[i].name + " is not a number");
+        return refuse("the value of the event " + events()[i].name + " is not a number");
     }
     return answer::given;
   }
-  int direction(int i) const { return static_cast<int>(events_[static_cast<std::size_t>(i)].direction); }
+  int direction(int i) const { return events()[static_cast<std::size_t>(i)].direction; }
 
   /// Notes why an evaluation has no result here.
   answer refuse(std::string why) {
@@ -97,30 +97,26 @@ public:
     return answer::never;
   }
 
-  static std::string name_of_state(int entry) { return std::string(known.names[entry].view()); }
+  std::string name_of_state(int entry) const { return std::string(known().names[entry].view()); }
 
 private:
   answer take_inputs(double t) {
-    if constexpr (known.inputs != 0) {
-      const answer a = guarded("the function of the inputs", [&] { source_.give(t, x_, r_); });
-      if (a != answer::given) return a;
-      for (int i = 0; i < known.inputs; ++i)
-        if (!std::isfinite(r_(i))) {
-          const auto name = known.names[known.first_of(symbolic::symbol_kind::input) + i].view();
-          refuse("the function of the inputs gives input " + std::string(name) + " no finite value");
-          return answer::never;
-        }
-    }
-    static_cast<void>(t);
+    if (r_.size() == 0) return answer::given;
+    const answer a = guarded("the function of the inputs", [&] { of_.give_inputs(t, x_.data(), r_.data()); });
+    if (a != answer::given) return a;
+    for (int i = 0; i < known().inputs; ++i)
+      if (!std::isfinite(r_(i))) {
+        const auto name = known().names[known().first_of(symbolic::symbol_kind::input) + i].view();
+        refuse("the function of the inputs gives input " + std::string(name) + " no finite value");
+        return answer::never;
+      }
     return answer::given;
   }
 
-  parameter_values<System> p_;
+  simulated::system& of_;
   const time_span span_;
-  const input_source<System>& source_;
-  const std::vector<event<System>>& events_;
-  state x_{}, sizes_ = state::Ones();
-  input_values<System> r_{};
+  const settings& options_;
+  vector x_, sizes_, r_;
   std::string reason_{};
 };
 

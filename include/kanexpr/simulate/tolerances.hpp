@@ -1,16 +1,21 @@
 #pragma once
 
-#include <kanexpr/compiled/state.hpp>
+#include <Eigen/Core>
+
+#include <cmath>
 
 namespace kanexpr::simulated {
 
 /// The errors that a step may leave in the entries of a state.
-template <class System>
 struct tolerances {
   double relative = 0;
-  state<System> absolute;
+  Eigen::VectorXd absolute{};
 
-  state<System> at(const state<System>& x) const { return state<System>(relative * x.cwiseAbs() + absolute); }
+  Eigen::VectorXd at(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd both(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) both(i) = relative * std::abs(x(i)) + absolute(i);
+    return both;
+  }
 };
 
 } // namespace kanexpr::simulated

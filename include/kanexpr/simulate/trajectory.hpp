@@ -141,7 +141,9 @@ public:
 private:
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
 
-  auto rates(const sample& s) const { return equations_of_motion<System>::rhs(s.t, s.x, p_, s.r); }
+  auto rates(const sample& s) const {
+    return out_of_line<function<System, mechanics::quantity::rhs>>{}(s.t, s.x, p_, s.r);
+  }
 
   template <class Function>
   auto collect(const Function& of) const {

@@ -11,12 +11,11 @@ namespace kanexpr::simulated {
 
 /// What becomes of a motion at its beginning: steps of the classic Runge-Kutta method from the start, each
 /// longer than the one before, as far as they can be trusted.
-template <class System>
 class trial_steps {
 public:
-  using state = kanexpr::state<System>;
+  using state = Eigen::VectorXd;
 
-  trial_steps(surroundings<System>& around, double t, const state& x, double span)
+  trial_steps(surroundings& around, double t, const state& x, double span)
       : around_(around), t_(t), start_(x), span_(span) {
     if (span > 0 && rates_at(around_, t, x, rates_)) look_ahead();
   }
@@ -29,7 +28,8 @@ public:
 
   /// How large the entries become until the motion has changed.
   state sizes() const {
-    state found(start_.cwiseAbs());
+    state found = start_;
+    for (double& size : found) size = std::abs(size);
     const double time = time_of_change();
     for (const outlook& o : seen_)
       for (Eigen::Index i = 0; i < found.size(); ++i)
@@ -54,7 +54,7 @@ private:
       state there;
       if (!rates_at(around_, t_ + ahead / 2, half, there)) return;
       if (!step(t_ + ahead / 2, half, there, ahead / 2, fine)) return;
-      outlook one{ahead, state(fine - start_)};
+      outlook one{ahead, moved(fine, -1, start_)};
       long told = 0;
       for (Eigen::Index i = 0; i < start_.size(); ++i)
         if (is_told(i, one.change(i), fine(i) - rough(i)))
@@ -76,12 +76,12 @@ private:
 
   bool step(double t, const state& x, const state& k1, double h, state& end) {
     state k2, k3, k4;
-    if (!rates_at(around_, t + h / 2, state(x + h / 2 * k1), k2) ||
-        !rates_at(around_, t + h / 2, state(x + h / 2 * k2), k3) ||
-        !rates_at(around_, t + h, state(x + h * k3), k4))
+    if (!rates_at(around_, t + h / 2, moved(x, h / 2, k1), k2) ||
+        !rates_at(around_, t + h / 2, moved(x, h / 2, k2), k3) ||
+        !rates_at(around_, t + h, moved(x, h, k3), k4))
       return false;
-    end = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    return end.allFinite();
+    end = moved(x, h, k1, k2, k3, k4);
+    return is_finite(end);
   }
 
   /// A motion without a time of its own, as a fall, is looked at until entries have changed by their own
@@ -105,7 +105,7 @@ private:
     return *middle;
   }
 
-  surroundings<System>& around_;
+  surroundings& around_;
   double t_;
   state start_, rates_{};
   double span_;

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/simulate/trim.hpp>
 
 #include <string>
 #include <vector>
 
 /// The search for operating points.
 namespace kanexpr::trim {
-
-/// What is asked of an operating point.
-struct wishes {
-  const std::vector<symbol_name>&held, &freed, &changing;
-  const std::vector<named_value>& rates;
-};
 
 /// One of the equations that hold at an operating point: what a norm or a constraint leaves, or a rate.
 struct condition {

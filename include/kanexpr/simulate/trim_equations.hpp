@@ -14,10 +14,6 @@ namespace kanexpr::trim {
 
 using complex_vector = Eigen::VectorXcd;
 
-/// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r], and what could not be
-/// solved there, as a sentence.
-using evaluation = std::string_view (*)(double t, const complex_vector& at, complex_vector& all);
-
 /// The equations of an operating point as functions of its unknowns. Their derivatives are exact: by complex
 /// steps.
 class trim_equations final : public solvers::nonlinear_equations {
@@ -41,7 +37,7 @@ public:
 
   bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) override {
     place(z);
-    unsolved_ = evaluate_(t_, at_, all_);
+    unsolved_ = evaluate_(t_, at_.data(), all_.data());
     f.resize(equations());
     Eigen::Index row = 0;
     for (const condition& c : asked_.equations()) f(row++) = all_(c.place).real() - c.wanted;
@@ -106,7 +102,7 @@ private:
   /// By complex steps, whose square is nothing beside any value.
   void derive_by(int symbol) {
     at_(symbol).imag(step);
-    evaluate_(t_, at_, all_);
+    evaluate_(t_, at_.data(), all_.data());
     at_(symbol).imag(0);
   }
   double derivative_of(int function) const { return all_(function).imag() / step; }
@@ -123,7 +119,7 @@ private:
       const double here = at_(j).real();
       const auto beside = [&](double by) -> Eigen::VectorXd {
         at_(j) = here + by;
-        evaluate_(t_, at_, all_);
+        evaluate_(t_, at_.data(), all_.data());
         return all_.real();
       };
       kinds_.angles.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(beside));

@@ -9,15 +9,6 @@
 
 namespace kanexpr::trim {
 
-/// What a search found.
-struct finding {
-  Eigen::VectorXd values{}; ///< [x; p; r]
-  Eigen::VectorXd left{};   ///< of each equation
-  int iterations = 0;
-  int freedom = 0;
-  std::string cause{};
-};
-
 /// KINSOL's search, then Newton's steps as long as they lower what is left.
 class search {
 public:
@@ -123,5 +114,20 @@ private:
   std::string reason_{};
   finding found_{};
 };
+
+inline finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess) {
+  const conditions of(system.known, system.told, system.name, asked);
+  finding found;
+  if (of.problem()) {
+    found.values = guess;
+    found.cause = of.problem().view();
+    return found;
+  }
+  trim_equations equations(of, system.evaluate, asked.t, guess);
+  found = search(of, equations, asked.tolerance, asked.most_iterations).find();
+  Eigen::Index row = 0;
+  for (const condition& c : of.equations()) found.residuals.push_back({of.name_of(c), found.left(row++)});
+  return found;
+}
 
 } // namespace kanexpr::trim

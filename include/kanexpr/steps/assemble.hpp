@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
@@ -17,7 +18,7 @@ template <class System, class P, class R>
 class constraints_at {
 public:
   static constexpr const derivation::survey& known = survey_of<System>;
-  using eom = equations_of_motion<System>;
+  using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
   using square = Eigen::Matrix<double, known.configuration_constraints, known.configuration_constraints>;
@@ -28,10 +29,11 @@ public:
   /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
   /// constraints shares, so that it is compiled once.
   static constexpr auto configuration() {
-    return eom::together(eom::configuration_residual, eom::configuration_jacobian_full);
+    return out_of_line<
+        function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{};
   }
   static constexpr auto velocities() {
-    return eom::together(eom::velocity_residual, eom::constraint_jacobian);
+    return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
   }
 
   static constexpr int coordinates() { return known.configuration_constraints; }
@@ -47,7 +49,7 @@ public:
     if constexpr (coordinates() == 0)
       return {};
     else
-      return eom::configuration_terms(t_, x, p_, r_);
+      return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
   }
   square configuration_jacobian(const state<System>& x) const {
     square by_dependent;
@@ -69,7 +71,7 @@ public:
     if constexpr (known.constraints == 0)
       return {};
     else
-      return eom::velocity_terms(t_, x, p_, r_);
+      return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
   }
   /// What the norms of quaternions are off.
   Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
@@ -84,7 +86,7 @@ public:
     if constexpr (known.constraints == 0) {
       return {};
     } else {
-      const auto u = eom::dependent_speeds(t_, x, p_, r_);
+      const auto u = out_of_line<function<System, quantity::dependent_speeds>>{}(t_, x, p_, r_);
       if (status_of(u))
         for (int i = 0; i < known.constraints; ++i)
           x(places[static_cast<std::size_t>(coordinates() + i)]) = u(i);

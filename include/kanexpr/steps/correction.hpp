@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <array>
@@ -26,6 +27,7 @@ class correction {
   static constexpr const derivation::survey& known = survey_of<System>;
   static constexpr int unknowns = known.configuration_constraints;
   using eom = equations_of_motion<System>;
+  using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
 
 public:
@@ -41,7 +43,7 @@ public:
           if (const kanexpr::status s = quaternions::normalize(x, near_one); !s) return s;
       }
     if constexpr (known.constraints > 0) {
-      const auto u = eom::dependent_speeds(t, x, p, r);
+      const auto u = out_of_line<function<System, quantity::dependent_speeds>>{}(t, x, p, r);
       for (int i = 0; i < known.constraints; ++i) x(place(unknowns + i)) = u(i);
       return status_of(u);
     }
@@ -64,7 +66,7 @@ public:
 private:
   template <class Time, class T, class P, class R>
   static kanexpr::status step(const Time& t, state<System, T>& x, const P& p, const R& r) {
-    const auto change = eom::configuration_step(t, x, p, r);
+    const auto change = out_of_line<function<System, quantity::configuration_step>>{}(t, x, p, r);
     if (status_of(change))
       for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) + change(i));
     return status_of(change);

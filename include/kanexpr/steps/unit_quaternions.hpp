@@ -11,6 +11,20 @@
 
 namespace kanexpr::compiled {
 
+/// "the quaternion e0, e1, e2 and e3"
+constexpr mechanics::problem quaternion_called(const derivation::survey& known, int k) {
+  mechanics::problem p = mechanics::sentence({"the quaternion "});
+  int left = 0;
+  for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
+  bool is_first = true;
+  for (int i = 0; i < known.coordinates; ++i) {
+    if (known.quaternion_of[i] != k + 1) continue;
+    p = mechanics::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
+    is_first = false, --left;
+  }
+  return p;
+}
+
 /// The quaternions of a system whose norm 1 its motion keeps.
 template <class System>
 class unit_quaternions {
@@ -27,19 +41,7 @@ public:
     return found;
   }();
 
-  /// "the quaternion e0, e1, e2 and e3"
-  static constexpr mechanics::problem called(int k) {
-    mechanics::problem p = mechanics::sentence({"the quaternion "});
-    int left = 0;
-    for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
-    bool is_first = true;
-    for (int i = 0; i < known.coordinates; ++i) {
-      if (known.quaternion_of[i] != k + 1) continue;
-      p = mechanics::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
-      is_first = false, --left;
-    }
-    return p;
-  }
+  static constexpr mechanics::problem called(int k) { return quaternion_called(known, k); }
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
   template <class X>

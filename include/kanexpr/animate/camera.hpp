@@ -1,0 +1,81 @@
+#pragma once
+
+#include <kanexpr/animate/filming.hpp>
+#include <kanexpr/animate/scene.hpp>
+
+namespace kanexpr::animate {
+
+/// Evaluates a picture along a motion.
+class camera {
+public:
+  explicit camera(const scene& shown) : scene_(shown), x_(shown.known.coordinates + shown.known.speeds) {}
+
+  animation film() {
+    name_columns();
+    if (scene_.samples() == 0) made_.reason = "the trajectory holds no sample";
+    film_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
+    for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
+    if (!made_) return std::move(made_);
+    integrate();
+    develop(made_, scene_.words, film_);
+    made_.reason = check_numbers(made_);
+    return std::move(made_);
+  }
+
+private:
+  void name_columns() {
+    const derivation::survey& known = scene_.known;
+    for (int i = 0; i < known.coordinates + known.speeds; ++i) {
+      std::string name(known.names[i].view());
+      if (known.takes_rates_as_speeds && i >= known.coordinates)
+        name = std::string(known.names[i - known.coordinates].view()) + '\'';
+      made_.columns.push_back({name, {}});
+    }
+  }
+
+  void take(std::size_t sample) {
+    double t = 0;
+    const status s = scene_.take(sample, t, x_.data(), column(film_.numbers, sample));
+    if (!s) made_.reason = std::string(s.cause()) + at_time(t);
+    for (const double entry : x_)
+      if (!std::isfinite(entry)) made_.reason = "the state holds what is no number" + at_time(t);
+    if (!std::isfinite(t)) made_.reason = "the time of a sample is no number";
+    if (!made_.times.empty() && t < made_.times.back())
+      made_.reason = "the samples are not in the order of time" + at_time(t);
+    made_.times.push_back(t);
+    for (std::size_t i = 0; i < made_.columns.size(); ++i) made_.columns[i].values.push_back(x_[i]);
+  }
+
+  static double* column(Eigen::MatrixXd& m, std::size_t k) {
+    return m.data() + static_cast<Eigen::Index>(k) * m.rows();
+  }
+
+  /// Over a step: by Simpson's rule where the trajectory tells the state halfway, else the trapezoidal rule.
+  void integrate() {
+    const std::size_t count = made_.times.size();
+    film_.integrals.setZero(scene_.rates, static_cast<Eigen::Index>(count));
+    if (scene_.rates == 0) return;
+    std::vector<double> halfway(static_cast<std::size_t>(scene_.numbers));
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+      const double before = made_.times[k], after = made_.times[k + 1];
+      const bool is_between = before < after && scene_.take_between((before + after) / 2, halfway.data());
+      const double *here = column(film_.numbers, k) + scene_.first_rate, *there = here + scene_.numbers;
+      const double* between = halfway.data() + scene_.first_rate;
+      const double* was = column(film_.integrals, k);
+      double* becomes = column(film_.integrals, k + 1);
+      for (int i = 0; i < scene_.rates; ++i) {
+        const double ends = (here[i] + there[i]) / 2;
+        becomes[i] = was[i] + (after - before) * (is_between ? (ends + 2 * between[i]) / 3 : ends);
+      }
+    }
+  }
+
+  const scene& scene_;
+  std::vector<double> x_;
+  animation made_{};
+  footage film_{};
+};
+
+inline animation film(const scene& shown) { return camera(shown).film(); }
+
+} // namespace kanexpr::animate

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <kanexpr/animate/animation.hpp>
+#include <kanexpr/base/outcome.hpp>
+
+#ifndef KANEXPR_PAGE // where the target kanexpr::animate puts the page without a motion
+#define KANEXPR_PAGE ""
+#endif
+
+namespace kanexpr {
+
+struct page_options {
+  std::string title{};                  ///< the name of the system, unless given
+  std::string text{};                   ///< a sentence under the title
+  std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
+};
+
+namespace animate {
+
+/// Writes an animation as a page.
+outcome write_page(const std::string& path, const animation& a, const page_options& options);
+
+} // namespace animate
+
+} // namespace kanexpr

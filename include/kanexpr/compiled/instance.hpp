@@ -1,0 +1,105 @@
+#pragma once
+
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+
+#include <tuple>
+
+namespace kanexpr {
+
+template <class System, auto... wanted>
+struct function;
+template <class System, auto... wanted>
+struct finite_function;
+
+namespace compiled {
+
+/// The shape of a result: `rows`, `columns`, and whether it is a scalar.
+template <class System, auto wanted>
+struct result_shape;
+template <class System, mechanics::quantity wanted>
+struct result_shape<System, wanted> {
+  static constexpr const mechanics::result_row& row = mechanics::row_of(wanted);
+  static constexpr int rows = survey_of<System>.count(row.rows);
+  static constexpr int columns = survey_of<System>.count(row.columns);
+  static constexpr bool is_scalar = row.rows == mechanics::extent_by::scalar;
+};
+
+/// One result with its status, whether or not something was solved for it: its type follows from its shape
+/// alone.
+template <class System, auto wanted, class T>
+auto stated_result() {
+  using shape = result_shape<System, wanted>;
+  if constexpr (shape::is_scalar)
+    return with_status<T>{};
+  else
+    return with_status<Eigen::Matrix<T, shape::rows, shape::columns>>{};
+}
+
+/// The results of a function, each with its status.
+template <class Function>
+struct stated;
+template <class System_, auto... wanted>
+struct stated<function<System_, wanted...>> {
+  using System = System_;
+  template <class T>
+  using results = std::tuple<decltype(stated_result<System, wanted, T>())...>;
+};
+template <class System_, auto wanted>
+struct stated<function<System_, wanted>> {
+  using System = System_;
+  template <class T>
+  using results = decltype(stated_result<System, wanted, T>());
+};
+template <class System, auto... wanted>
+struct stated<finite_function<System, wanted...>> : stated<function<System, wanted...>> {};
+
+template <class System, class T>
+struct vectors {
+  using state = Eigen::Matrix<T, survey_of<System>.coordinates + survey_of<System>.speeds, 1>;
+  using parameters = Eigen::Matrix<T, survey_of<System>.parameters, 1>;
+  using inputs = Eigen::Matrix<T, survey_of<System>.inputs, 1>;
+  using rates = Eigen::Matrix<T, survey_of<System>.speeds, 1>;
+};
+
+/// The code of a function for one type of scalars, which stands once in a program. `extern template` of it
+/// leaves it to the file that instantiates it.
+template <class T, class Function>
+struct instance {
+  using vectors = compiled::vectors<typename stated<Function>::System, T>;
+  using results = typename stated<Function>::template results<T>;
+
+  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
+                                            const typename vectors::parameters& p,
+                                            const typename vectors::inputs& r) noexcept;
+};
+
+/// The same of a function that is given the rates of the speeds.
+template <class T, class Function>
+struct instance_at_rates {
+  using vectors = compiled::vectors<typename stated<Function>::System, T>;
+  using results = typename stated<Function>::template results<T>;
+
+  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
+                                            const typename vectors::parameters& p,
+                                            const typename vectors::inputs& r,
+                                            const typename vectors::rates& a) noexcept;
+};
+
+/// A vector as it is passed out of line: itself where it is one of that type, else a copy.
+template <class Vector, class Given>
+decltype(auto) passed(const Given& given) {
+  if constexpr (std::is_base_of_v<Vector, Given>) {
+    return static_cast<const Vector&>(given);
+  } else {
+    Vector copy;
+    for (Eigen::Index i = 0; i < copy.size(); ++i)
+      copy(i) = lower::scalar_math<typename Vector::Scalar>::from(given[i]);
+    return copy;
+  }
+}
+
+} // namespace compiled
+
+} // namespace kanexpr

@@ -1,0 +1,222 @@
+#pragma once
+
+#include <kanexpr/compiled/instance.hpp>
+
+#include <complex>
+#include <type_traits>
+
+/// Models whose functions are compiled once, in a library of their own. The header of such a model, which
+/// `kanexpr_add_model` writes, holds its types, names and sizes; nothing is derived where it is included.
+namespace kanexpr {
+
+template <class System>
+struct equations_of_motion;
+template <class System>
+struct linearization;
+
+namespace compiled {
+
+/// Whether a system has its functions in a library. `surveyed` is written out for those.
+template <class System>
+inline constexpr bool is_linked = requires { surveyed<System>::is_linked; };
+
+template <class... Functions>
+struct function_list {
+  template <class Function>
+  static constexpr bool holds = (std::is_same_v<Function, Functions> || ...);
+};
+
+/// What the library of a model holds for double.
+template <class System>
+struct linked_functions {
+  using of = mechanics::quantity;
+  using type = function_list<
+      function<System, of::mass_matrix>, function<System, of::forcing>,
+      function<System, of::mass_matrix_full>, function<System, of::forcing_full>, function<System, of::qdot>,
+      function<System, of::udot>, function<System, of::rhs>, function<System, of::active_forces>,
+      function<System, of::kinetic_energy>, function<System, of::potential_energy>,
+      function<System, of::linear_momentum>, function<System, of::angular_momentum>,
+      function<System, of::center_of_mass>, function<System, of::configuration_residual>,
+      function<System, of::configuration_terms>, function<System, of::configuration_jacobian>,
+      function<System, of::configuration_jacobian_full>, function<System, of::configuration_step>,
+      function<System, of::velocity_residual>, function<System, of::velocity_terms>,
+      function<System, of::constraint_residual>, function<System, of::constraint_jacobian>,
+      function<System, of::dependent_speeds>, function<System, of::dependency>,
+      function<System, of::acceleration_bias>, function<System, of::multipliers>,
+      function<System, of::auxiliary_forces>, function<System, of::mass_matrix, of::forcing>,
+      function<System, of::kinetic_energy, of::potential_energy>,
+      function<System, of::configuration_residual, of::configuration_jacobian_full>,
+      function<System, of::velocity_residual, of::constraint_jacobian>,
+      finite_function<System, of::state_matrix, of::input_matrix>,
+      finite_function<System, of::implicit_mass_matrix, of::implicit_state_matrix, of::implicit_input_matrix>,
+      finite_function<System, of::state_jacobian, of::input_jacobian>>;
+};
+/// And of functions that are given the rates of the speeds.
+template <class System>
+struct linked_functions_at_rates {
+  using of = mechanics::quantity;
+  using type = function_list<function<System, of::inertia_forces>, function<System, of::unreduced_forces>>;
+};
+/// And for complex numbers, for operating points.
+template <class System>
+struct linked_functions_of_complex {
+  using of = mechanics::quantity;
+  using type = function_list<function<System, of::rhs>, function<System, of::constraint_residual, of::rhs>>;
+};
+
+template <class System, class T, class Function, bool at_rates = false>
+constexpr bool is_in_library() {
+  if constexpr (!is_linked<System>)
+    return false;
+  else if constexpr (at_rates)
+    return std::is_same_v<T, double> && linked_functions_at_rates<System>::type::template holds<Function>;
+  else if constexpr (std::is_same_v<T, std::complex<double>>)
+    return linked_functions_of_complex<System>::type::template holds<Function>;
+  else
+    return std::is_same_v<T, double> && linked_functions<System>::type::template holds<Function>;
+}
+
+/// The code of a function in the library of its model; declared here only.
+template <class T, class Function>
+struct linked_instance : instance<T, Function> {
+  using typename instance<T, Function>::vectors;
+  using typename instance<T, Function>::results;
+  static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
+                          const typename vectors::inputs& r) noexcept;
+};
+template <class T, class Function>
+struct linked_instance_at_rates : instance_at_rates<T, Function> {
+  using typename instance_at_rates<T, Function>::vectors;
+  using typename instance_at_rates<T, Function>::results;
+  static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
+                          const typename vectors::inputs& r, const typename vectors::rates& a) noexcept;
+};
+
+/// A function of a linked model. It is called as `function` is, and each result has a status. An argument
+/// that is left out is not a number where something depends on it.
+template <class Function>
+struct linked {
+  using System = typename stated<Function>::System;
+
+  template <class First, class... More>
+  auto operator()(const First& first, const More&... more) const noexcept {
+    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+      return at<typename First::Scalar>(0.0, first, more...);
+    else
+      return at_time(first, more...);
+  }
+
+private:
+  template <class Time, class X, class... More>
+  static auto at_time(const Time& t, const X& x, const More&... more) noexcept {
+    return at<typename X::Scalar>(t, x, more...);
+  }
+
+  template <class T, class Time, class X, class P = parameter_values<System, T>,
+            class R = input_values<System, T>>
+  static auto at(const Time& t, const X& x, const P& p = {}, const R& r = {}) noexcept {
+    using v = vectors<System, T>;
+    check<T, X, P, R>();
+    static_assert(is_in_library<System, T, Function>(),
+                  "the library of this model does not hold this result for numbers of this type");
+    return linked_instance<T, Function>::evaluate(
+        lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
+        passed<typename v::inputs>(r));
+  }
+  template <class T, class Time, class X, class P, class R, class A>
+  static auto at(const Time& t, const X& x, const P& p, const R& r, const A& a) noexcept {
+    using v = vectors<System, T>;
+    check<T, X, P, R>();
+    static_assert(is_in_library<System, T, Function, true>(),
+                  "the library of this model does not hold this result for numbers of this type");
+    return linked_instance_at_rates<T, Function>::evaluate(
+        lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
+        passed<typename v::inputs>(r), passed<typename v::rates>(a));
+  }
+
+  template <class T, class X, class P, class R>
+  static void check() {
+    static_assert(fitting<System, symbols_of::state, entries_of<X>()>::possible);
+    static_assert(fitting<System, symbols_of::parameters, entries_of<P>()>::possible);
+    static_assert(fitting<System, symbols_of::inputs, entries_of<R>()>::possible);
+  }
+};
+
+/// `equations_of_motion` of a linked model.
+template <class System>
+struct linked_equations {
+  using of = mechanics::quantity;
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
+  template <auto... wanted>
+  using linked = compiled::linked<function<System, wanted...>>;
+
+  static constexpr int coordinates = survey_of<System>.coordinates;
+  static constexpr int speeds = survey_of<System>.speeds;
+
+  /// Whether the constraints are solved for a coordinate or speed.
+  template <class Symbol>
+  static constexpr bool is_dependent(const Symbol&) {
+    return survey_of<System>.dependent[place_in<System, symbols_of::state, Symbol>::place];
+  }
+
+  static constexpr linked<of::mass_matrix> mass_matrix{};
+  static constexpr linked<of::forcing> forcing{};
+  static constexpr linked<of::mass_matrix_full> mass_matrix_full{};
+  static constexpr linked<of::forcing_full> forcing_full{};
+  static constexpr linked<of::qdot> qdot{};
+  static constexpr linked<of::udot> udot{};
+  static constexpr linked<of::rhs> rhs{};
+  static constexpr linked<of::active_forces> active_forces{};
+  static constexpr linked<of::inertia_forces> inertia_forces{};
+  static constexpr linked<of::unreduced_forces> unreduced_forces{};
+  static constexpr linked<of::kinetic_energy> kinetic_energy{};
+  static constexpr linked<of::potential_energy> potential_energy{};
+  static constexpr linked<of::linear_momentum> linear_momentum{};
+  static constexpr linked<of::angular_momentum> angular_momentum{};
+  static constexpr linked<of::center_of_mass> center_of_mass{};
+  static constexpr linked<of::configuration_residual> configuration_residual{};
+  static constexpr linked<of::configuration_terms> configuration_terms{};
+  static constexpr linked<of::configuration_jacobian> configuration_jacobian{};
+  static constexpr linked<of::configuration_jacobian_full> configuration_jacobian_full{};
+  static constexpr linked<of::configuration_step> configuration_step{};
+  static constexpr linked<of::velocity_residual> velocity_residual{};
+  static constexpr linked<of::velocity_terms> velocity_terms{};
+  static constexpr linked<of::constraint_residual> constraint_residual{};
+  static constexpr linked<of::constraint_jacobian> constraint_jacobian{};
+  static constexpr linked<of::dependent_speeds> dependent_speeds{};
+  static constexpr linked<of::dependency> dependency{};
+  static constexpr linked<of::acceleration_bias> acceleration_bias{};
+  static constexpr linked<of::multipliers> multipliers{};
+  static constexpr linked<of::auxiliary_forces> auxiliary_forces{};
+
+  /// Several results of one call, as far as the library holds them together: `mass_matrix` with `forcing`,
+  /// and both energies.
+  template <auto first, auto second>
+  static constexpr auto together(linked<first>, linked<second>) {
+    return linked<first, second>{};
+  }
+};
+
+/// `linearization` of a linked model.
+template <class System>
+struct linked_linearization {
+  using of = mechanics::quantity;
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
+  template <auto... wanted>
+  using linked = compiled::linked<finite_function<System, wanted...>>;
+
+  static constexpr int states = survey_of<System>.states();
+
+  static constexpr linked<of::state_matrix, of::input_matrix> explicit_form{};
+  static constexpr linked<of::implicit_mass_matrix, of::implicit_state_matrix, of::implicit_input_matrix>
+      implicit_form{};
+  static constexpr linked<of::state_jacobian, of::input_jacobian> jacobian{};
+};
+
+} // namespace compiled
+
+} // namespace kanexpr

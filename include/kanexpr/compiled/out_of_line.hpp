@@ -1,0 +1,109 @@
+#pragma once
+
+#include <kanexpr/compiled/finite_function.hpp>
+#include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/compiled/linked_model.hpp>
+
+namespace kanexpr {
+
+namespace compiled {
+
+template <class System, auto wanted>
+struct result_shape {
+  static constexpr derivation::extent size = extent_of<wanted, System>;
+  static constexpr int rows = size.rows, columns = size.columns;
+  static constexpr bool is_scalar = size.scalar;
+};
+
+template <class T, class Found>
+void put(with_status<T>& result, const Found& found) {
+  if constexpr (requires { result.value; })
+    result.value = found;
+  else
+    static_cast<T&>(result) = found;
+  result.status = status_of(found);
+}
+template <class... T, class... Found>
+void put(std::tuple<T...>& results, const std::tuple<Found...>& found) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (put(std::get<i>(results), std::get<i>(found)), ...);
+  }(std::index_sequence_for<T...>{});
+}
+
+template <class T, class Function>
+typename instance<T, Function>::results
+instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
+                                const typename vectors::parameters& p,
+                                const typename vectors::inputs& r) noexcept {
+  results all{};
+  put(all, Function{}(t, x, p, r));
+  return all;
+}
+
+template <class T, class Function>
+typename instance_at_rates<T, Function>::results instance_at_rates<T, Function>::evaluate(
+    const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
+    const typename vectors::inputs& r, const typename vectors::rates& a) noexcept {
+  results all{};
+  put(all, Function{}(t, x, p, r, a));
+  return all;
+}
+
+/// Whether a vector can be passed. A call with another one is left to the function itself, which says what is
+/// wrong with it.
+template <class System, symbols_of which, class Given>
+constexpr bool can_be_passed() {
+  if constexpr (std::is_same_v<Given, not_given>)
+    return false;
+  else
+    return (entries_of<Given>() == Eigen::Dynamic ||
+            entries_of<Given>() == range_of(which, survey_of<System>).size) &&
+           decltype(belonging_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;
+}
+
+} // namespace compiled
+
+/// A function whose code stands once in the program, for each type of scalars, and is called there, with the
+/// same results to the last bit. Each of them has a status beside it.
+///
+/// `function<System, …>` itself is expanded wherever it is called, which is what a control loop wants. This
+/// one costs the compiler the same once, however many calls there are.
+template <class Function>
+struct out_of_line {
+  template <class Time, class X, class P, class R>
+  auto operator()(const Time& t, const X& x, const P& p, const R& r) const noexcept {
+    using System = typename compiled::stated<Function>::System;
+    using T = typename X::Scalar;
+    using vectors = compiled::vectors<System, T>;
+    using compiled::symbols_of;
+    if constexpr (compiled::can_be_passed<System, symbols_of::state, X>() &&
+                  compiled::can_be_passed<System, symbols_of::parameters, P>() &&
+                  compiled::can_be_passed<System, symbols_of::inputs, R>())
+      return code<System, T>::evaluate(
+          lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
+          compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r));
+    else
+      return Function{}(t, x, p, r);
+  }
+  template <class Time, class X, class P, class R, class A>
+  auto operator()(const Time& t, const X& x, const P& p, const R& r, const A& a) const noexcept {
+    using System = typename compiled::stated<Function>::System;
+    using T = typename X::Scalar;
+    using vectors = compiled::vectors<System, T>;
+    return code_at_rates<System, T>::evaluate(
+        lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
+        compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r),
+        compiled::passed<typename vectors::rates>(a));
+  }
+
+private:
+  template <class System, class T>
+  using code = std::conditional_t<compiled::is_in_library<System, T, Function>(),
+                                  compiled::linked_instance<T, Function>, compiled::instance<T, Function>>;
+  template <class System, class T>
+  using code_at_rates = std::conditional_t<compiled::is_in_library<System, T, Function, true>(),
+                                           compiled::linked_instance_at_rates<T, Function>,
+                                           compiled::instance_at_rates<T, Function>>;
+};
+
+} // namespace kanexpr

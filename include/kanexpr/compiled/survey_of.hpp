@@ -1,0 +1,15 @@
+#pragma once
+
+#include <kanexpr/derive/survey.hpp>
+
+namespace kanexpr::compiled {
+
+/// Holds the survey of a system. That of a linked model is written out (see `linked_model.hpp`), all others
+/// are derived (see `surveyed.hpp`).
+template <class System>
+struct surveyed;
+
+template <class System>
+inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
+
+} // namespace kanexpr::compiled

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/simulation_options.hpp>
+#include <kanexpr/simulate/system.hpp>
+
+#include <algorithm>
+
+namespace kanexpr::simulated {
+
+/// A system of types with the parameters and options of a simulation. Only what the method asks for is
+/// derived.
+template <class System, integrator by>
+class compiled_system final : public system {
+  using quantity = mechanics::quantity;
+  static constexpr const derivation::survey& of = compiled::survey_of<System>;
+  static constexpr int n = of.coordinates, o = of.speeds;
+  static constexpr int m = of.constraints, l = of.configuration_constraints;
+  static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
+  static constexpr bool is_implicit = by == integrator::differential_algebraic;
+  using state = kanexpr::state<System>;
+  using inputs = input_values<System>;
+  template <class T, int size>
+  using vector = Eigen::Matrix<T, size, 1>;
+
+public:
+  compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
+                  trajectory<System>& kept)
+      : system(of, System::record, type_name<System>()), p_(p), options_(options), kept_(kept) {}
+
+  std::unique_ptr<manifold> own_manifold() const override {
+    if constexpr (m + l + of.quaternions != 0) return manifold_of<system>(*this);
+    return nullptr;
+  }
+
+  status rates(double t, const double* x, const double* r, double* xdot) const override {
+    return told(call<quantity::rhs>(t, x, r), xdot);
+  }
+  status jacobian(double t, const double* x, const double* r, double* by_state,
+                  double* by_inputs) const override {
+    if constexpr (has_newton) {
+      const auto [state_columns, input_columns] =
+          out_of_line<finite_function<System, quantity::state_jacobian, quantity::input_jacobian>>{}(
+              t, vector<double, n + o>(x), p_, vector<double, of.inputs>(r));
+      std::copy_n(input_columns.data(), input_columns.size(), by_inputs);
+      return told(state_columns, by_state);
+    }
+    return {};
+  }
+  void configuration(double t, const double* x, const double* r, double* left,
+                     double* by_coordinates) const override {
+    if constexpr (l != 0)
+      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_full>(t, x, r), left,
+           by_coordinates);
+  }
+  void velocities(double t, const double* x, const double* r, double* left,
+                  double* by_speeds) const override {
+    if constexpr (m != 0)
+      tell(call<quantity::velocity_residual, quantity::constraint_jacobian>(t, x, r), left, by_speeds);
+  }
+  status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
+    if constexpr (m != 0) return told(call<quantity::dependent_speeds>(t, x, r), u);
+    return {};
+  }
+
+  void multipliers(double t, const double* x, const double* r, double* lambda) const override {
+    if constexpr (is_implicit && m != 0) told(call<quantity::multipliers>(t, x, r), lambda);
+  }
+  status implicit(double t, const double* y, const double* ydot, const double* r,
+                  double* left) const override {
+    return residual(t, y, ydot, r, left);
+  }
+  status implicit(double t, const std::complex<double>* y, const std::complex<double>* ydot,
+                  const std::complex<double>* r, std::complex<double>* left) const override {
+    return residual(t, y, ydot, r, left);
+  }
+
+  void give_inputs(double t, const double* x, double* r) const override {
+    inputs given;
+    options_.inputs.give(t, state(x), given);
+    std::copy(given.begin(), given.end(), r);
+  }
+  double event(std::size_t which, double t, const double* x, const double* r) const override {
+    return options_.events[which].value(t, state(x), p_, inputs(r));
+  }
+  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
+    state at(x);
+    const inputs given(r);
+    moment<System> now{t, at, p_, given};
+    const after_event what = options_.events[which].handler(now);
+    std::copy(at.begin(), at.end(), x);
+    return what;
+  }
+  void show(double t, const double* x, const double* r) const override {
+    options_.each_sample(sample<System>{t, state(x), inputs(r)});
+  }
+  void keep(double t, const double* x, const double* r) override {
+    kept_.add(sample<System>{t, state(x), inputs(r)});
+  }
+  void keep(piece p) override { kept_.add(std::move(p)); }
+
+private:
+  template <quantity... wanted>
+  auto call(double t, const double* x, const double* r) const {
+    return out_of_line<function<System, wanted...>>{}(t, vector<double, n + o>(x), p_,
+                                                      vector<double, of.inputs>(r));
+  }
+  template <class Found>
+  static status told(const Found& found, double* out) {
+    std::copy_n(found.data(), found.size(), out);
+    return compiled::status_of(found);
+  }
+  template <class Found>
+  static void tell(const Found& found, double* first, double* second) {
+    told(std::get<0>(found), first);
+    told(std::get<1>(found), second);
+  }
+
+  template <class T>
+  status residual(double t, const T* y, const T* ydot, const T* inputs_at, T* out) const {
+    status s;
+    if constexpr (is_implicit) {
+      const vector<T, n + o> x(y);
+      const vector<T, o> udot(ydot + n);
+      const vector<T, of.parameters> p = p_.template cast<T>();
+      const vector<T, of.inputs> r(inputs_at);
+      Eigen::Map<vector<T, n + o + m + l>> left(out);
+      const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
+      s = compiled::status_of(qdot);
+      left.template head<n>() = vector<T, n>(ydot) - qdot;
+      left.template segment<o>(n) =
+          out_of_line<function<System, quantity::unreduced_forces>>{}(t, x, p, r, udot);
+      if constexpr (m != 0) {
+        const auto [kept, jacobian] =
+            out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t, x,
+                                                                                                        p, r);
+        left.template segment<o>(n) += jacobian.transpose() * vector<T, m>(y + n + o);
+        left.template segment<m>(n + o) = kept;
+      }
+      if constexpr (l != 0) {
+        const auto [kept, jacobian] = out_of_line<
+            function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{}(
+            t, x, p, r);
+        left.template head<n>() -= jacobian.transpose() * vector<T, l>(y + n + o + m);
+        left.template tail<l>() = kept;
+      }
+    }
+    return s;
+  }
+
+  const parameter_values<System> p_;
+  const simulation_options<System>& options_;
+  trajectory<System>& kept_;
+};
+
+} // namespace kanexpr::simulated

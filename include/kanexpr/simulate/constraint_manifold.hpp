@@ -1,0 +1,120 @@
+#pragma once
+
+#include <kanexpr/numeric/factorized.hpp>
+#include <kanexpr/simulate/constraints_of.hpp>
+#include <kanexpr/simulate/manifold.hpp>
+
+#include <limits>
+
+namespace kanexpr::simulated {
+
+/// The constraints and quaternions of a system. A correction is the least one: first of the coordinates by
+/// Newton's method, then of the speeds, in which constraints are linear (Eich 1993).
+///
+/// A template, as what follows from it, so that systems without constraints compile nothing of this.
+template <class System>
+class constraint_manifold final : public manifold {
+public:
+  using matrix = Eigen::MatrixXd;
+
+  explicit constraint_manifold(const System& of)
+      : of_(of), norms_(of.known), n_(of.known.coordinates), o_(of.known.speeds),
+        units_(vector::Zero(of.states())), correction_(vector::Zero(of.states())),
+        by_q_(of.known.configuration_constraints + norms_.count(), n_), by_u_(of.known.constraints, o_) {}
+
+  assembly assemble(double t, vector& x, const vector& r) override {
+    if (!norms_.are_bound())
+      if (const status s = norms_.normalize(x, {0.99, 1.01}); !s) {
+        assembly failed;
+        failed.reason = mechanics::sentence({s.cause()});
+        return failed;
+      }
+    constraints_of<System> constraints(of_, norms_, t, r);
+    return numeric::assemble(constraints, x, {});
+  }
+  vector configuration_residual(double t, const vector& x, const vector& r) override {
+    return constraints_of<System>(of_, norms_, t, r).configuration_residual(x);
+  }
+
+  bool project(double t, const vector& x, const vector& r, const vector& weights) override {
+    units_ = weights.cwiseAbs2().cwiseInverse();
+    correction_.setZero();
+    return project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
+  }
+  const vector& correction() const override { return correction_; }
+  void project_error(double* error) const override {
+    Eigen::Map<vector> of_q(error, n_), of_u(error + n_, o_);
+    if (by_q_.rows() != 0) of_q += along(by_q_, 0, -by_q_.lazyProduct(of_q));
+    if (by_u_.rows() != 0) of_u += along(by_u_, n_, -by_u_.lazyProduct(of_u));
+  }
+
+private:
+  /// D Jᵀ (J D Jᵀ)⁻¹ b, the least vector that J takes to b, for the entries of the state from `first` on.
+  vector along(const matrix& j, int first, vector b) const {
+    matrix spread = j.transpose();
+    for (Eigen::Index k = 0; k < spread.rows(); ++k) spread.row(k) *= units_(first + k);
+    const numeric::factorized<vector> factors(matrix(j.lazyProduct(spread)));
+    factors.solve(b);
+    return spread.lazyProduct(b);
+  }
+
+  /// What the configuration constraints leave, then the norms of quaternions, with the derivatives by all
+  /// coordinates.
+  vector kept_by_coordinates(double t, const vector& x, const vector& r) {
+    const int constraints = of_.known.configuration_constraints;
+    vector left(by_q_.rows());
+    by_q_.setZero();
+    if (constraints != 0) {
+      matrix by_coordinates(constraints, n_);
+      of_.configuration(t, x.data(), r.data(), left.data(), by_coordinates.data());
+      by_q_.topRows(constraints) = by_coordinates;
+    }
+    for (int k = 0; k < norms_.count(); ++k) {
+      left(constraints + k) = norms_.residual(k, x.data());
+      for (const int place : norms_.places_of(k)) by_q_(constraints + k, place) = x(place);
+    }
+    return left;
+  }
+
+  bool project_coordinates(double t, const vector& y, const vector& r, const vector& weights) {
+    if (by_q_.rows() == 0) return true;
+    double last = std::numeric_limits<double>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const vector left = kept_by_coordinates(t, y + correction_, r);
+      const vector step = along(by_q_, 0, -left);
+      if (!step.allFinite()) return false;
+      correction_.head(n_) += step;
+      const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
+      if (size <= close_enough || (size <= 1 && size > last / 4)) return true; // or rounding is met
+      last = size;
+    }
+    return false;
+  }
+
+  bool project_speeds(double t, const vector& y, const vector& r) {
+    if (by_u_.rows() != 0) {
+      const vector x = y + correction_;
+      vector left(by_u_.rows());
+      of_.velocities(t, x.data(), r.data(), left.data(), by_u_.data());
+      correction_.tail(o_) = along(by_u_, n_, -left);
+    }
+    return correction_.allFinite();
+  }
+
+  /// A step this small beside the tolerances leaves its square, which is nothing.
+  static constexpr double close_enough = 1e-2;
+  static constexpr int most_steps = 10;
+
+  const System& of_;
+  unit_norms norms_;
+  int n_, o_; ///< coordinates, speeds
+  vector units_, correction_;
+  matrix by_q_, by_u_;
+};
+
+template <class System>
+std::unique_ptr<manifold> manifold_of(const System& of) {
+  return std::make_unique<constraint_manifold<System>>(of);
+}
+
+} // namespace kanexpr::simulated

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/unit_norms.hpp>
+
+#include <vector>
+
+namespace kanexpr::simulated {
+
+/// The constraints of a system at a time with its inputs, for the numerical methods that satisfy them. Where
+/// a constraint is solved for a coordinate of a quaternion they are taken at norm 1.
+template <class System>
+class constraints_of {
+public:
+  using coordinate_vector = Eigen::VectorXd;
+  using vector = Eigen::VectorXd;
+
+  constraints_of(const System& of, const unit_norms& norms, double t, const vector& r)
+      : of_(of), norms_(norms), t_(t), r_(r), left_(coordinates()),
+        by_all_(coordinates(), of.known.coordinates) {
+    for (int i = 0; i < of.states(); ++i)
+      if (of.known.dependent[i]) places_.push_back(i);
+  }
+
+  int coordinates() const { return of_.known.configuration_constraints; }
+  int place_of_coordinate(int i) const { return places_[static_cast<std::size_t>(i)]; }
+
+  const vector& configuration_residual(const vector& x) {
+    if (coordinates() != 0) evaluate(x);
+    return left_;
+  }
+  Eigen::MatrixXd configuration_jacobian(const vector& x) {
+    evaluate(x);
+    Eigen::MatrixXd by_dependent(coordinates(), coordinates());
+    for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all_.col(place_of_coordinate(i));
+    return by_dependent;
+  }
+  vector velocity_residual(const vector& x) const {
+    vector left(of_.known.constraints);
+    Eigen::MatrixXd by_speeds(left.size(), of_.known.speeds);
+    if (left.size() != 0) of_.velocities(t_, x.data(), r_.data(), left.data(), by_speeds.data());
+    return left;
+  }
+  status normalize_quaternions(vector& x) const { return norms_.normalize(x, numeric::norm_range{}); }
+
+  /// Gives the state its dependent speeds, if they can be solved for.
+  status solve_speeds(vector& x) const {
+    vector u(of_.known.constraints);
+    if (u.size() == 0) return {};
+    const status s = of_.dependent_speeds(t_, x.data(), r_.data(), u.data());
+    if (s)
+      for (int i = 0; i < u.size(); ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
+    return s;
+  }
+
+private:
+  void evaluate(const vector& x) {
+    vector at = x;
+    if (norms_.are_bound()) norms_.normalize(at, numeric::norm_range{});
+    of_.configuration(t_, at.data(), r_.data(), left_.data(), by_all_.data());
+    if (norms_.are_bound()) norms_.leave_out(by_all_, at);
+  }
+
+  const System& of_;
+  const unit_norms& norms_;
+  double t_;
+  const vector& r_;
+  vector left_;
+  Eigen::MatrixXd by_all_;
+  std::vector<int> places_{};
+};
+
+} // namespace kanexpr::simulated

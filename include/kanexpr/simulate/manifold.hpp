@@ -1,0 +1,37 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/numeric/unit_quaternion.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace kanexpr::simulated {
+
+/// Where the constraints hold and quaternions have norm 1.
+class manifold {
+public:
+  using vector = Eigen::VectorXd;
+  virtual ~manifold() = default;
+
+  /// Lets the dependent coordinates and speeds follow the others. Quaternions get norm 1; one that is given
+  /// may be rounded, no more, unless constraints are solved for its coordinates.
+  virtual assembly assemble(double t, vector& x, const vector& r) = 0;
+  /// What the configuration constraints leave.
+  virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
+
+  /// Finds what leads from a state to the nearest point of the manifold, each entry measured in units of
+  /// 1/weight. False where the constraints are dependent, or cannot be reached from there.
+  virtual bool project(double t, const vector& x, const vector& r, const vector& weights) = 0;
+  virtual const vector& correction() const = 0;
+  /// Takes what points away from the manifold, where it was last projected, off an error estimate.
+  virtual void project_error(double* error) const = 0;
+};
+
+/// Of a system with constraints or quaternions.
+template <class System>
+std::unique_ptr<manifold> manifold_of(const System& of);
+
+} // namespace kanexpr::simulated

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/settings.hpp>
+#include <kanexpr/simulate/system.hpp>
+
+namespace kanexpr::simulated {
+
+/// Moves a system from a state over a time span.
+template <integrator by>
+ending run(system& moved, const Eigen::VectorXd& from, const time_span& span, const settings& options);
+
+} // namespace kanexpr::simulated

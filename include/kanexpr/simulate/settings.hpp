@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kanexpr/base/statistics.hpp>
+#include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/simulate/time_span.hpp>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr {
+
+/// How a watched expression passes zero.
+enum class crossing { falling = -1, either = 0, rising = 1 };
+
+/// An event that happened.
+struct occurrence {
+  double t;
+  std::string name;
+};
+
+namespace simulated {
+
+/// An event as far as it does not depend on the system.
+struct watched_event {
+  const std::string& name;
+  int direction = 0;
+  bool has_value = true, has_handler = false;
+};
+
+/// The options of a simulation as far as they do not depend on the system; see `simulation_options`.
+struct settings {
+  double relative_tolerance;
+  std::optional<double> absolute_tolerance;
+  const std::vector<named_value>& absolute_tolerances;
+  double output_every;
+  const std::vector<double>& output_times;
+  bool dense, keep, shows_samples;
+  double first_step, least_step, greatest_step;
+  long most_steps;
+  bool analytic_jacobian;
+  std::vector<watched_event> events;
+  const std::function<void(double t, time_span)>& progress;
+  std::string_view mistake_in_inputs;
+  bool inputs_depend_on_state;
+  std::size_t bytes_of_sample;
+};
+
+/// How a simulation went, beside the samples that were kept.
+struct ending {
+  double time = 0;
+  Eigen::VectorXd state{};
+  std::vector<occurrence> events{};
+  integration_statistics statistics{};
+  bool stopped_by_event = false;
+  std::string reason{};
+};
+
+} // namespace simulated
+
+} // namespace kanexpr

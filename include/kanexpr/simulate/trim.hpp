@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kanexpr/compiled/named_values.hpp>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+/// The search for operating points, as far as it does not depend on the system.
+namespace kanexpr::trim {
+
+/// What is asked of an operating point.
+struct wishes {
+  const std::vector<symbol_name>&held, &freed, &changing;
+  const std::vector<named_value>& rates;
+  double t = 0;
+  double tolerance = 0; ///< of every equation, beside what its unknowns make of it
+  int most_iterations = 0;
+};
+
+/// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r], and what could not be
+/// solved there, as a sentence.
+using evaluation = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
+
+/// A system as the search sees it.
+struct subject {
+  const derivation::survey& known;
+  const describe::system_record& told;
+  std::string_view name;
+  evaluation evaluate;
+};
+
+/// An equation with its name, "the rate of speed u2", and what it leaves.
+struct residual {
+  std::string name;
+  double value;
+};
+
+/// What a search found.
+struct finding {
+  Eigen::VectorXd values{}; ///< [x; p; r]
+  Eigen::VectorXd left{};   ///< of each equation
+  int iterations = 0;
+  int freedom = 0;
+  std::string cause{};
+  std::vector<residual> residuals{};
+};
+
+/// Searches from a guess of [x; p; r].
+finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess);
+
+} // namespace kanexpr::trim
