@@ -49,7 +49,8 @@ public:
   constexpr expression& operator*=(expression b) { return *this = *this * b; }
 
 private:
-  // without initializers, which the compiler would run for each that there is room for; {} is zero of no graph
+  // without initializers, which the compiler would run for each that there is room for; {} is zero of no
+  // graph
   graph* graph_;
   int node_;
 };
