@@ -1,4 +1,4 @@
-// A bead in a tube that turns as it is told.
+// A bead in a tube whose angle is prescribed.
 #include "report.hpp"
 
 #include <models/rotating_tube.hpp>

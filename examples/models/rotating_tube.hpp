@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A bead on a spring in a smooth tube that turns in a vertical plane as it is told.
+/// A bead on a spring in a smooth tube that turns in a vertical plane by a prescribed angle.
 namespace rotating_tube {
 
 using namespace kanexpr;

@@ -25,8 +25,8 @@ TEST(picture_check, finds_nothing_wrong_with_a_sound_picture) {
 
 TEST(picture_check, wants_something_shown_and_up_told) {
   EXPECT_EQ(told<upright>(), "the picture shows nothing");
-  EXPECT_EQ(told<bob>(), "the picture is not told which way is up; write up<vector>");
-  EXPECT_EQ((told<upright, bob, ground<>, ground<1>>()), "the picture is told ground<...> twice");
+  EXPECT_EQ(told<bob>(), "the picture does not say which way is up; write up<vector>");
+  EXPECT_EQ((told<upright, bob, ground<>, ground<1>>()), "the picture lists ground<...> twice");
   EXPECT_EQ((told<up<q>, bob>()), "the direction of up is a scalar; it must be a vector");
 }
 
@@ -57,14 +57,14 @@ TEST(picture_check, wants_options_that_fit) {
   EXPECT_EQ((told<upright, show<sphere<P, 1>, opacity<0>>>()),
             "the opacity of the sphere at P is not above 0 and at most 1");
   EXPECT_EQ((told<upright, show<sphere<P, 1>, Bob>>()),
-            "the sphere at P is shown with Bob, which is no option of a shape");
+            "the sphere at P is shown with Bob, which is not an option of a shape");
 }
 
 TEST(picture_check, wants_shapes_within_show) {
-  EXPECT_EQ((told<upright, show<Bob>>()), "the picture shows Bob, which is no shape");
+  EXPECT_EQ((told<upright, show<Bob>>()), "the picture shows Bob, which is not a shape");
   EXPECT_EQ((told<upright, sphere<P, 1>>()),
             "sphere<...> stands among the words of the picture; write show<...> around it");
-  EXPECT_EQ((told<upright, bob, colour<"#ffffff">>()), "colour is no word of a picture");
+  EXPECT_EQ((told<upright, bob, colour<"#ffffff">>()), "colour is not a word of a picture");
 }
 
 TEST(picture_check, wants_one_origin) {

@@ -80,20 +80,20 @@ TEST(animation, is_that_of_a_pendulum) {
 TEST(animation, tells_what_is_no_number) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   tests::samples<System> run = swing({0.1, 0.2, nan});
-  EXPECT_EQ(pendulum_along(run).cause(), "the state holds what is no number at t = 0.2");
+  EXPECT_EQ(pendulum_along(run).cause(), "the state holds something that is not a number at t = 0.2");
   EXPECT_FALSE(pendulum_along(run));
   run = swing({0.1, 0.2});
   run.p[l] = nan;
-  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground is no number");
+  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground is not a number");
   run.p[l] = -0.5;
-  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P is no positive number");
+  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P is not a positive number");
 }
 
 TEST(animation, tells_which_place_is_no_number) {
   using far = kanexpr::picture<System, up<-N::x>, show<sphere<P, 0.1>>>;
   tests::samples<System> run = swing({0.1, 0.2});
   run.p[l] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is no number at t = 0");
+  EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is not a number at t = 0");
 }
 
 TEST(animation, wants_samples_in_the_order_of_time) {
@@ -171,7 +171,7 @@ TEST_F(page, is_not_written_where_something_is_no_number) {
   const auto report = write_page<pendulum>(path("page.html"),
                                            swing({std::numeric_limits<double>::quiet_NaN()}), options("A"));
   EXPECT_FALSE(report);
-  EXPECT_EQ(report.cause(), "the state holds what is no number at t = 0");
+  EXPECT_EQ(report.cause(), "the state holds something that is not a number at t = 0");
   EXPECT_FALSE(std::filesystem::exists(path("page.html")));
 }
 
@@ -182,7 +182,7 @@ TEST_F(page, tells_why_it_is_not_written) {
   write("other.html", "<p>");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("other.html")}).cause(),
-      path("other.html") + " is no page for a motion");
+      path("other.html") + " is not a page for a motion");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
       "the page without a motion is not there, " + path("none.html") +

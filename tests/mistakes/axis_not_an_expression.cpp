@@ -1,4 +1,4 @@
-// expect: the axis of frame B is no expression; it must be a vector
+// expect: the axis of frame B is not an expression; it must be a vector
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, nullptr> {};

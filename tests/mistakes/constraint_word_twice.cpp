@@ -1,4 +1,4 @@
-// expect: the system System is told velocity_constraints<...> twice; write one list
+// expect: the system System lists velocity_constraints<...> twice; write one list
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: auxiliary speed v stands in dependent<...>; it is zero at all times
+// expect: auxiliary speed v appears in dependent<...>; it is zero at all times
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

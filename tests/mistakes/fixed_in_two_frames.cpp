@@ -1,4 +1,4 @@
-// expect: point Q is said to be fixed in two frames
+// expect: point Q is fixed in two frames
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, fixed_in<A>, fixed_in<N> {};

@@ -1,4 +1,4 @@
-// expect: Wind is no word of a system, and System holds it
+// expect: Wind is not a word of a system, and System holds it
 #include "pendulum.hpp"
 
 struct Wind {};

@@ -1,4 +1,4 @@
-// expect: frame B stands in itself
+// expect: frame B is oriented relative to itself
 #include "pendulum.hpp"
 
 struct B;

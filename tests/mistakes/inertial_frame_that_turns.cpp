@@ -1,4 +1,4 @@
-// expect: the inertial frame is said to be A, which stands in N
+// expect: inertial<...> names frame A, which is oriented relative to N
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<A>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};

@@ -1,4 +1,4 @@
-// expect: the system System is told speeds<...>; a lagrange_system has no speeds but the rates of its
+// expect: the system System has speeds<...>; a lagrange_system has no speeds but the rates of its
 // coordinates
 #include "pendulum.hpp"
 

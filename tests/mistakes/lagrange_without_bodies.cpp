@@ -1,4 +1,4 @@
-// expect: the system System is told neither bodies<...> nor lagrangian<...>
+// expect: the system System has neither bodies<...> nor lagrangian<...>
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<loads<weight>> {};

@@ -1,4 +1,4 @@
-// expect: the system System is told no coordinates<...>
+// expect: the system System has no coordinates<...>
 #include "pendulum.hpp"
 
 struct System : lagrange_system<inertial<N>, bodies<Bob>> {};

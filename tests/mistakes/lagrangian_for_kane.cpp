@@ -1,4 +1,4 @@
-// expect: the system System is told lagrangian<...>, which only a lagrange_system takes
+// expect: the system System has lagrangian<...>, which only a lagrange_system takes
 #include "pendulum.hpp"
 
 struct System

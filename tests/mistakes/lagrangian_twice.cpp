@@ -1,4 +1,4 @@
-// expect: the system System is told lagrangian<...> twice; write one list
+// expect: the system System lists lagrangian<...> twice; write one list
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>, lagrangian<-g * q>> {};

@@ -1,4 +1,4 @@
-// expect: gravity acts on bodies, and a Lagrangian stands in their place; it holds their potential energy
+// expect: gravity acts on bodies, and a Lagrangian takes their place; it holds their potential energy
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>, loads<gravity<-g * N::y>>> {};

@@ -1,4 +1,4 @@
-// expect: the system System is told no bodies<...>
+// expect: the system System has no bodies<...>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>> {};

@@ -1,4 +1,4 @@
-// expect: the system System is told no kinematics<...>
+// expect: the system System has no kinematics<...>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, bodies<Bob>> {};

@@ -1,4 +1,4 @@
-// expect: the system System is told no speeds<...>
+// expect: the system System has no speeds<...>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, kinematics<dot(q) == u>, bodies<Bob>> {};

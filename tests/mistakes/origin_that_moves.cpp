@@ -1,4 +1,4 @@
-// expect: origin Q does not stand in the inertial frame; a point that moves needs an offset
+// expect: origin Q is not fixed in the inertial frame; a point that moves needs an offset
 #include "pendulum.hpp"
 
 struct Q : origin<Q, A> {};

@@ -1,4 +1,4 @@
-// expect: point Q is an origin, fixed in the inertial frame, and is said to move
+// expect: point Q is an origin, fixed in the inertial frame, and is given a motion
 #include "pendulum.hpp"
 
 struct Q : origin<Q, N>, velocity<N, u * N::x> {};

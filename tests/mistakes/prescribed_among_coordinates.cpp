@@ -1,4 +1,4 @@
-// expect: prescribed quantity theta stands in the list of coordinates
+// expect: prescribed quantity theta is in the list of coordinates
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

@@ -1,4 +1,4 @@
-// expect: frame B is turned by a sequence that is none; take three axes, no two neighbours alike: zxz
+// expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
 #include "pendulum.hpp"
 
 struct B : body_fixed<B, N, "xxz", q, 0, 0> {};

@@ -34,14 +34,14 @@ struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: a word of the system stands beside B; write it among those that the system is told
+// expect: a word of the system stands beside B; write it among those of the system
 namespace n6 {
 struct B : rotated<B, N, q, N::z>, values<m == 2> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a word of the system stands beside Bead; write it among those that the system is told
+// expect: a word of the system stands beside Bead; write it among those of the system
 namespace n7 {
 struct Bead : particle<Bead, P, m>, velocity_constraints<u == 0> {};
 struct System : pendulum_with<Bead> {};
@@ -91,7 +91,7 @@ struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: angular_velocity<...> stands beside Weight, which is no frame
+// expect: angular_velocity<...> stands beside Weight, which is not a frame
 namespace n14 {
 struct Weight : gravity<-g * N::y>, angular_velocity<N, u * N::z> {};
 struct System : loaded<Weight> {};

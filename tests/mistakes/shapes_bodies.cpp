@@ -128,14 +128,14 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: the inertia of Rod is O, which is no inertia
+// expect: the inertia of Rod is O, which is not an inertia
 namespace n18 {
 struct Rod : rigid_body<Rod, P, A, m, O> {};
 struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the inertia of Disc is A, which is no inertia
+// expect: the inertia of Disc is A, which is not an inertia
 namespace n19 {
 struct Disc : rigid_body<Disc, P, A, m, inertia_about<O, A>> {};
 struct System : pendulum_with<Disc> {};

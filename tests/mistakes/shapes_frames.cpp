@@ -57,7 +57,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: frame B is turned by a sequence that is none; take three axes, no two neighbours alike: zxz
+// expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
 namespace n8 {
 struct B : body_fixed<B, N, 313, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -65,7 +65,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: frame B2 is turned by a sequence that is none; take three axes, no two neighbours alike: zxz
+// expect: frame B2 is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
 namespace n9 {
 struct B2 : body_fixed<B2, N, q, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B2, m, inertia<B2, m, m, m>> {};

@@ -62,27 +62,27 @@ struct System : loaded<damper<P, O, atan2(N::x, q)>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the potential energy with k takes dot of something that is no coordinate, speed or prescribed
+// expect: the potential energy with k takes dot of something that is not a coordinate, speed or prescribed
 // expect: quantity
 namespace n11 {
 struct System : loaded<potential_energy<k * dot(q* q)>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: the damping of the damper between P and Q takes dot of something that is no coordinate, speed or
+// expect: the damping of the damper between P and Q takes dot of something that is not a coordinate, speed or
 // expect: prescribed quantity
 namespace n12 {
 struct System : loaded<damper<P, Q, dot(m)>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: the torque on N takes dot of something that is no coordinate, speed or prescribed quantity
+// expect: the torque on N takes dot of something that is not a coordinate, speed or prescribed quantity
 namespace n13 {
 struct System : loaded<torque<N, dot(A::x) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: a kinematic differential equation with q takes dot of something that is no coordinate, speed or
+// expect: a kinematic differential equation with q takes dot of something that is not a coordinate, speed or
 // expect: prescribed quantity
 namespace n14 {
 struct System : moved_by<dot(q* q) == u> {};

@@ -2,13 +2,13 @@
 #include "shapes.hpp"
 #include <kanexpr/simulate/event.hpp>
 
-// expect: an expression with P uses position_of for something else than two points: position_of<point, from>
+// expect: an expression with P uses position_of for something other than two points: position_of<point, from>
 namespace n1 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, position_of<P>>{}(state<System>(), parameter_values<System>()); }
 } // namespace n1
 
-// expect: an expression with O uses position_of for something else than two points: position_of<point, from>
+// expect: an expression with O uses position_of for something other than two points: position_of<point, from>
 namespace n2 {
 struct System : loaded<weight> {};
 auto f() {
@@ -75,7 +75,7 @@ auto f() {
 }
 } // namespace n9
 
-// expect: an expression with q uses in_axes_of for something else than a vector and a frame:
+// expect: an expression with q uses in_axes_of for something other than a vector and a frame:
 // expect: in_axes_of<frame>(vector)
 namespace n10 {
 struct System : loaded<weight> {};
@@ -84,7 +84,7 @@ auto f() {
 }
 } // namespace n10
 
-// expect: an expression with P uses in_axes_of for something else than a vector and a frame:
+// expect: an expression with P uses in_axes_of for something other than a vector and a frame:
 // expect: in_axes_of<frame>(vector)
 namespace n11 {
 struct System : loaded<weight> {};
@@ -93,7 +93,7 @@ auto f() {
 }
 } // namespace n11
 
-// expect: an expression with u takes a partial derivative by something that is no symbol
+// expect: an expression with u takes a partial derivative by something that is not a symbol
 namespace n12 {
 struct System : loaded<weight> {};
 auto f() {
@@ -102,7 +102,7 @@ auto f() {
 }
 } // namespace n12
 
-// expect: an expression with P takes a partial derivative by something that is no symbol
+// expect: an expression with P takes a partial derivative by something that is not a symbol
 namespace n13 {
 struct System : loaded<weight> {};
 auto f() {
@@ -111,7 +111,7 @@ auto f() {
 }
 } // namespace n13
 
-// expect: an expression with O takes a partial derivative by something that is no symbol
+// expect: an expression with O takes a partial derivative by something that is not a symbol
 namespace n14 {
 struct System : loaded<weight> {};
 auto f() {
@@ -120,7 +120,7 @@ auto f() {
 }
 } // namespace n14
 
-// expect: what a function is asked for is no expression of a model
+// expect: what a function is asked for is not an expression of a model
 namespace n15 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, nullptr>{}(state<System>(), parameter_values<System>()); }
@@ -154,7 +154,7 @@ struct System : loaded<weight> {};
 auto f() { return when<System, velocity_of<P>>("still"); }
 } // namespace n19
 
-// expect: what when<...> watches is no expression; it must be a scalar, to pass zero
+// expect: what when<...> watches is not an expression; it must be a scalar, to pass zero
 namespace n20 {
 struct System : loaded<weight> {};
 auto f() { return when<System, nullptr>("never"); }

@@ -73,13 +73,13 @@ struct System : bound_by<u == 0 && v == 0> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: the torque on A holds == inside of an expression; it stands once, outermost
+// expect: the torque on A holds == inside an expression; write it once, outermost
 namespace n12 {
 struct System : loaded<torque<A, (q == 0) * T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: a kinematic differential equation with q holds == inside of an expression; it stands once,
+// expect: a kinematic differential equation with q holds == inside an expression; write it once,
 // expect: outermost
 namespace n13 {
 struct System : moved_by<dot(q) == u == 0> {};
@@ -106,7 +106,7 @@ struct System : loaded<damper<P, Q, ++c>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the force at O holds true or false, which is no number
+// expect: the force at O holds true or false, which is not a number
 namespace n17 {
 struct System : loaded<force<O, (F + true) * N::x>> {};
 void f() { use<System>(); }

@@ -63,7 +63,7 @@ struct System : bound_by<zero_along<>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the Lagrangian is no expression; it must be a scalar
+// expect: the Lagrangian is not an expression; it must be a scalar
 namespace n11 {
 struct System : rates_of_pendulum<lagrangian<>> {};
 void f() { use_rates<System>(); }
@@ -88,7 +88,7 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<2>, kinematics<d
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the rate of coordinate q stands in the list of speeds
+// expect: the rate of coordinate q is in the list of speeds
 namespace n15 {
 struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<dot(q)>, kinematics<dot(q) == u>, bodies<Bob>> {};

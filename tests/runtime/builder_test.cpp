@@ -243,17 +243,17 @@ std::string told(Mistake mistake) {
 
 TEST(builder_mistakes, names_a_frame_or_point_that_does_not_exist) {
   EXPECT_EQ(told([](auto& b) { b.rotated("A", frame_id{7}, b.theta, b.along(b.n, 1, 0, 0)); }),
-            "A speaks of frame number 7, which does not exist");
+            "A names frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.along(frame_id{-1}, 1, 0, 0); }),
-            "a vector speaks of frame number -1, which does not exist");
+            "a vector names frame number -1, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.offset("A", point_id{9}, b.along(b.n, 1, 0, 0)); }),
-            "A speaks of point number 9, which does not exist");
+            "A names point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) {
               vector by_hand = b.along(b.n, 1, 0, 0);
               by_hand.parts[0].frame = 5;
               b.force(b.bob, by_hand);
             }),
-            "a force speaks of frame number 5, which does not exist");
+            "a force names frame number 5, which does not exist");
 }
 
 TEST(builder_mistakes, takes_no_expression_of_another_mechanism) {
@@ -310,10 +310,11 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
             "frame A is turned about an axis of no length");
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.rod, 1, 0, 0)); }),
             "frame A is turned about an axis that is not fixed in N");
-  EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
-            "frame A is turned by the sequence xxy, which is none: three axes, no two neighbours alike");
+  EXPECT_EQ(
+      told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
+      "frame A is turned by the sequence xxy, which is invalid: take three axes, no two neighbours alike");
   EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, hears_how_something_moves_only_once) {
@@ -321,9 +322,9 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
               b.fixed_in(b.bob, b.rod);
               b.velocity(b.bob, b.n, b.along(b.n, 0, 0, 0));
             }),
-            "how point P moves is said twice");
+            "point P is given two motions");
   EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0, 0, 0)); }),
-            "point O is an origin, fixed in the inertial frame, and is said to move");
+            "point O is an origin, fixed in the inertial frame, and is given a motion");
   EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0, 0, 0)); }),
             "the inertial frame N is given an angular velocity");
   EXPECT_EQ(told([](auto& b) {
@@ -343,35 +344,35 @@ TEST(builder_mistakes, looks_at_constraints) {
             "an acceleration constraint" + foreign);
   EXPECT_EQ(
       told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(frame_id{4}, 1, 0, 0)); }),
-      "a vector speaks of frame number 4, which does not exist");
+      "a vector names frame number 4, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0, 0, 0)); }),
             "a velocity constraint is given a direction of no length");
   EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
   EXPECT_EQ(told([](auto& b) { b.dependent(b.m); }),
-            "something is said to be dependent that is neither a coordinate nor a speed");
+            "dependent is given something that is neither a coordinate nor a speed");
   EXPECT_EQ(told([](auto& b) {
               b.dependent(b.v);
               b.dependent(b.v);
             }),
-            "v is said to be dependent twice");
+            "v is made dependent twice");
 }
 
 TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {
   EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("v"); }), "the name v is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.auxiliary_speed("ua")); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
   EXPECT_EQ(told([](auto& b) { b.prescribed("F"); }), "the name F is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.dot(b.dot(b.prescribed("turn")))); }),
-            "the rate of something is asked for that is no coordinate, speed or prescribed quantity");
+            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(frame_id{7}, b.n); }),
-            "kinematics_of speaks of frame number 7, which does not exist");
+            "kinematics_of names frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.rod, b.n); }),
             "kinematics_of<R, N> is asked for, and frame R has no declared angular velocity");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.n, b.rod); }),
-            "kinematics_of<N, R> is asked for, and frame N does not stand in R");
+            "kinematics_of<N, R> is asked for, and frame N is not oriented relative to R");
 }
 
 TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {

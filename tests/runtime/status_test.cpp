@@ -245,7 +245,7 @@ TEST(status, names_the_speed_that_a_mass_of_zero_leaves_alone) {
   }
 }
 
-// What is no number, or infinite, is not singular.
+// What is not a number, or infinite, is not singular.
 TEST(status, does_not_call_singular_what_is_not_finite) {
   using namespace four_bar;
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -136,8 +136,8 @@ TEST(csv, says_what_is_wrong_and_where) {
   expect_refused("a,b\n1,2,\n", "line 2 of run.csv has 3 fields, the header 2");
   expect_refused("a,b\n1,2\n\n3,4\n", "line 3 of run.csv is empty");
   expect_refused("\n\na,b\n1,2\n", "line 1 of run.csv is empty");
-  expect_refused("t,q1,t\n", "line 1 of run.csv is no header: there is a column t already");
-  expect_refused("t,,u1\n", "line 1 of run.csv is no header: a column has no name");
+  expect_refused("t,q1,t\n", "line 1 of run.csv is not a header: there is a column t already");
+  expect_refused("t,,u1\n", "line 1 of run.csv is not a header: a column has no name");
   expect_refused("1,2\n3,4\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
   expect_refused("nan\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
   expect_refused("t;q1\n0,5;1,5\n", "line 1 of run.csv is separated by semicolons; it must be by commas");

@@ -103,8 +103,8 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
   EXPECT_EQ(cause({.held = {"Q"}}), "Q is named as held, and the system System does not have it");
   EXPECT_EQ(cause({.held = {q, u, q}}), "coordinate q is named twice as held");
   EXPECT_EQ(cause({.held = {q, T}, .freed = {l, T}}), "input T is both held and freed");
-  EXPECT_EQ(cause({.changing = {l}}), "parameter l is named as changing, and is no part of the state");
-  EXPECT_EQ(cause({.rates = {{u, 3}}}), "u is asked for as a rate, and is no rate of the system System");
+  EXPECT_EQ(cause({.changing = {l}}), "parameter l is named as changing, and is not part of the state");
+  EXPECT_EQ(cause({.rates = {{u, 3}}}), "u is asked for as a rate, and is not a rate of the system System");
   EXPECT_EQ(cause({.rates = {{dot(q), 3}, {"q'", 3}}}), "the rate of coordinate q is asked for twice");
   EXPECT_EQ(cause({.rates = {{dot(u), std::nan("")}}}),
             "the value asked of the rate of speed u is not finite");

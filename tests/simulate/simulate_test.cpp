@@ -184,7 +184,7 @@ TEST(simulate, ends_where_a_function_given_to_it_throws) {
   const auto run = run_with({.inputs = idle, .each_sample = [](const auto& s) {
                                if (s.t > 0.5) throw 7;
                              }});
-  EXPECT_THAT(run.cause(), testing::EndsWith("threw something that is no std::exception"));
+  EXPECT_THAT(run.cause(), testing::EndsWith("threw something that is not a std::exception"));
   EXPECT_GT(run.trajectory.size(), 3u);
 }
 

@@ -31,7 +31,7 @@ public:
     for (Eigen::Index i = 0; i < wanted.size(); ++i) size = std::max(size, std::abs(wanted.data()[i]));
     for (Eigen::Index i = 0; i < wanted.size(); ++i) {
       const double off = std::abs(found.data()[i] - wanted.data()[i]) / size;
-      if (!(off <= error)) error = off; // or is no number
+      if (!(off <= error)) error = off; // or is not a number
     }
     if (error != error) error = std::numeric_limits<double>::infinity();
     worst& so_far = by_what_[what];

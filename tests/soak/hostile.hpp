@@ -68,7 +68,7 @@ public:
       visit_with("huge values", [&](double) { return d_.pick({-1.0, 1.0, 0.1}) * largest; });
       visit_with("a mixture", [&](double x) { return d_.pick({0.0, x, 1e-30, largest, -x, 1.0}); });
     }
-    // of what is no number nothing is asked but to come back
+    // of what is not a number nothing is asked but to come back
     for (const double none :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       recipe::mechanism at = m_;

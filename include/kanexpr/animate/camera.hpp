@@ -38,8 +38,8 @@ private:
     const status s = scene_.take(sample, t, x_.data(), column(film_.numbers, sample));
     if (!s) made_.reason = std::string(s.cause()) + at_time(t);
     for (const double entry : x_)
-      if (!std::isfinite(entry)) made_.reason = "the state holds what is no number" + at_time(t);
-    if (!std::isfinite(t)) made_.reason = "the time of a sample is no number";
+      if (!std::isfinite(entry)) made_.reason = "the state holds something that is not a number" + at_time(t);
+    if (!std::isfinite(t)) made_.reason = "the time of a sample is not a number";
     if (!made_.times.empty() && t < made_.times.back())
       made_.reason = "the samples are not in the order of time" + at_time(t);
     made_.times.push_back(t);

@@ -12,7 +12,7 @@ struct check_word {
       return sentence(
           {Word::shape, "<...> stands among the words of the picture; write show<...> around it"});
     } else if constexpr (!picture_word<Word>) {
-      return sentence({name_of<Word>(), " is no word of a picture"});
+      return sentence({name_of<Word>(), " is not a word of a picture"});
     } else {
       if constexpr (requires { Word::size_names; })
         return check_sizes(Word::still, Word::size_names, Word::word);
@@ -28,7 +28,7 @@ struct check_word<show<Shape, Options...>> {
   static constexpr problem mistake() {
     using shown = show<Shape, Options...>;
     if constexpr (!shown_word<shown>) {
-      return sentence({"the picture shows ", name_of<Shape>(), ", which is no shape"});
+      return sentence({"the picture shows ", name_of<Shape>(), ", which is not a shape"});
     } else {
       constexpr title whom = title_of<shown>();
       problem found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
@@ -94,9 +94,9 @@ constexpr problem check_words() {
   if (found) return found;
   const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
-  if (times("up") == 0) return sentence({"the picture is not told which way is up; write up<vector>"});
+  if (times("up") == 0) return sentence({"the picture does not say which way is up; write up<vector>"});
   for (std::string_view word : {"up", "seen_from", "ground", "carried"})
-    if (times(word) > 1) return sentence({"the picture is told ", word, "<...> twice"});
+    if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
   (origins.look_at<Words>(), ...);
   return origins.mistake;

@@ -108,7 +108,8 @@ constexpr std::string_view name_of() {
 template <class Option, class Shape>
 constexpr problem check_option(std::string_view whom) {
   if constexpr (!option_of_shape<Option>)
-    return sentence({"the ", whom, " is shown with ", name_of<Option>(), ", which is no option of a shape"});
+    return sentence(
+        {"the ", whom, " is shown with ", name_of<Option>(), ", which is not an option of a shape"});
   if constexpr (requires { Option::spin; }) {
     if constexpr (!requires { Shape::axis; })
       return sentence({"the ", whom, " is spinning, and has no axis"});

@@ -66,20 +66,20 @@ inline std::string at_time(double t) {
   return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
 }
 
-/// What in an animation is no number, as a sentence; empty: nothing.
+/// What in an animation is not a number, as a sentence; empty: nothing.
 inline std::string check_numbers(const animation& a) {
   if (!(a.up.norm() > 0.5)) return "the direction of up has no length";
   if (a.seen_from && !(a.seen_from->norm() > 0.5)) return "the direction of seen_from has no length";
-  if (a.ground && !std::isfinite(*a.ground)) return "the height of the ground is no number";
+  if (a.ground && !std::isfinite(*a.ground)) return "the height of the ground is not a number";
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
-      if (!std::isfinite(size) || size <= 0) return "a size of the " + s.name + " is no positive number";
+      if (!std::isfinite(size) || size <= 0) return "a size of the " + s.name + " is not a positive number";
     for (std::size_t k = 0; k < s.placements.size(); ++k) {
       const placement& here = s.placements[k];
       if (!here.position.allFinite() || !here.end.allFinite())
-        return "the position of the " + s.name + " is no number" + at_time(a.times[k]);
+        return "the position of the " + s.name + " is not a number" + at_time(a.times[k]);
       if (!here.orientation.allFinite())
-        return "the orientation of the " + s.name + " is no number" + at_time(a.times[k]);
+        return "the orientation of the " + s.name + " is not a number" + at_time(a.times[k]);
     }
   }
   return {};

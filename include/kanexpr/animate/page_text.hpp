@@ -83,7 +83,7 @@ inline std::string sound_text(const std::string& text) {
 
 inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// Holds no `<`, so that it can stand in a page as it is.
+/// Holds no `<`, so that it can be put in a page as it is.
 inline std::string page_text(const animation& a, const std::string& title, const std::string& text) {
   nlohmann::json all{{"title", title},
                      {"text", text},

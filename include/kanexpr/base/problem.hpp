@@ -38,8 +38,8 @@ constexpr std::size_t longest_piece_of(std::initializer_list<std::string_view> p
 
 } // namespace detail
 
-/// The first mistake is the one that is told; what follows from it would only confuse. Of names that are too
-/// long for a sentence the middle is left out, so that its end is there and names stay distinct.
+/// The first mistake is the one that is reported; what follows from it would only confuse. Of names that are
+/// too long for a sentence the middle is left out, so that its end is there and names stay distinct.
 constexpr problem sentence(std::initializer_list<std::string_view> pieces) {
   problem p;
   const auto append = [&](std::string_view text) {

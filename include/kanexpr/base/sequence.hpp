@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <type_traits>
 
 namespace kanexpr::symbolic {
 
@@ -50,6 +51,13 @@ public:
     data_[size_] = value;
     return size_++;
   }
+  constexpr int push(T&& value)
+    requires(!std::is_trivially_copyable_v<T>)
+  {
+    if (size_ == capacity_) return push_and_grow(static_cast<T&&>(value));
+    data_[size_] = static_cast<T&&>(value);
+    return size_++;
+  }
   constexpr void pop() { --size_; }
   constexpr void clear() { size_ = 0; }
   constexpr void resize(int size, const T& value = T{}) {
@@ -80,10 +88,9 @@ private:
   };
   static constexpr int first_capacity = sizeof(element) > 40 ? 2 : 8;
 
-  constexpr int push_and_grow(const T& value) {
-    const T kept = value; // may live in this very array
+  constexpr int push_and_grow(T value) { // by value, for it may live in this very array
     reserve(capacity_ < first_capacity ? first_capacity : 2 * capacity_);
-    data_[size_] = kept;
+    data_[size_] = static_cast<T&&>(value);
     return size_++;
   }
   constexpr void swap(sequence& other) noexcept {

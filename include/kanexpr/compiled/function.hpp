@@ -186,7 +186,7 @@ private:
       return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, guards>{})};
   }
 
-  /// The first cause is the one that is told: what comes after it may be in what it spoiled.
+  /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
   template <class T, int... i>
   [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {

@@ -58,7 +58,7 @@ struct linearization {
                                    derivation::sensitivity<true, measured...>{}>
       outputs{};
 
-  /// Where the states of the linearized equations stand in [q; u].
+  /// The places of the states of the linearized equations in [q; u].
   static constexpr std::array<int, static_cast<std::size_t>(states)> places = [] {
     std::array<int, static_cast<std::size_t>(states)> found{};
     std::size_t next = 0;

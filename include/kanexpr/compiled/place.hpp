@@ -6,7 +6,7 @@
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
-/// Where a symbol of a model stands in a vector of values.
+/// The place of a symbol of a model in a vector of values.
 namespace kanexpr::compiled {
 
 template <class System, symbolic::symbol_kind kind, text called, int index,

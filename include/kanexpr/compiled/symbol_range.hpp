@@ -6,7 +6,7 @@ namespace kanexpr::compiled {
 
 enum class symbols_of : unsigned char { state, parameters, inputs };
 
-/// The symbols that a vector of values holds, which stand in a row in a survey.
+/// The symbols that a vector of values holds, which follow each other in a survey.
 struct symbol_range {
   int first = 0, size = 0;
   std::string_view vector; ///< "state"

@@ -42,7 +42,7 @@ constexpr problem word_beside() {
   }
 }
 
-/// What a system is told that is not one of its words.
+/// What a system holds that is not one of its words.
 template <class Told>
 constexpr problem check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
@@ -63,7 +63,7 @@ constexpr problem check_word(std::string_view system) {
                      "; points are found by what uses them"});
   else
     return sentence(
-        {short_name(type_name<Told>()).view(), " is no word of a system, and ", system, " holds it"});
+        {short_name(type_name<Told>()).view(), " is not a word of a system, and ", system, " holds it"});
 }
 
 template <describe::method by, class... Words>
@@ -73,26 +73,24 @@ constexpr problem check_each_word(std::string_view system, const describe::syste
   return found;
 }
 
-/// Words of one method that are told to the other, or that do not go together.
+/// Words of one method in a system of the other, or words that do not go together.
 template <class System>
 constexpr problem check_method(std::string_view called) {
   const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;
   if (System::record.derived_by == describe::method::kane) {
     if (whole)
-      return sentence(
-          {"the system ", called, " is told lagrangian<...>, which only a lagrange_system takes"});
+      return sentence({"the system ", called, " has lagrangian<...>, which only a lagrange_system takes"});
     return {};
   }
   for (std::string_view word : {"speeds", "kinematics", "auxiliary"})
     if (System::times_told(word) != 0)
-      return sentence({"the system ", called, " is told ", word,
+      return sentence({"the system ", called, " has ", word,
                        "<...>; a lagrange_system has no speeds but the rates of its coordinates"});
   if (bodies && whole)
-    return sentence(
-        {"the system ", called,
-         " is told bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all bodies"});
+    return sentence({"the system ", called,
+                     " has bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all bodies"});
   if (!bodies && !whole)
-    return sentence({"the system ", called, " is told neither bodies<...> nor lagrangian<...>"});
+    return sentence({"the system ", called, " has neither bodies<...> nor lagrangian<...>"});
   return {};
 }
 
@@ -118,7 +116,7 @@ constexpr problem check_words() {
     const auto needs = [&](std::initializer_list<std::string_view> words) {
       for (std::string_view word : words)
         if (!found && System::times_told(word) == 0)
-          found = sentence({"the system ", called, " is told no ", word, "<...>"});
+          found = sentence({"the system ", called, " has no ", word, "<...>"});
     };
     needs({"inertial", "coordinates"});
     if (System::record.derived_by == describe::method::kane) needs({"speeds", "kinematics", "bodies"});
@@ -128,7 +126,7 @@ constexpr problem check_words() {
           "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "lagrangian", "loads",
           "parameters", "inputs", "values"})
       if (System::times_told(word) > 1)
-        return sentence({"the system ", called, " is told ", word, "<...> twice; write one list"});
+        return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     return {};
   }
 }

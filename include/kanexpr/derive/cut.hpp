@@ -63,7 +63,7 @@ constexpr cut_code cut(derived_system& system, std::string_view called, std::spa
     code.causes.push(g.cause);
     code.tells_finiteness = g.of_finiteness;
   }
-  const lower::tape tape = lower::tape_of(system.graph(), found.nodes);
+  const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
   if (const problem lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);
   code.tape = lower::fixed(tape);
   return code;

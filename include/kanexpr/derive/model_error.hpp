@@ -10,7 +10,7 @@ namespace kanexpr {
 
 namespace derivation {
 
-/// Whether there is a sentence to be told, `Told::mistake`, and not left to `tell_in_code`.
+/// Whether there is a sentence to report, `Told::mistake`, and not left to `tell_in_code`.
 template <class Told>
 constexpr bool is_told() {
   if constexpr (requires { Told::follows_from_unparsed; })
@@ -40,7 +40,8 @@ struct model_error {
 
 namespace derivation {
 
-/// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is told again.
+/// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is reported
+/// again.
 template <class Told>
 constexpr bool tell() {
   if constexpr (is_told<Told>())
@@ -99,7 +100,7 @@ constexpr int count_pieces(const mechanics::problem& p) {
 }
 
 // The look-up of `shown` completes its argument's class, which is the error; the call itself stays sound, so
-// that there is no second one. Nor is there where the same sentence is told again.
+// that there is no second one. Nor is there where the same sentence is reported again.
 constexpr bool shown(const void*) { return true; }
 
 template <text... sentence>
@@ -148,7 +149,7 @@ template <class System>
   derived_from_nothing<System>();
 }
 
-/// Tells of a system that rests on what did not parse, unless the compiler has told its error.
+/// Tells of a system that depends on what did not parse, unless the compiler has reported its error.
 template <class Told>
 inline void tell_in_code() noexcept {
   if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();

@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// What stands in the place of an inertia, whether it is one or not.
+/// What takes the place of an inertia, whether it is one or not.
 template <class Inertia>
 constexpr void give_inertia(body_record& r) {
   if constexpr (requires { Inertia::give_to(r); })

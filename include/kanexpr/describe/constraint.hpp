@@ -18,7 +18,7 @@ constexpr shape shape_of(const vanishing<size>&) {
   return shape::vanishing;
 }
 
-/// What stands for a list with something in it that is no expression.
+/// What stands for a list with something in it that is not an expression.
 struct foreign {};
 
 template <auto... expressions>
@@ -83,7 +83,7 @@ struct dependent : describe::system_words {
   }
 };
 
-/// Speeds that are zero at all times and stand in no list of speeds. Where they enter the velocity of a point
+/// Speeds that are zero at all times and are in no list of speeds. Where they enter the velocity of a point
 /// or the angular velocity of a frame they bring out forces that do no work.
 template <auto... symbols>
 struct auxiliary : describe::system_words {

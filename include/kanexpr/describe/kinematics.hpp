@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A frame and the one from which its orientation and its declared angular velocity are told.
+/// A frame and the one from which its orientation and its declared angular velocity are given.
 struct turning {
   token tokens[2];
 };

@@ -17,9 +17,9 @@ struct lagrangian : describe::system_words {
   }
 };
 
-/// A system whose equations of motion Lagrange's method gives, told in any order:
+/// A system whose equations of motion Lagrange's method gives, with its words in any order:
 /// `struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};`
-/// The rates of the coordinates take the place of speeds and stand in the state, [q; dq/dt].
+/// The rates of the coordinates take the place of speeds and are in the state, [q; dq/dt].
 template <class... Words>
 struct lagrange_system : describe::system_told_by<describe::method::lagrange, Words...> {};
 

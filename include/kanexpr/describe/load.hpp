@@ -67,7 +67,7 @@ struct potential_energy : describe::load_words {
 
 /// A straight massless spring between two points, which pulls them to each other with
 /// stiffness·(distance − natural length): `spring<P, Q, k, l0>`. With a natural length the force has no
-/// direction where the distance is zero, and is no number there.
+/// direction where the distance is zero, and is not a number there.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{
@@ -81,7 +81,7 @@ struct spring : describe::load_words {
 };
 
 /// A straight massless damper between two points, which pulls them to each other with
-/// damping·(rate of their distance): `damper<P, Q, c>`. Where the distance is zero its force is no number.
+/// damping·(rate of their distance): `damper<P, Q, c>`. Where the distance is zero its force is not a number.
 template <class Point, class Other, auto... damping>
 struct damper : describe::load_words {
   static constexpr describe::load_record load{

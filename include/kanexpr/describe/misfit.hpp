@@ -86,8 +86,8 @@ constexpr misfit find_misfit() {
   return misfit::none;
 }
 
-/// Whether a word stands beside a system, or beside one of a system's words, that should stand among those
-/// that a system is told.
+/// Whether a word stands beside a system, or beside one of a system's words, that should be among those
+/// of a system.
 template <class Told>
 constexpr bool has_word_beside() {
   return __is_base_of(orientation_words, Told) || __is_base_of(place_words, Told) ||

@@ -46,22 +46,22 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " is written with arguments, as in q(t); symbols are written alone, and products with *";
   case misuse::operands: return " takes a product of more than two vectors at once";
   case misuse::bits: return " is written with an operator that models do not have";
-  case misuse::truth: return " holds true or false, which is no number";
-  case misuse::inner_equation: return " holds == inside of an expression; it stands once, outermost";
-  case misuse::rate: return " takes dot of something that is no coordinate, speed or prescribed quantity";
+  case misuse::truth: return " holds true or false, which is not a number";
+  case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";
+  case misuse::rate: return " takes dot of something that is not a coordinate, speed or prescribed quantity";
   case misuse::unseen_derivative:
     return " takes the derivative of a vector, and not as a frame sees it; write "
            "derivative_in<frame>(vector)";
   case misuse::seen_scalar:
     return " takes the derivative of a scalar as a frame sees it; write derivative(scalar)";
   case misuse::axes:
-    return " uses in_axes_of for something else than a vector and a frame: in_axes_of<frame>(vector)";
-  case misuse::partial: return " takes a partial derivative by something that is no symbol";
+    return " uses in_axes_of for something other than a vector and a frame: in_axes_of<frame>(vector)";
+  case misuse::partial: return " takes a partial derivative by something that is not a symbol";
   case misuse::function:
     return " is written with a function that models do not have; those they have are sqrt, sin, cos, tan, "
            "asin, acos, atan, atan2, exp, log, abs, sign and pow";
   case misuse::points:
-    return " uses position_of for something else than two points: position_of<point, from>";
+    return " uses position_of for something other than two points: position_of<point, from>";
   case misuse::seen_motion:
     return " names a frame or point too many: motions are those in the inertial frame, velocity_of<point>";
   case misuse::zero_factor:

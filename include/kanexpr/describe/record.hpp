@@ -88,7 +88,7 @@ struct frame_record {
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
   bool turns_apart = false;   ///< from its orientation
-  std::string_view instead{}; ///< what it is, if it is no frame
+  std::string_view instead{}; ///< what it is, if it is not a frame
   std::string_view its_own{}; ///< the frame of that
   misfit beside = misfit::none;
 };
@@ -104,7 +104,7 @@ struct point_record {
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
-  std::string_view instead{}; ///< what it is, if it is no point
+  std::string_view instead{}; ///< what it is, if it is not a point
   std::string_view its_own{}; ///< the point of that
   misfit beside = misfit::none;
 };
@@ -121,8 +121,8 @@ struct body_record {
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
-  std::string_view instead_of_inertia{}; ///< what stands in its place and is none
-  std::string_view instead{};            ///< what it is, if it is no body
+  std::string_view instead_of_inertia{}; ///< what takes its place and is none
+  std::string_view instead{};            ///< what it is, if it is not a body
   bool has_whole_zeros = false;          ///< for all scalars of its inertia
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not be that of a distribution of mass
@@ -153,7 +153,7 @@ struct load_record {
   phrase angle{};                            ///< of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   std::string_view called{};
-  std::string_view instead{}; ///< what it is, if it is no load
+  std::string_view instead{}; ///< what it is, if it is not a load
   misfit beside = misfit::none;
   bool unparsed = false;
 };

@@ -42,7 +42,7 @@ struct list_of {
   static constexpr listing<Record> all{storage, sizeof...(entries)};
 };
 
-/// What a system must be told once and only once, and what it may be told.
+/// The words that a system must have once and only once, and those that it may have.
 template <class Word>
 concept system_word = requires(system_record& r) { Word::tell(r); };
 
@@ -145,7 +145,7 @@ struct loads : describe::system_words {
 
 namespace describe {
 
-/// A system that is told by words in any order.
+/// A system of words in any order.
 template <method derived_by, class... Words>
 struct system_told_by : whole_systems {
   static constexpr auto words = boost::hana::tuple_t<Words...>;
@@ -168,7 +168,7 @@ struct system_told_by : whole_systems {
 
 } // namespace describe
 
-/// A system whose equations of motion Kane's method gives, told in any order:
+/// A system whose equations of motion Kane's method gives, with its words in any order:
 /// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>>
 /// {};`
 template <class... Words>

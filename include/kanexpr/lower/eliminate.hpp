@@ -90,7 +90,7 @@ private:
     static_cast<void>(in_order);
     T least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
     math::exchange_if_positive(f[place.least_pivot()], least, beside);
-    return least; // where a pivot is zero, what comes behind it is no number
+    return least; // where a pivot is zero, what comes behind it is not a number
   }
   template <int k, int... below>
   [[gnu::always_inline]] static void inverse(const T* f, T* squares, T& largest,

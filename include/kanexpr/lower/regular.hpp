@@ -5,7 +5,7 @@
 namespace kanexpr::lower {
 
 /// Whether a measure is more than `least` of its scale, whatever their signs are. One that is infinite or no
-/// number is not called singular: the results that rest on it are not finite, and that is looked at last.
+/// number is not called singular: the results that depend on it are not finite, and that is looked at last.
 template <class T>
 [[gnu::always_inline]] inline bool is_regular(const T& measure, const T& scale, double least) {
   using math = scalar_math<T>;

@@ -95,7 +95,8 @@ struct default_scalar_math {
     else if constexpr (std::is_same_v<T, float>)
       return is_finite(std::bit_cast<std::uint32_t>(x), std::uint32_t{0xff} << 23);
     else
-      return scalar_math<T>::exceeds(T(x - x), scalar_math<T>::from(-1)); // else the difference is no number
+      return scalar_math<T>::exceeds(T(x - x),
+                                     scalar_math<T>::from(-1)); // else the difference is not a number
   }
   template <class Bits>
   [[gnu::always_inline]] static bool is_finite(Bits bits, Bits exponent) {
@@ -105,7 +106,7 @@ struct default_scalar_math {
     return (bits & exponent) != exponent;
   }
 
-  /// Of what is no number it is none.
+  /// Of what is not a number it is none.
   static T sign(const T& x) {
     if constexpr (std::is_arithmetic_v<T>)
       return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;

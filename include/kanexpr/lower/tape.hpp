@@ -11,10 +11,10 @@ using symbolic::sequence;
 
 /// One step of straight-line code: slot = op(slot a, slot b).
 struct instruction {
-  operation op = operation::constant;
-  int a = 0;
-  int b = 0;
-  bool paired = false; ///< a sine that brings the cosine of its angle in the next slot, or that cosine
+  operation op;
+  int a;
+  int b;
+  bool paired; ///< a sine that brings the cosine of its angle in the next slot, or that cosine
 };
 
 /// A step on many slots, on the way to solve a linear system: it fills slots from `step` on, as many as its
@@ -62,61 +62,71 @@ struct tape {
 
 namespace detail {
 
-/// Puts the live nodes of a graph in order.
+/// Puts the live nodes of a graph in order. Compilers interpret every call, so it looks into arrays directly.
 class scheduling {
 public:
   constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
-      : g_(g), live_(static_cast<sequence<char>&&>(live)), slot_(g.size(), none), outputs_(outputs) {
-    for (int id = 0; id < g.size(); ++id)
-      if (g[id].op == operation::tan && live_[id] != 0 && has_either(id))
-        live_[sine_of(id)] = live_[cosine_of(id)] = 1;
+      : g_(g), live_(static_cast<sequence<char>&&>(live)), slots_(g.size(), none), outputs_(outputs),
+        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()), end_(g.size()) {
+    for (int id = 0; id < end_; ++id)
+      if (nodes_[id].op == operation::tan && is_live_[id] != 0 && has_either(id))
+        is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
   }
+  scheduling(const scheduling&) = delete;
+  scheduling& operator=(const scheduling&) = delete;
 
   constexpr tape run() {
-    for (int id = 0; id < g_.size(); ++id)
-      if (live_[id] != 0 && g_.is_constant(id)) slot_[id] = tape_.numbers.push(g_.number_at(id));
-    for (int id = 0; id < g_.size(); ++id)
-      if (live_[id] != 0 && g_[id].op == operation::symbol) {
-        const symbolic::symbol& s = g_.symbol_at(id);
-        slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
-      }
+    sequence<int> symbols;
+    for (int id = 0; id < end_; ++id) {
+      if (is_live_[id] == 0 || nodes_[id].op > operation::symbol) continue;
+      if (nodes_[id].op == operation::symbol)
+        symbols.push(id);
+      else
+        slot_[id] = tape_.numbers.push(g_.number_at(id));
+    }
+    for (int id : symbols) {
+      const symbolic::symbol& s = g_.symbol_at(id);
+      slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
+    }
+    first_step_ = tape_.first_step();
     gather_angles();
-    for (int id = 0; id < g_.size(); ++id)
-      if (live_[id] != 0) put(id);
+    for (int id = 0; id < end_; ++id)
+      if (is_live_[id] != 0 && slot_[id] == none) put(id);
     for (int id : outputs_) tape_.results.push(slot_[id]);
-    return tape_;
+    return static_cast<tape&&>(tape_);
   }
 
 private:
   static constexpr int none = -1;
 
-  constexpr int sine_of(int id) const { return g_.find({operation::sin, g_[id].a, 0}); }
-  constexpr int cosine_of(int id) const { return g_.find({operation::cos, g_[id].a, 0}); }
+  constexpr int sine_of(int id) const { return g_.find({operation::sin, nodes_[id].a, 0}); }
+  constexpr int cosine_of(int id) const { return g_.find({operation::cos, nodes_[id].a, 0}); }
   static constexpr bool is_circular(operation op) {
     return op == operation::sin || op == operation::cos || op == operation::tan;
   }
   constexpr bool has_either(int id) const {
     const int s = sine_of(id), c = cosine_of(id);
-    return s >= 0 && c >= 0 && (live_[s] != 0 || live_[c] != 0);
+    return s >= 0 && c >= 0 && (is_live_[s] != 0 || is_live_[c] != 0);
   }
   constexpr bool has_both(int id) const {
     const int s = sine_of(id), c = cosine_of(id);
-    return s >= 0 && c >= 0 && live_[s] != 0 && live_[c] != 0;
+    return s >= 0 && c >= 0 && is_live_[s] != 0 && is_live_[c] != 0;
   }
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> free(g_.size(), 0); // nodes that rest on no function: sums and products of what is given
+    sequence<char> is_free(end_, 0); // of nodes that depend on no function: sums and products of what is given
+    char* const free = is_free.begin();
     sequence<int> gathered;
-    for (int id = 0; id < g_.size(); ++id) {
-      const symbolic::node& n = g_[id];
-      if (is_leaf(n.op))
-        free[id] = 1;
-      else if (n.op <= operation::divide)
-        free[id] = free[n.a] != 0 && (!symbolic::is_binary(n.op) || free[n.b] != 0);
-      if (live_[id] == 0 || n.op != operation::sin || free[n.a] == 0 || !has_both(id)) continue;
-      put_with_operands(n.a);
-      gathered.push(id);
+    for (int id = 0; id < end_; ++id) {
+      const symbolic::node& n = nodes_[id];
+      if (n.op <= operation::divide)
+        free[id] = n.op <= operation::symbol ||
+                   (free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0));
+      else if (n.op == operation::sin && is_live_[id] != 0 && free[n.a] != 0 && has_both(id)) {
+        put_with_operands(n.a);
+        gathered.push(id);
+      }
     }
     tape_.first_angle = tape_.steps.size();
     tape_.angle_count = gathered.size();
@@ -125,16 +135,20 @@ private:
 
   constexpr void put_with_operands(int id) {
     if (slot_[id] != none) return;
-    put_with_operands(g_[id].a);
-    if (symbolic::is_binary(g_[id].op)) put_with_operands(g_[id].b);
+    put_with_operands(nodes_[id].a);
+    if (symbolic::is_binary(nodes_[id].op)) put_with_operands(nodes_[id].b);
     put(id);
   }
 
   /// Gives a node its step, once its operands have theirs. Sine and cosine of one angle become one step, and
   /// a tangent whose sine or cosine is needed anyway a division.
   constexpr void put(int id) {
-    const symbolic::node& n = g_[id];
-    if (slot_[id] != none) return;
+    const symbolic::node& n = nodes_[id];
+    if (n.op <= operation::divide) {
+      const int b = n.op == operation::negate ? 0 : slot_[n.b];
+      slot_[id] = first_step_ + tape_.steps.push({n.op, slot_[n.a], b, false});
+      return;
+    }
     if (n.op >= operation::pair) return put_solving(id, n);
     if (is_circular(n.op) && has_both(id)) {
       const int s = sine_of(id), c = cosine_of(id);
@@ -165,29 +179,40 @@ private:
       inputs = symbolic::elements_of(g_, n.b);
     for (int input : inputs) tape_.operands.push(slot_[input]);
     tape_.eliminations.push(added);
-    slot_[id] = tape_.first_step() + added.step;
+    slot_[id] = first_step_ + added.step;
     for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
   }
 
-  constexpr int step(const instruction& added) { return tape_.first_step() + tape_.steps.push(added); }
+  constexpr int step(const instruction& added) { return first_step_ + tape_.steps.push(added); }
 
   const graph& g_;
   sequence<char> live_;
-  sequence<int> slot_;
+  sequence<int> slots_;
   const sequence<int>& outputs_;
+  const symbolic::node* nodes_;
+  char* is_live_;
+  int* slot_; ///< by node
+  int end_;   ///< of the nodes
+  int first_step_ = 0;
   tape tape_{};
 };
 
 } // namespace detail
 
-/// Sorts what some outputs need of a graph into a tape. Small linear systems are written out before.
-constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
+/// Sorts what some outputs need of a graph into a tape. Small linear systems are written out in the graph
+/// before.
+constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
   sequence<char> live = symbolic::live_nodes(g, outputs);
   if (!symbolic::holds_solves(g, live))
     return detail::scheduling(g, static_cast<sequence<char>&&>(live), outputs).run();
-  graph copy = g;
-  const sequence<int> expanded = symbolic::expand_solves(copy, outputs);
-  return detail::scheduling(copy, symbolic::live_nodes(copy, expanded), expanded).run();
+  const sequence<int> expanded = symbolic::expand_solves(g, outputs);
+  return detail::scheduling(g, symbolic::live_nodes(g, expanded), expanded).run();
+}
+
+/// The same of a graph that stays as it is.
+constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
+  graph own = g;
+  return tape_from(own, outputs);
 }
 
 /// What one evaluation of a tape does.

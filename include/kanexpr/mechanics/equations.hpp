@@ -231,8 +231,8 @@ private:
     case quantity::angular_momentum:
     case quantity::center_of_mass:
       if (m_->has_lagrangian)
-        return sentence({"energies, momenta and the mass centre are those of bodies, and a Lagrangian stands "
-                         "in their place"});
+        return sentence({"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes "
+                         "their place"});
       return {};
     default: return {};
     }

@@ -83,7 +83,8 @@ public:
       for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
         if (p.quantity == e) return p.rate;
     }
-    inspect_.fail({"the rate of something is asked for that is no coordinate, speed or prescribed quantity"});
+    inspect_.fail(
+        {"the rate of something is asked for that is not a coordinate, speed or prescribed quantity"});
     return m_.zero();
   }
 
@@ -225,7 +226,7 @@ public:
         b.inertia_changes = true;
         return;
       }
-    inspect_.fail({"the inertia of ", body, " is said to change, and there is no such body"});
+    inspect_.fail({"changing_inertia names ", body, ", and there is no such body"});
   }
   /// Of a body with an inertia that no distribution of mass has, on purpose.
   void effective_inertia(std::string_view of) {
@@ -330,9 +331,9 @@ public:
     symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
     const int at = q >= 0 ? q : u;
     if (at < 0)
-      inspect_.fail({"something is said to be dependent that is neither a coordinate nor a speed"});
+      inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
     else if (places.contains(at))
-      inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is said to be dependent twice"});
+      inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is made dependent twice"});
     else
       places.push(at);
   }
@@ -361,15 +362,15 @@ private:
     return inspect_.fresh("frames", called, m_.frames) && inspect_.present(parent, called);
   }
 
-  /// How a point moves is said once.
+  /// A point is given one motion.
   bool unsaid_motion(point_id p) {
     if (!inspect_.present(p, "a declared motion")) return false;
     const mechanics::point& at = m_.points[place(p)];
     if (at.parent == mechanics::none)
       return inspect_.fail(
-          {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is said to move"});
+          {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is given a motion"});
     if (at.fixed_in != mechanics::none || at.moves_by_declaration())
-      return inspect_.fail({"how point ", name_of(p), " moves is said twice"});
+      return inspect_.fail({"point ", name_of(p), " is given two motions"});
     return true;
   }
 
@@ -378,7 +379,7 @@ private:
     if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
     if (!mechanics::is_sequence(letters)) {
       inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
-                     ", which is none: three axes, no two neighbours alike"});
+                     ", which is invalid: take three axes, no two neighbours alike"});
       return {};
     }
     return frame_id{

@@ -98,7 +98,7 @@ private:
     if (number >= 0 && number < count) return true;
     mechanics::name told;
     told.append(number);
-    return fail({whom, " speaks of ", what, " number ", told.view(), ", which does not exist"});
+    return fail({whom, " names ", what, " number ", told.view(), ", which does not exist"});
   }
   bool tellable(std::string_view kinds, std::string_view called) {
     const problem found = mechanics::check_name(called, kinds);

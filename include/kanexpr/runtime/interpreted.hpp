@@ -100,7 +100,7 @@ private:
   interpreter<Scalar> code_;
   int coordinates_;
   matrix result_;
-  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it rests on is
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it depends on is
   symbolic::sequence<mechanics::problem> causes_{};
   symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };

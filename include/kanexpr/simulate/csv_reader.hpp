@@ -137,7 +137,7 @@ private:
     if (!records_.has_quotes() && !is_of_names(records_.fields())) return false;
     for (const std::string& name : records_.fields())
       if (const outcome added = header_.add(name, {}); !added)
-        return refuse(line() + " is no header: " + added.cause());
+        return refuse(line() + " is not a header: " + added.cause());
     columns_.resize(header_.columns());
     return true;
   }

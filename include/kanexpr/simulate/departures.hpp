@@ -137,8 +137,8 @@ private:
     return around_.watch(t, x.data(), values.data()) == answer::given;
   }
 
-  /// How much each function changes where the entries of the state, and the time, change by what cannot be
-  /// told.
+  /// How much each function changes where the entries of the state, and the time, change by as little as
+  /// cannot be seen.
   void find_margins(double t, const state& x) {
     margins_.assign(count(), 0);
     const state units = tolerances_.at(x);
@@ -189,7 +189,7 @@ private:
     return true;
   }
 
-  /// The rate of each function; no number where it cannot be told.
+  /// The rate of each function; not a number where it cannot be found.
   std::vector<double> slopes_at(double t, const state& x) {
     std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;

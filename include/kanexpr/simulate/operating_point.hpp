@@ -27,8 +27,8 @@ struct operating_point_options {
 };
 
 /// A state and inputs at which a system is in equilibrium or in steady motion: the constraints hold,
-/// quaternions have norm 1, and all rates of coordinates and speeds are zero but those that are told
-/// otherwise. `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
+/// quaternions have norm 1, and all rates of coordinates and speeds are zero, except those that the
+/// options name. `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
 ///
 /// Found are all coordinates, speeds and inputs that are not held, and what is freed. Prescribed quantities
 /// and their derivatives are known, so they stay unless they are freed. There may be more equations than

@@ -56,7 +56,7 @@ private:
   static double part_of(double t, double from, double to) {
     if (numeric::equal(t, to)) return 1;
     const double part = (t - from) / (to - from);
-    return part >= 1 ? 1 : part > 0 ? part : 0; // of what is no number, 0
+    return part >= 1 ? 1 : part > 0 ? part : 0; // of what is not a number, 0
   }
 
   void draw(double part, double elapsed) {

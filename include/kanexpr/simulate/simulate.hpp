@@ -40,7 +40,7 @@ settings settings_of(const simulation_options<System>& o) {
 
 /// Moves a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g, 9.81}},
 /// {0, 10})`. What the constraints bind in the state is solved for at the start, from the values given, and
-/// held there. What goes wrong is told by the result, with all that was reached until then; nothing is
+/// held there. The result says what went wrong, and holds all that was reached until then; nothing is
 /// thrown.
 ///
 /// Another method is named as in `simulate<System, integrator::bdf>(…)`.

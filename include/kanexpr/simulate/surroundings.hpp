@@ -92,7 +92,7 @@ public:
     } catch (const std::exception& thrown) {
       reason_.assign(what).append(which).append(" threw: ").append(thrown.what());
     } catch (...) {
-      reason_.assign(what).append(which).append(" threw something that is no std::exception");
+      reason_.assign(what).append(which).append(" threw something that is not a std::exception");
     }
     return answer::never;
   }

@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /// What a step from the start changes; not a number where it cannot be told.
+  /// What a step from the start changes; not a number where it cannot be found.
   struct outlook {
     double ahead;
     state change;

@@ -28,7 +28,7 @@ public:
       const auto i = static_cast<std::size_t>(place);
       if (held[i] && freed[i]) fail({called(place).view(), " is both held and freed"});
       if (changing[i] && place >= states_)
-        fail({called(place).view(), " is named as changing, and is no part of the state"});
+        fail({called(place).view(), " is named as changing, and is not part of the state"});
       if (freed[i] || (is_free_by_itself(place) && !held[i])) unknowns_.push_back(place);
     }
     for (int i = 0; i < residuals_; ++i) equations_.push_back({i, 0});
@@ -80,7 +80,7 @@ private:
     for (const named_value& rate : rates) {
       const int place = place_of_rate(rate.what.name());
       if (place < 0) {
-        fail({rate.what.name(), " is asked for as a rate, and is no rate of the system ", system_});
+        fail({rate.what.name(), " is asked for as a rate, and is not a rate of the system ", system_});
         continue;
       }
       const auto i = static_cast<std::size_t>(place);

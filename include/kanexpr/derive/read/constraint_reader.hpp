@@ -51,7 +51,7 @@ protected:
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
     sequence<int>& places = coordinate ? m_.dependent_coordinates : m_.dependent_speeds;
     if (place == none)
-      return fail({"auxiliary speed ", s->called.view(), " stands in ", whom, "; it is zero at all times"});
+      return fail({"auxiliary speed ", s->called.view(), " appears in ", whom, "; it is zero at all times"});
     if (places.contains(place)) return fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
     places.push(place);
   }
@@ -90,12 +90,12 @@ private:
     const auto fail_for = [&](std::string_view given) {
       fail({"zero_along<...> of ", whom, " with ", name_in(p), " is given ", given});
     };
-    if (found[0].kind != shape::vector) fail_for("something that is no vector");
+    if (found[0].kind != shape::vector) fail_for("something that is not a vector");
     if (found.size() == 1) fail_for("no direction");
     for (int i = 1; i < found.size() && !mistake_; ++i) {
       const mechanics::vector &v = found[0].vector, &direction = found[i].vector;
       if (found[i].kind != shape::vector)
-        fail_for("a direction that is no vector");
+        fail_for("a direction that is not a vector");
       else if (direction.is_zero())
         fail_for("a direction of no length");
       else if (direction.parts.size() == 1) // as `dot`, but in the same axes for all directions

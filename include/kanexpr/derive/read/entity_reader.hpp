@@ -85,8 +85,7 @@ public:
       open_points_.pop();
       p.offset = vector_of(r->offset, {"the offset of point ", r->called}, r->called);
     } else if (frame(r->origin_of, r->called) != mechanism::inertial) {
-      fail({"origin ", r->called,
-            " does not stand in the inertial frame; a point that moves needs an offset"});
+      fail({"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
     }
     if (r->fixed_in != nullptr) p.fixed_in = frame(r->fixed_in, r->called);
     if (r->reference != nullptr) {
@@ -99,7 +98,7 @@ public:
   }
 
 protected:
-  /// Whether an entity is told nothing twice, and only what belongs to it.
+  /// Whether an entity has no word twice, and only words that belong to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
     if (beside == describe::misfit::none) return true;
     fail({misfit_of(beside, called).view()});
@@ -135,13 +134,13 @@ private:
     if (r.called != r.calls_itself) return slip("frame ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("frame ", r.called, r.fits);
     if (&r == from_.inertial && r.orientation != describe::orientation_word::inertial)
-      fail({"the inertial frame is said to be ", r.called, ", which stands in ", r.parent->called});
+      fail({"inertial<...> names frame ", r.called, ", which is oriented relative to ", r.parent->called});
     if (r.orientation == describe::orientation_word::inertial && &r != from_.inertial)
       fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
             from_.inertial->called});
     if (&r == from_.inertial && r.reference != nullptr)
       fail({"the inertial frame ", r.called, " is given an angular velocity"});
-    if (open_frames_.contains(&r)) fail({"frame ", r.called, " stands in itself"});
+    if (open_frames_.contains(&r)) fail({"frame ", r.called, " is oriented relative to itself"});
     for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
       for (const frame_record* f : *list)
         if (f->called == r.called) fail({"two frames are called ", r.called});
@@ -154,14 +153,14 @@ private:
     if (r.called != r.calls_itself) return slip("point ", r.called, r.calls_itself);
     if (!r.fits) return wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
-      fail({"point ", r.called, " is an origin, fixed in the inertial frame, and is said to move"});
+      fail({"point ", r.called, " is an origin, fixed in the inertial frame, and is given a motion"});
     if (open_points_.contains(&r)) fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)
         if (p->called == r.called) fail({"two points are called ", r.called});
     if (r.fixed_in != nullptr && r.reference != nullptr)
-      fail({"point ", r.called, " is said to be fixed in ", r.fixed_in->called,
-            " and to have a velocity of its own"});
+      fail({"point ", r.called, " is fixed in ", r.fixed_in->called,
+            " and is given a velocity of its own as well"});
   }
 
   constexpr int add_frame(const frame_record& r, int parent) {
@@ -186,7 +185,7 @@ private:
     case orientation_word::space_fixed:
       if (!mechanics::is_sequence({r.sequence, 3})) {
         fail({"frame ", r.called,
-              " is turned by a sequence that is none; take three axes, no two neighbours alike: zxz"});
+              " is turned by an invalid sequence; take three axes, no two neighbours alike: zxz"});
         return mechanism::inertial;
       }
       return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,

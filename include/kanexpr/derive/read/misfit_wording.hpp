@@ -5,7 +5,7 @@
 
 namespace kanexpr::derivation {
 
-/// What an entity is told that it cannot be told, or nothing.
+/// The word of an entity that it cannot have, or nothing.
 constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view called) {
   using describe::misfit;
   using mechanics::sentence;
@@ -32,18 +32,17 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   case misfit::two_angular_velocities:
     return sentence({"frame ", called, " is given two angular velocities"});
   case misfit::two_velocities: return sentence({"point ", called, " is given two velocities"});
-  case misfit::two_fixings: return sentence({"point ", called, " is said to be fixed in two frames"});
+  case misfit::two_fixings: return sentence({"point ", called, " is fixed in two frames"});
   case misfit::angular_velocity_of_no_frame:
-    return sentence({"angular_velocity<...> stands beside ", called, ", which is no frame"});
+    return sentence({"angular_velocity<...> stands beside ", called, ", which is not a frame"});
   case misfit::velocity_of_no_point:
-    return sentence({"velocity<...> stands beside ", called, ", which is no point"});
+    return sentence({"velocity<...> stands beside ", called, ", which is not a point"});
   case misfit::fixing_of_no_point:
-    return sentence({"fixed_in<...> stands beside ", called, ", which is no point"});
+    return sentence({"fixed_in<...> stands beside ", called, ", which is not a point"});
   case misfit::inertia_beside:
-    return sentence({"an inertia stands beside ", called, "; it belongs into rigid_body<...>"});
+    return sentence({"an inertia stands beside ", called, "; it belongs in rigid_body<...>"});
   case misfit::word_beside:
-    return sentence(
-        {"a word of the system stands beside ", called, "; write it among those that the system is told"});
+    return sentence({"a word of the system stands beside ", called, "; write it among those of the system"});
   }
   return {};
 }

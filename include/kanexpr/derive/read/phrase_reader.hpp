@@ -113,7 +113,7 @@ protected:
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::word;
     const auto pop = [&] {
-      value v = stack.back();
+      value v = static_cast<value&&>(stack.back());
       stack.pop();
       return v;
     };
@@ -127,7 +127,7 @@ protected:
         return fail({part_, whom, " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
                      ", which stands for a frame while its angular velocity is declared"});
       v.add(f, mechanics::unit(*m_.g, t.index));
-      stack.push(value::of(v));
+      stack.push(value::of(static_cast<mechanics::vector&&>(v)));
       break;
     }
     case word::scalar_function: {

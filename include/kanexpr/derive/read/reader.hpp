@@ -116,7 +116,7 @@ private:
       return fail({"the inertia of ", r.called,
                    " is zero, as 1/2 is in C++; a body without an inertia is a particle<...>"});
     if (!r.instead_of_inertia.empty())
-      return fail({"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is no inertia"});
+      return fail({"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is not an inertia"});
     for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one
       if (&from_.bodies[i] == &r) return fail({"body ", r.called, " is listed twice"});
       if (from_.bodies[i].called == r.called) return fail({"two bodies are called ", r.called});

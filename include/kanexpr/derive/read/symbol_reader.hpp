@@ -24,7 +24,7 @@ public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
   constexpr const problem& mistake() const { return mistake_; }
-  /// Whether the mistake is that of a type of which the compiler has told one already.
+  /// Whether the mistake is that of a type of which the compiler has reported one already.
   constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { fail({because}); }
@@ -105,7 +105,7 @@ protected:
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({kind_of(*s), s->called.view(), " stands in the list of ", derivation::called(list)});
+      fail({kind_of(*s), s->called.view(), " is in the list of ", derivation::called(list)});
       return nullptr;
     }
     claim(*s, list);
@@ -153,7 +153,7 @@ protected:
         else if (other.list == list)
           fail({called.view(), " is listed twice among the ", derivation::called(list)});
         else if (other.list == symbol_list::values)
-          fail({"parameter ", called.view(), " has a value and stands in the list of parameters too"});
+          fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
         else
           fail({"the name ", called.view(), " is used twice: among the ", derivation::called(other.list),
                 " and among the ", derivation::called(list)});

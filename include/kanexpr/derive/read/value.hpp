@@ -24,16 +24,16 @@ struct value {
     v.scalar = e;
     return v;
   }
-  static constexpr value of(const mechanics::vector& e) {
+  static constexpr value of(mechanics::vector e) {
     value v;
     v.kind = describe::shape::vector;
-    v.vector = e;
+    v.vector = static_cast<mechanics::vector&&>(e);
     return v;
   }
-  static constexpr value of(const mechanics::dyadic& e) {
+  static constexpr value of(mechanics::dyadic e) {
     value v;
     v.kind = describe::shape::dyadic;
-    v.dyadic = e;
+    v.dyadic = static_cast<mechanics::dyadic&&>(e);
     return v;
   }
 };

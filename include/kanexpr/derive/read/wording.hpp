@@ -92,7 +92,7 @@ constexpr std::string_view is_a(shape kind) {
   case shape::equation: return " is an equation; ";
   case shape::vanishing: return " is a constraint; ";
   case shape::turning: return " is a list of kinematic differential equations; ";
-  default: return " is no expression; ";
+  default: return " is not an expression; ";
   }
 }
 

@@ -74,7 +74,7 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
 
 namespace detail {
 
-/// Whether a configuration constraint whose derivatives are said by those before it is false where they hold.
+/// Whether a configuration constraint whose derivatives follow from those before it is false where they hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
   const sequence<expression> said{s.model->configuration_constraints[i]};

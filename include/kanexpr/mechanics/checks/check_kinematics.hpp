@@ -41,8 +41,8 @@ private:
     return m_.g->symbol_at(symbol.node()).called.view();
   }
 
-  /// A speed need not be made of coordinate rates: the spin of a wheel whose angle matters to nothing is said
-  /// by an angular velocity alone.
+  /// A speed need not be made of coordinate rates: the spin of a wheel whose angle matters to nothing is
+  /// given by an angular velocity alone.
   constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
     for (const vector::part& p : declared.parts)
       for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);

@@ -52,7 +52,7 @@ private:
       return fail(
           {"the Lagrangian holds the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
     if (m_.has_gravity)
-      return fail({"gravity acts on bodies, and a Lagrangian stands in their place; it holds their potential "
+      return fail({"gravity acts on bodies, and a Lagrangian takes their place; it holds their potential "
                    "energy"});
     for (const expression& p : gradient_of(m_, l).momenta)
       if (const unknown_derivative u = find_unknown_derivative(m_, contents(*m_.g), p, 1))

@@ -52,7 +52,7 @@ private:
     int of = none;
   };
 
-  /// Whether a frame turns with another because it stands in it.
+  /// Whether a frame turns with another because it is oriented relative to it.
   constexpr bool turns_with(int f, int other) const {
     while (f != other && f != mechanism::inertial && !m_.frames[f].turns_by_declaration())
       f = m_.frames[f].parent;

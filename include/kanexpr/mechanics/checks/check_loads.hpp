@@ -141,7 +141,8 @@ private:
         return held_.name_of(e, kind::coordinate);
     return {};
   }
-  /// Whether it depends on coordinates in the end: told along several axes it may be one vector all the time.
+  /// Whether it depends on coordinates in the end: given along several axes it may be one vector all the
+  /// time.
   constexpr bool gravity_changes() const {
     const components g = express(m_, m_.gravity, mechanism::inertial);
     symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, then its derivatives

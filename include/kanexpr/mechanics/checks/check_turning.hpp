@@ -70,7 +70,7 @@ private:
   struct turning {
     int frame = none;
     span_of_triples all{};       ///< what its orientation does not say of its angular velocity
-    span_of_triples bound{};     ///< the same without speeds that stand in no kinematic equation
+    span_of_triples bound{};     ///< the same without speeds that appear in no kinematic equation
     span_of_triples free{};      ///< what these speeds make of it
     span_of_triples by_angles{}; ///< what its orientation can turn about in its reference, at one state
     triple before{};

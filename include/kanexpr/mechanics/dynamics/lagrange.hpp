@@ -48,7 +48,7 @@ public:
     return mass;
   }
 
-  /// Q + ∂L/∂q − ṗ with Q of what does not stand in L, f at q̈ = 0 where no rates are given.
+  /// Q + ∂L/∂q − ṗ with Q of what is not in L, f at q̈ = 0 where no rates are given.
   constexpr sequence<expression> forcing(const sequence<expression>& udot = {}) {
     return sum(forces_of_loads(), inertia_forces(udot));
   }

@@ -12,7 +12,7 @@ namespace kanexpr::mechanics {
 
 /// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
 struct guard {
-  int key = 0; ///< the node that all results rest on which need the solution
+  int key = 0; ///< the node that all results depend on which need the solution
   expression measure{}, scale{};
   problem cause{};
   bool of_finiteness = false; ///< of the measure alone, which need not be beside anything
@@ -98,7 +98,7 @@ constexpr sequence<guard> guards_of_finiteness(const mechanism& m, const sequenc
   return guards;
 }
 
-/// Those that some outputs rest on.
+/// Those that some outputs depend on.
 constexpr sequence<guard> live_guards(const graph& g, const sequence<guard>& all,
                                       const sequence<int>& outputs) {
   sequence<guard> live;

@@ -11,7 +11,7 @@ namespace kanexpr::mechanics {
 /// Linearizes a general form about any point that satisfies it; in free directions about any point at which
 /// the rates and multipliers satisfy all but f_c and f_v. The columns of results are those of `variations`.
 /// Nothing is formed before it is asked for, and nothing twice. Results hold the symbols q, u and r, and q̇, u̇
-/// and λ where they rest on them.
+/// and λ where they depend on them.
 class linearizer {
 public:
   constexpr linearizer(graph& g, const general_form& form, directions which = directions::along_constraints)

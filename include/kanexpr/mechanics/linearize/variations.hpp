@@ -101,7 +101,7 @@ private:
     return solved.x;
   }
 
-  /// Where the symbol of a direction stands among some unknowns, or none.
+  /// The place of the symbol of a direction among some unknowns, or none.
   constexpr int independent_place(const sequence<expression>& unknowns, const partition& split, int j) const {
     for (int i : split.independent)
       if (unknowns[i] == symbol(j)) return i;

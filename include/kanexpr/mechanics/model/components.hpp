@@ -10,7 +10,7 @@ using symbolic::sequence;
 
 /// A vector's three measure numbers in the axes of some frame.
 struct components {
-  expression x{}, y{}, z{};
+  expression x, y, z;
 
   constexpr components() = default;
   constexpr components(expression x_, expression y_, expression z_) : x(x_), y(y_), z(z_) {}

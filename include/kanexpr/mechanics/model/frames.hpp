@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-/// The ways of saying how a frame stands in its parent.
+/// The ways of orienting a frame relative to its parent.
 namespace kanexpr::mechanics {
 
 constexpr int add_inertial_frame(mechanism& m, const name& called) {

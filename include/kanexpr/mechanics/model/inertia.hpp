@@ -6,7 +6,7 @@ namespace kanexpr::mechanics {
 
 /// A symmetric dyadic in the axes of some frame: an inertia, with the sign of I = Σ m (r·r E − r r).
 struct symmetric {
-  expression xx{}, yy{}, zz{}, xy{}, yz{}, zx{};
+  expression xx, yy, zz, xy, yz, zx;
 
   static constexpr expression symmetric::* entry(int i, int j) {
     if (i == j) return i == 0 ? &symmetric::xx : i == 1 ? &symmetric::yy : &symmetric::zz;

@@ -95,7 +95,7 @@ constexpr dyadic operator+(dyadic a, const dyadic& b) {
   return a;
 }
 
-/// How a frame stands in its parent.
+/// How a frame is oriented relative to its parent.
 enum class orientation {
   inertial,
   about_basis, ///< turned by `angle` about the parent's axis number `axis`
@@ -293,7 +293,7 @@ struct mechanism {
     return i < speeds.size() ? speeds[i] : auxiliary_speeds[i - speeds.size()];
   }
 
-  /// A speed that is zero at all times and stands in no state.
+  /// A speed that is zero at all times and is in no state.
   constexpr expression auxiliary_speed(const name& called) {
     const int i = auxiliary_speeds.size();
     auxiliary_speeds.push(symbolic::variable(*g, {symbolic::symbol_kind::auxiliary_speed, called, i}));

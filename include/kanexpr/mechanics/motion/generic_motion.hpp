@@ -38,7 +38,7 @@ public:
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
   }
 
-  /// Speeds that stand in no kinematic differential equation: the rates of angles that the model leaves out.
+  /// Speeds that appear in no kinematic differential equation: the rates of angles that the model leaves out.
   constexpr bool has_free_speeds() const { return !free_speeds_.empty(); }
 
   /// Moves by the speeds that were drawn, or without the free ones. False where that is not defined.
@@ -202,7 +202,7 @@ private:
     return true;
   }
 
-  /// Parents come before what stands in them.
+  /// Parents come before the frames that are oriented relative to them.
   constexpr void place(int f) {
     const frame& own = m_.frames[f];
     pose p;

@@ -43,7 +43,7 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   return true;
 }
 
-/// Whether every turn of the mechanism is about one axis of the ground, and what slides is told in its axes.
+/// Whether every turn of the mechanism is about one axis of the ground, and what slides is given in its axes.
 constexpr bool planar(const skeleton& s) {
   int axis = none;
   for (const node& n : s.nodes)

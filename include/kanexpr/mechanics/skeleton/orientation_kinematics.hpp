@@ -14,7 +14,7 @@ constexpr problem check_orientation_kinematics(const mechanism& m, int place, in
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
     return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
-                     " does not stand in ", in});
+                     " is not oriented relative to ", in});
   const int told = m.frames[place].reference;
   if (told == none)
     return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,

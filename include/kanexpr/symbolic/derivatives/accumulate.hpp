@@ -75,7 +75,7 @@ private:
 
   graph& graph_;
   sequence<int> adjoints_;
-  sequence<int> order_; ///< of the nodes that the outputs rest on
+  sequence<int> order_; ///< of the nodes that the outputs depend on
 };
 
 } // namespace kanexpr::symbolic

@@ -12,7 +12,7 @@ struct rated {
 };
 
 /// One operation on numbers that change. What `value_of` does not define is left to those who look at the
-/// result: it is no number then.
+/// result: it is not a number then.
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };

@@ -53,7 +53,7 @@ private:
 
 } // namespace detail
 
-/// The nodes that some outputs rest on, each before its operands.
+/// The nodes that some outputs depend on, each before its operands.
 constexpr sequence<int> users_first(const graph& g, const sequence<int>& outputs) {
   const detail::marks mark(g);
   sequence<char> met(g.size(), 0); // 1: its operands come first, 2: it is listed

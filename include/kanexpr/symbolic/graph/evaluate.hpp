@@ -50,7 +50,8 @@ struct constant_elimination {
 };
 
 /// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
-/// not defined there (0/0, the solution of a singular system) is not-a-number and all that rests on it.
+/// not defined there (0/0, the solution of a singular system) is not-a-number, and so is all that depends on
+/// it.
 class evaluation {
 public:
   constexpr evaluation(const graph& g, const sequence<int>& outputs)

@@ -49,8 +49,9 @@ public:
   constexpr expression& operator*=(expression b) { return *this = *this * b; }
 
 private:
-  graph* graph_ = nullptr;
-  int node_ = graph::zero;
+  // without initializers, which the compiler would run for each that there is room for; {} is zero of no graph
+  graph* graph_;
+  int node_;
 };
 
 constexpr expression apply(operation op, expression a) { return {a.owner(), apply(a.owner(), op, a.node())}; }

@@ -7,7 +7,7 @@
 /// Building expressions in their simplest local form.
 ///
 /// Each rule looks at most two levels deep and never makes an expression larger. Signs are drawn outwards,
-/// where the next sum absorbs them; constants are gathered in front; commutative operands stand in the order
+/// where the next sum absorbs them; constants are gathered in front; commutative operands are in the order
 /// of their numbers, so that equal expressions meet in one node.
 namespace kanexpr::symbolic {
 

@@ -32,7 +32,12 @@ struct name {
     append(std::string_view(&digit, 1));
   }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
-  constexpr bool operator==(const name& other) const { return view() == other.view(); }
+  constexpr bool operator==(const name& other) const {
+    if (length != other.length) return false;
+    for (int i = length - 1; i >= 0; --i) // names differ at their ends
+      if (letters[i] != other.letters[i]) return false;
+    return true;
+  }
 };
 
 /// How long the name of a symbol may be: the primes of its derivatives come behind it.

@@ -24,9 +24,9 @@ public:
   }
 
   const generic_values& operator[](int id) const { return at(id).values; }
-  /// Whether it rests on a symbol that is replaced.
+  /// Whether it depends on a symbol that is replaced.
   bool is_moved(int id) const { return at(id).moved; }
-  /// Whether it has no value by plain substitution, or rests on what has none.
+  /// Whether it has no value by plain substitution, or depends on what has none.
   bool is_singular(int id) const { return at(id).singular; }
   /// What stands for a symbol that is replaced; else nothing.
   const replacement* replacing(int symbol) const {

@@ -9,7 +9,7 @@ namespace kanexpr::symbolic::taylor {
 /// somewhere. The last has equal steps, which makes the shortest expressions; it may be special.
 class directions {
 public:
-  /// Of those symbols that some outputs rest on.
+  /// Of those symbols that some outputs depend on.
   directions(const graph& g, const appraisal& point, const sequence<int>& outputs) {
     const sequence<char> live = live_nodes(g, outputs);
     for (int id = 0; id < live.size(); ++id)

@@ -20,7 +20,7 @@ struct linear_solution {
   bool structurally_regular = true;
 };
 
-/// Whether nodes that are needed rest on the solution of a block.
+/// Whether nodes that are needed depend on the solution of a block.
 constexpr bool rests_on(const graph& g, const sequence<char>& live, int key) {
   if (g[key].op == operation::factorization) return live[key] != 0;
   for (int id = key + 1; id < live.size(); ++id)

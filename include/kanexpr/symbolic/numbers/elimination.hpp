@@ -84,7 +84,7 @@ constexpr void solve_transposed_factorized(int order, const T* f, T* x) {
 
 /// The least of the pivots beside the terms that each is the sum of: what elimination does to the entries is
 /// done to `squares` of their sizes, by rows, without a cancellation. Each has the unit of its entry, so it
-/// does not matter in which units rows and columns are. What is no number remains none.
+/// does not matter in which units rows and columns are. What is not a number remains none.
 template <class Math, class T>
 constexpr T regularity_of(int order, const T* f, T* squares) {
   const factors place{order};
@@ -105,7 +105,7 @@ constexpr T regularity_of(int order, const T* f, T* squares) {
   }
   T least = f[place.least_pivot()], beside = Math::root(Math::reciprocal(largest));
   Math::exchange_if_positive(f[place.least_pivot()], least, beside);
-  return least; // where a pivot is zero, what comes behind it is no number
+  return least; // where a pivot is zero, what comes behind it is not a number
 }
 
 } // namespace kanexpr::symbolic

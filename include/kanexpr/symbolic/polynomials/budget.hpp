@@ -5,7 +5,7 @@
 
 namespace kanexpr::symbolic {
 
-/// How many terms a sum may have on the way to a result, unless told.
+/// How many terms a sum may have on the way to a result, by default.
 inline constexpr std::size_t usual_most_terms = 20'000;
 
 namespace algebra {

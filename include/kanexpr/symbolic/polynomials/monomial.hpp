@@ -22,7 +22,7 @@ using monomial = std::vector<factor>;
 /// Of two exponents; beyond this nobody counts them.
 inline constexpr std::int64_t largest_exponent = std::int64_t{1} << 60;
 
-/// Calls `visit(base, exponent in a, exponent in b)` for what stands in one of them, by ascending base.
+/// Calls `visit(base, exponent in a, exponent in b)` for what is in one of them, by ascending base.
 template <class Visit>
 void visit_both(const monomial& a, const monomial& b, Visit visit) {
   auto x = a.begin(), y = b.begin();

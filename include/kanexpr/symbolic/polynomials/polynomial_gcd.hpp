@@ -152,7 +152,7 @@ private:
   }
 
   /// Coefficients modulo the product of all primes so far (Chinese remainder theorem). Whether the last prime
-  /// told nothing new, or was the first.
+  /// changed nothing, or was the first.
   static bool lift(const std::vector<std::pair<monomial, residue>>& found, const prime_field& field,
                    std::map<monomial, integer, descending>& lifted, integer& modulus) {
     const bool is_first = modulus == 1;

@@ -15,7 +15,7 @@ struct exponent_range {
   std::int64_t largest = 0;
 };
 
-/// By base; what stands in some terms only has an exponent of zero in the others.
+/// By base; what is in some terms only has an exponent of zero in the others.
 template <class C>
 std::map<int, exponent_range> exponent_ranges(const polynomial<C>& p) {
   std::map<int, exponent_range> ranges;

@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Where results may leave the finite numbers though all that they rest on is finite, and of a usual size.
+/// Where results may leave the finite numbers though all that they depend on is finite, and of a usual size.
 namespace kanexpr::symbolic {
 
 /// Which of some outputs have to be looked at to know that all are finite, where quotients, roots and
@@ -11,25 +11,32 @@ namespace kanexpr::symbolic {
 class finiteness {
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
-      : g_(g), outputs_(outputs), live_(live_nodes(g, outputs)), is_sure_(g.size(), 0),
-        is_never_negative_(g.size(), 0), begins_(g.size(), 0), may_fail_(g.size(), 0) {
-    for (int id : sure_divisors) is_sure_[id] = 1;
-    for (int id = 0; id < g.size(); ++id)
-      if (live_[id] != 0) look_at(id);
+      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size(), 0),
+        facts_of_(facts_.begin()) {
+    const sequence<char> is_live = live_nodes(g, outputs);
+    const char* const live = is_live.begin();
+    for (int id : sure_divisors) facts_of_[id] = sure;
+    for (int id = 0; id < size_; ++id)
+      if (live[id] != 0 && nodes_[id].op != operation::symbol) look_at(id);
   }
+  finiteness(const finiteness&) = delete;
+  finiteness& operator=(const finiteness&) = delete;
 
   /// As few outputs as will do: where one is not finite, neither is what is a sum or product of it.
   constexpr sequence<int> watched() const {
-    sequence<char> is_told(g_.size(), 0), is_output(g_.size(), 0);
-    for (int id : outputs_) is_output[id] = 1;
+    if (!any_fails_) return {};
+    sequence<char> is_told(size_, 0), is_output(size_, 0);
+    char* const told = is_told.begin();
+    char* const output = is_output.begin();
+    for (int id : outputs_) output[id] = 1;
     sequence<int> some;
-    for (int id = g_.size() - 1; id >= 0; --id) { // who uses a node comes after it
-      if (live_[id] == 0 || may_fail_[id] == 0) continue;
-      if (is_output[id] != 0 && is_told[id] == 0) {
+    for (int id = size_ - 1; id >= 0; --id) { // who uses a node comes after it
+      if ((facts_of_[id] & may_fail) == 0) continue;
+      if (output[id] != 0 && told[id] == 0) {
         some.push(id);
-        is_told[id] = 1;
+        told[id] = 1;
       }
-      if (is_told[id] != 0) pass_on(g_[id], is_told);
+      if (told[id] != 0) pass_on(nodes_[id], told);
     }
     return some;
   }
@@ -38,56 +45,61 @@ public:
   /// something else looks at.
   constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
     if (!any_begins_) return {};
-    sequence<char> is_known(g_.size(), 0), reached(g_.size(), 0);
+    sequence<char> is_known(size_, 0), is_reached(size_, 0);
+    char* const reached = is_reached.begin();
     for (int id : known_divisors) is_known[id] = 1;
-    for (int id = g_.size() - 1; id >= 0; --id) {
-      const node& n = g_[id];
-      if (is_leaf(n.op) || !(begins_[id] != 0 || reached[id] != 0)) continue;
+    for (int id = size_ - 1; id >= 0; --id) {
+      if (reached[id] == 0 && (facts_of_[id] & begins) == 0) continue;
+      const node& n = nodes_[id];
+      if (is_leaf(n.op)) continue;
       const bool has_second = is_binary(n.op) && !is_numbered(n.op);
       if (reached[id] != 0 || n.op != operation::divide) reached[n.a] = 1;
       if (has_second && (reached[id] != 0 || is_known[n.b] == 0)) reached[n.b] = 1;
     }
     sequence<int> symbols;
-    for (int id = 0; id < g_.size(); ++id)
-      if (reached[id] != 0 && g_[id].op == operation::symbol) symbols.push(id);
+    for (int id = 0; id < size_; ++id)
+      if (reached[id] != 0 && nodes_[id].op == operation::symbol) symbols.push(id);
     return symbols;
   }
 
 private:
+  /// What is known of a live node, as bits.
+  enum fact : int { sure = 1, never_negative = 2, begins = 4, may_fail = 8 };
+
   constexpr void look_at(int id) { // and write down no more than is true: compilers are slow in it
-    const node& n = g_[id];
-    if (n.op == operation::symbol) return;
-    const int a = n.a, b = is_binary(n.op) && !is_numbered(n.op) ? n.b : n.a;
-    bool is_never_negative = false, begins = false;
+    const node& n = nodes_[id];
+    const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
+    int found = (a | b) & may_fail;
     switch (n.op) {
-    case operation::constant: is_never_negative = !g_.number_at(id).negative(); break;
+    case operation::constant:
+      if (!g_.number_at(id).negative()) facts_of_[id] |= never_negative;
+      return;
     case operation::multiply:
-      is_never_negative = a == b || (is_never_negative_[a] != 0 && is_never_negative_[b] != 0);
+      if (n.a == n.b || (a & b & never_negative) != 0) found |= never_negative;
       break;
-    case operation::add: is_never_negative = is_never_negative_[a] != 0 && is_never_negative_[b] != 0; break;
-    case operation::divide: begins = !(g_.is_constant(b) || is_sure_[b] != 0); break;
-    case operation::sqrt:
-      is_never_negative = true;
-      begins = is_never_negative_[a] == 0; // rounding can make it so
+    case operation::add: found |= a & b & never_negative; break;
+    case operation::divide:
+      if (!g_.is_constant(n.b) && (b & sure) == 0) found |= begins;
       break;
-    case operation::abs: is_never_negative = true; break;
+    case operation::sqrt: // rounding can make the argument negative
+      found |= (a & never_negative) != 0 ? never_negative : never_negative | begins;
+      break;
+    case operation::abs: found |= never_negative; break;
     case operation::power:
     case operation::asin:
     case operation::acos:
     case operation::exp:
-    case operation::log: begins = true; break;
+    case operation::log: found |= begins; break;
     default: break; // a tangent is as large as rounding lets it be
     }
-    if (is_never_negative) is_never_negative_[id] = 1;
-    if (begins) begins_[id] = 1;
-    any_begins_ = any_begins_ || begins;
-    if (n.op == operation::constant) return;
-    const bool solves = n.op >= operation::pair; // and its status is another
-    if (begins || solves || may_fail_[a] != 0 || may_fail_[b] != 0) may_fail_[id] = 1;
+    if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
+    if (n.op >= operation::pair) found |= may_fail; // and its status is another
+    if ((found & may_fail) != 0) any_fails_ = true;
+    if (found != 0) facts_of_[id] |= found;
   }
 
   /// Marks the operands that, not being finite, leave the result no finite number.
-  static constexpr void pass_on(const node& n, sequence<char>& is_told) {
+  static constexpr void pass_on(const node& n, char* is_told) {
     switch (n.op) {
     case operation::add:
     case operation::subtract:
@@ -103,10 +115,13 @@ private:
     }
   }
 
+  const node* nodes_;
+  int size_;
   const graph& g_;
   const sequence<int>& outputs_;
-  sequence<char> live_, is_sure_, is_never_negative_, begins_, may_fail_;
-  bool any_begins_ = false;
+  sequence<int> facts_; ///< by node
+  int* facts_of_;
+  bool any_begins_ = false, any_fails_ = false;
 };
 
 /// A sum as it is written: no rule lets something cancel in it.
@@ -118,13 +133,16 @@ constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
   return sum;
 }
 
-/// Whether nodes rest on symbols by sines and cosines only, so that no symbol makes them large.
+/// Whether nodes depend on symbols by sines and cosines only, so that no symbol makes them large.
 constexpr bool rest_on_angles_only(const graph& g, const sequence<int>& nodes) {
-  sequence<char> reached(g.size(), 0);
+  sequence<char> is_reached(g.size(), 0);
+  char* const reached = is_reached.begin();
+  const node* const all = g.begin();
   for (int id : nodes) reached[id] = 1;
   for (int id = g.size() - 1; id >= 0; --id) {
-    const node& n = g[id];
-    if (reached[id] == 0 || n.op == operation::sin || n.op == operation::cos) continue;
+    if (reached[id] == 0) continue;
+    const node& n = all[id];
+    if (n.op == operation::sin || n.op == operation::cos) continue;
     if (n.op == operation::symbol) return false;
     if (is_leaf(n.op)) continue;
     reached[n.a] = 1;

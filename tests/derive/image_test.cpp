@@ -1,0 +1,118 @@
+// A derivation that is set aside and taken up again is the one that went on.
+#include <kanexpr/derive/cut.hpp>
+#include <kanexpr/lower/tape.hpp>
+#include <models/andrews.hpp>
+#include <models/bicycle.hpp>
+#include <models/four_bar.hpp>
+#include <models/iiwa.hpp>
+#include <models/pendulum_nonminimal.hpp>
+#include <models/quadruped.hpp>
+#include <models/rattleback.hpp>
+#include <models/rolling_torus.hpp>
+#include <models/simple_pendulum.hpp>
+#include <models/spinning_top.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace {
+
+using kanexpr::derivation::derived_system;
+using kanexpr::derivation::image;
+using kanexpr::derivation::request;
+using kanexpr::derivation::stage;
+using kanexpr::mechanics::quantity;
+
+std::unique_ptr<image> set_aside(const derived_system& system) {
+  auto aside = std::make_unique<image>();
+  system.write(*aside);
+  return aside;
+}
+
+void expect_same(const image& a, const image& b) {
+  ASSERT_FALSE(a.is_full);
+  EXPECT_EQ(a.nodes, b.nodes);
+  EXPECT_TRUE(std::equal(a.op, a.op + a.nodes, b.op));
+  EXPECT_TRUE(std::equal(a.a, a.a + a.nodes, b.a));
+  EXPECT_TRUE(std::equal(a.b, a.b + a.nodes, b.b));
+  EXPECT_EQ(a.numbers, b.numbers);
+  EXPECT_TRUE(std::equal(a.numerators, a.numerators + a.numbers, b.numerators));
+  EXPECT_TRUE(std::equal(a.denominators, a.denominators + a.numbers, b.denominators));
+  EXPECT_TRUE(std::equal(a.reals, a.reals + a.numbers, b.reals));
+  EXPECT_EQ(a.words, b.words);
+  EXPECT_TRUE(std::equal(a.word, a.word + a.words, b.word));
+  EXPECT_EQ(a.frames, b.frames);
+  EXPECT_TRUE(std::equal(a.frame, a.frame + a.frames, b.frame));
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_TRUE(std::equal(a.point, a.point + a.points, b.point));
+}
+
+/// The steps of the code for a result, which are all that its values come from.
+kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
+  const request all[]{{.what = request::kind::result, .wanted = wanted}};
+  const auto found = kanexpr::derivation::nodes_for(system, all);
+  return kanexpr::lower::tape_of(system.graph(), found.nodes);
+}
+
+void expect_same(const kanexpr::lower::tape& a, const kanexpr::lower::tape& b) {
+  ASSERT_EQ(a.steps.size(), b.steps.size());
+  for (int i = 0; i < a.steps.size(); ++i) {
+    EXPECT_EQ(a.steps[i].op, b.steps[i].op);
+    EXPECT_EQ(a.steps[i].a, b.steps[i].a);
+    EXPECT_EQ(a.steps[i].b, b.steps[i].b);
+  }
+  ASSERT_EQ(a.numbers.size(), b.numbers.size());
+  for (int i = 0; i < a.numbers.size(); ++i) EXPECT_TRUE(a.numbers[i] == b.numbers[i]);
+  ASSERT_EQ(a.results.size(), b.results.size());
+  EXPECT_TRUE(std::equal(a.results.begin(), a.results.end(), b.results.begin()));
+}
+
+template <class Model>
+class image_of : public testing::Test {};
+
+using models = testing::Types<simple_pendulum::System, spinning_top::System, iiwa::System, quadruped::System,
+                              four_bar::System, andrews::System, bicycle::System, rattleback::System,
+                              rolling_torus::System, pendulum_nonminimal::System>;
+TYPED_TEST_SUITE(image_of, models);
+
+TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
+  derived_system straight(TypeParam::record);
+  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) {
+    go_on(straight, to);
+    ASSERT_FALSE(straight.mistake()) << straight.mistake();
+    const auto aside = set_aside(straight);
+    const derived_system again(TypeParam::record, *aside);
+    expect_same(*aside, *set_aside(again));
+  }
+}
+
+TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside) {
+  for (const kanexpr::mechanics::result_row& row : kanexpr::mechanics::results) {
+    SCOPED_TRACE(row.called);
+    derived_system straight(TypeParam::record);
+    go_on(straight, stage::constrained);
+    auto aside = set_aside(straight);
+    for (const stage to : {stage::equations, stage::linearized}) {
+      if (row.needs < to) break;
+      go_on(straight, to);
+      derived_system again(TypeParam::record, *aside);
+      go_on(again, to);
+      aside = set_aside(again);
+    }
+    derived_system again(TypeParam::record, *aside);
+    expect_same(tape_for(straight, row.is), tape_for(again, row.is));
+  }
+}
+
+TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
+  auto aside = std::make_unique<image>();
+  aside->words = image::most_words;
+  derived_system system(simple_pendulum::System::record);
+  go_on(system, stage::constrained);
+  system.write(*aside);
+  EXPECT_TRUE(aside->is_full);
+}
+
+} // namespace

@@ -1,0 +1,29 @@
+// Pictures: docs/pictures.md.
+#include "models/double_pendulum.hpp"
+
+#include <kanexpr/animate.hpp>
+#include <kanexpr/simulate.hpp>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr;
+
+#include <docs/pictures/picture.cpp>
+
+TEST(pictures, move) {
+  const auto run = simulate<System>(
+      {{q1, 0.5}, {q2, 1}, {u1, 0}, {u2, 0}},
+      {{m1, 1}, {m2, 1}, {d1, 0.5}, {d2, 0.5}, {l1, 1}, {I1, 0.1}, {I2, 0.1}, {g, 9.81}, {c1, 0}, {c2, 0}},
+      {0, 1}, {.inputs = {{T1, 0}, {T2, 0}}, .output_every = 0.02});
+  ASSERT_TRUE(run) << run.cause();
+#include <docs/pictures/written.cpp>
+
+#include <docs/pictures/animated.cpp>
+  EXPECT_EQ(a.find("sphere at Tip")->placements.size(), 51);
+}
+
+} // namespace

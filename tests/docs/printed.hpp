@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace docs {
+
+/// What is printed while it lives.
+class printed {
+public:
+  printed() = default;
+  printed(const printed&) = delete;
+  printed& operator=(const printed&) = delete;
+  ~printed() { std::cout.rdbuf(kept_); }
+
+  std::string text() const { return out_.str(); }
+
+private:
+  std::ostringstream out_;
+  std::streambuf* kept_ = std::cout.rdbuf(out_.rdbuf());
+};
+
+} // namespace docs

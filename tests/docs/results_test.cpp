@@ -1,0 +1,75 @@
+// Results, values and their status: docs/guide/results.md.
+#include "models/rolling_disc.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr;
+
+namespace arm {
+
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr speed<"u1"> u1;
+constexpr speed<"u2"> u2;
+constexpr parameter<"m"> m;
+constexpr parameter<"l"> l;
+constexpr input<"F"> F;
+constexpr input<"T"> T;
+
+struct N : inertial_frame<N> {};
+struct Upper : rotated<Upper, N, q1, N::z> {};
+struct Lower : rotated<Lower, N, q2, N::z> {};
+struct O : origin<O, N> {};
+struct Elbow : offset<Elbow, O, l * Upper::x> {};
+struct P : offset<P, Elbow, l * Lower::x> {};
+struct First : particle<First, Elbow, m> {};
+struct Second : particle<Second, P, m> {};
+struct System : kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>,
+                            kinematics<dot(q1) == u1, dot(q2) == u2>, parameters<m, l>, inputs<F, T>,
+                            bodies<First, Second>, loads<force<P, F * N::x>, torque<Upper, T * N::z>>> {};
+
+TEST(results, are_called) {
+  const state<System> x{{q1, 0.1}, {u1, 2}, {q2, 0.7}, {u2, 3}};
+  const parameter_values<System> p(2, 1);
+  const input_values<System> r(0.5, 0);
+#include <docs/guide/results/results.cpp>
+  EXPECT_NEAR(M(0, 0), 4, 1e-12);
+  EXPECT_NEAR(M(1, 1), 2, 1e-12);
+  EXPECT_EQ(f.size(), 2);
+  EXPECT_GT(energy, 0);
+  EXPECT_NEAR(v(0), -2 * std::sin(0.1) - 3 * std::sin(0.7), 1e-12);
+}
+
+TEST(results, take_values) {
+  using eom = equations_of_motion<System>;
+#include <docs/guide/results/values.cpp>
+  EXPECT_EQ(x, Eigen::Vector4d(0.1, 0, 2, 0));
+  EXPECT_EQ(p, Eigen::Vector2d(2, 1));
+#include <docs/guide/results/problem.cpp>
+  EXPECT_FALSE(p.problem());
+  eom::parameters half;
+  half[m] = 2;
+  EXPECT_EQ(half.problem().cause(), "parameter l has no value");
+}
+
+} // namespace arm
+
+namespace disc {
+
+using namespace rolling_disc;
+
+TEST(results, have_a_status) {
+  using eom = equations_of_motion<System>;
+  const eom::state x{{q1, 0}, {q2, 0.2}, {q3, 0}, {u1, 0}, {u2, 3}, {u3, 0}};
+  const eom::parameters p{{m, 2}, {r, 0.4}, {g, 9.81}};
+#include <docs/guide/results/status.cpp>
+  EXPECT_TRUE(a.status);
+}
+
+} // namespace disc
+} // namespace

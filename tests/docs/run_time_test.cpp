@@ -1,0 +1,79 @@
+// Derivation while the program runs: docs/guide/run-time.md and docs/guide/builder.md.
+#include "docs/printed.hpp"
+#include "models/rolling_disc_constrained.hpp"
+
+#include <kanexpr/algebra.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/observe.hpp>
+#include <kanexpr/runtime/assemble.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/symbolic.hpp>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr;
+
+namespace disc {
+
+using namespace rolling_disc_constrained;
+
+TEST(run_time, prints_a_model) {
+  const docs::printed here;
+#include <docs/guide/run-time/model.cpp>
+  EXPECT_NE(here.text(), "");
+}
+
+TEST(run_time, shows_the_steps) {
+#include <docs/guide/run-time/steps.cpp>
+  EXPECT_EQ(model.mistake(), "");
+  EXPECT_EQ(model.names_of_dependent_speeds(), "u4 and u5");
+  EXPECT_EQ(model.print(model.vector<velocity_of<Dmc>>()), "u4*N.x + u5*N.y - r*u1*sin(q2)*N.z");
+  EXPECT_EQ(model.print(model.vector<partial(velocity_of<Dmc>, u4)>()), "N.x");
+  EXPECT_EQ(symbolic::print(model.qdot()),
+            "[u3/cos(q2)             ]\n[u1                     ]\n"
+            "[u2 - u3*sin(q2)/cos(q2)]\n[u4                     ]\n[u5                     ]");
+  EXPECT_TRUE(udot.status());
+}
+
+} // namespace disc
+
+TEST(run_time, has_other_forms) {
+  symbolic::graph graph;
+  const auto symbol = [&](symbolic::symbol_kind kind, const char* name) {
+    return symbolic::variable(graph, {kind, symbolic::name(name), 0});
+  };
+  const auto q1 = symbol(symbolic::symbol_kind::coordinate, "q1"),
+             u1 = symbol(symbolic::symbol_kind::speed, "u1");
+  const auto e = u1 * (sin(q1) + u1), a = e, b = u1 * sin(q1) + u1 * u1;
+#include <docs/guide/run-time/forms.cpp>
+  EXPECT_EQ(compare(a, b), equality::equal);
+}
+
+TEST(builder, makes_a_pendulum) {
+  const docs::printed here;
+#include <docs/guide/builder/pendulum.cpp>
+  EXPECT_EQ(here.text(), "[-g*l*m*sin(q)]\n");
+}
+
+TEST(builder, makes_a_sleigh) {
+  runtime::builder b("N");
+  const auto x = b.coordinate("x"), y = b.coordinate("y"), turned = b.coordinate("turned");
+  const auto u = b.speed("u"), v_y = b.speed("v"), w = b.speed("w"), zero = b.number(0);
+  b.kinematic_equation(b.dot(x) - u);
+  b.kinematic_equation(b.dot(y) - v_y);
+  b.kinematic_equation(b.dot(turned) - w);
+  const auto ground = b.inertial_frame();
+  const auto sleigh = b.rotated("Sleigh", ground, turned, b.along(ground, 0, 0, 1));
+  const auto blade = b.offset("Blade", b.origin("O"), b.along(ground, x, y, zero));
+  const auto center = b.offset("G", blade, b.along(sleigh, 1, 0, 0));
+  b.rigid_body("Body", center, sleigh, b.number(2), b.inertia(sleigh, zero, zero, b.number(1)));
+#include <docs/guide/builder/sleigh.cpp>
+  EXPECT_EQ(derived.mistake().view(), "");
+  EXPECT_EQ(derived.get(mechanics::quantity::mass_matrix).rows, 2);
+}
+
+} // namespace

@@ -1,0 +1,91 @@
+// Simulation: docs/simulation.md, but for the bicycle.
+#include "docs/printed.hpp"
+#include "docs/text.hpp"
+#include "models/rotating_tube.hpp"
+#include "models/simple_pendulum.hpp"
+#include "simulate/falling_ball.hpp"
+
+#include <kanexpr/fixed_step.hpp>
+#include <kanexpr/operating_point.hpp>
+#include <kanexpr/simulate.hpp>
+#include <kanexpr/simulate/prescribe.hpp>
+#include <kanexpr/symbolic.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using namespace kanexpr;
+
+TEST(simulation, is_of_a_pendulum) {
+#include <docs/simulation/pendulum.cpp>
+
+#include <docs/simulation/by_name.cpp>
+
+#include <docs/simulation/dense.cpp>
+
+#include <docs/simulation/handed_on.cpp>
+
+#include <docs/simulation/inputs.cpp>
+
+#include <docs/simulation/trajectory.cpp>
+  EXPECT_EQ(path.size(), 1001);
+  EXPECT_NEAR(run.state[q], 0.177082, 5e-7);
+  EXPECT_TRUE(same);
+  EXPECT_TRUE(kept);
+  EXPECT_TRUE(long_run);
+  EXPECT_TRUE(out.finish());
+
+  const docs::printed here;
+#include <docs/simulation/csv.cpp>
+  EXPECT_EQ(read["q"].size(), 1001);
+  EXPECT_EQ(read["v"].cause(), "the table has no column v; it has t, q, u and T");
+#include <docs/simulation/column.cpp>
+  EXPECT_EQ(table.add("energy", path.energies().total).cause(), "there is a column energy already");
+}
+
+TEST(simulation, prescribes_an_angle) {
+#include <docs/simulation/prescribed.cpp>
+  ASSERT_TRUE(swung) << swung.cause();
+  EXPECT_NEAR(swung.trajectory[0].r[dot(theta)], 1.5, 1e-12);
+}
+
+TEST(simulation, has_events) {
+  const docs::printed here;
+#include <docs/simulation/events.cpp>
+
+#include <docs/simulation/resting.cpp>
+  EXPECT_EQ(here.text(), docs::text("docs/simulation/bounces.text"));
+  const auto ended = simulate<System>(
+      {{h, 2}, {v, 0}}, {{m, 0.3}, {g, 9.81}}, {0, 10},
+      {.events = {when<System, dot(position_of<P, O>, N::z)>("contact", crossing::falling, bounce_or_rest)}});
+  EXPECT_TRUE(ended.stopped_by_event);
+}
+
+TEST(operating_points, hold_a_pendulum) {
+#include <docs/simulation/operating_point.cpp>
+  EXPECT_NEAR(held.r[T], 7.31537, 5e-6);
+}
+
+TEST(operating_points, are_found) {
+  using namespace simple_pendulum;
+#include <docs/simulation/found.cpp>
+  EXPECT_NEAR(operating_point<System>({{q, 1}}, p, {.held = {q}, .rates = {{dot(q), 3}}}).r[T], 8.554830,
+              5e-7);
+}
+
+int steps() {
+#include <docs/simulation/steps.cpp>
+  EXPECT_NEAR(t, 1, 1e-12);
+#include <docs/simulation/cost.cpp>
+  return 0;
+}
+
+TEST(fixed_steps, are_made) { EXPECT_EQ(steps(), 0); }
+
+} // namespace
