@@ -15,4 +15,4 @@ configure_package_config_file(cmake/kanexpr-config.cmake.in ${PROJECT_BINARY_DIR
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/kanexpr-config.cmake ${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
-  cmake/parts.cmake DESTINATION ${kanexpr_package_dir})
+  cmake/parts.cmake cmake/kanexpr_add_model.cmake DESTINATION ${kanexpr_package_dir})

@@ -4,10 +4,12 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
 
-foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate unfriendly)
+foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate unfriendly linked)
   set(program consumer)
   if(way STREQUAL "unfriendly") # is read only
     set(program ${CMAKE_COMMAND} -E true)
+  elseif(way STREQUAL "linked")
+    set(program ${CMAKE_COMMAND} -DDIRECTORY=linked -P ${CMAKE_CURRENT_SOURCE_DIR}/linked/compare.cmake)
   endif()
   add_test(NAME consumer_${way}
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/${way}
@@ -16,7 +18,7 @@ foreach(way IN ITEMS add_subdirectory FetchContent find_package simulate unfrien
         -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
       --test-command ${program})
 endforeach()
-set_tests_properties(consumer_find_package consumer_simulate PROPERTIES FIXTURES_REQUIRED installed)
+set_tests_properties(consumer_find_package consumer_simulate consumer_linked PROPERTIES FIXTURES_REQUIRED installed)
 
 # What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -57,11 +57,15 @@ struct linked_functions_at_rates {
   using of = mechanics::quantity;
   using type = function_list<function<System, of::inertia_forces>, function<System, of::unreduced_forces>>;
 };
-/// And for complex numbers, for operating points.
+/// And for complex numbers: what operating points ask for.
 template <class System>
 struct linked_functions_of_complex {
   using of = mechanics::quantity;
-  using type = function_list<function<System, of::rhs>, function<System, of::constraint_residual, of::rhs>>;
+  static constexpr bool is_constrained =
+      survey_of<System>.constraints + survey_of<System>.configuration_constraints != 0;
+  using type =
+      std::conditional_t<is_constrained, function_list<function<System, of::constraint_residual, of::rhs>>,
+                         function_list<function<System, of::rhs>>>;
 };
 
 template <class System, class T, class Function, bool at_rates = false>

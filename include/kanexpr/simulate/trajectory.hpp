@@ -79,8 +79,11 @@ public:
   }
 
   kanexpr::energies energies() const {
-    using eom = equations_of_motion<System>;
-    const auto both = along(eom::together(eom::kinetic_energy, eom::potential_energy));
+    using mechanics::quantity;
+    const auto both = collect([&](const sample& s) {
+      return out_of_line<function<System, quantity::kinetic_energy, quantity::potential_energy>>{}(s.t, s.x,
+                                                                                                   p_, s.r);
+    });
     kanexpr::energies all;
     for (const auto& [kinetic, potential] : both) {
       all.kinetic.push_back(kinetic);

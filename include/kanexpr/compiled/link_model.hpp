@@ -1,0 +1,75 @@
+#pragma once
+
+#include <kanexpr/compiled/linked_model.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/lower/complex_math.hpp>
+
+/// The code behind the header of a linked model, for the one file that compiles it:
+/// `template struct kanexpr::compiled::library_of<System>;`
+namespace kanexpr::compiled {
+
+template <class T, class Function>
+typename linked_instance<T, Function>::results
+linked_instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
+                                       const typename vectors::parameters& p,
+                                       const typename vectors::inputs& r) noexcept {
+  results all{};
+  put(all, Function{}(t, x, p, r));
+  return all;
+}
+template <class T, class Function>
+typename linked_instance_at_rates<T, Function>::results linked_instance_at_rates<T, Function>::evaluate(
+    const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
+    const typename vectors::inputs& r, const typename vectors::rates& a) noexcept {
+  results all{};
+  put(all, Function{}(t, x, p, r, a));
+  return all;
+}
+
+/// Whether the survey that was written out is that of the system.
+template <class System>
+constexpr bool is_up_to_date() {
+  const derivation::survey &written = surveyed<System>::survey,
+                           &derived = derivation::stages_of<System>::constrained.known;
+  bool same = written.takes_rates_as_speeds == derived.takes_rates_as_speeds &&
+              written.coordinates == derived.coordinates && written.speeds == derived.speeds &&
+              written.parameters == derived.parameters && written.inputs == derived.inputs &&
+              written.auxiliary_speeds == derived.auxiliary_speeds &&
+              written.constraints == derived.constraints &&
+              written.configuration_constraints == derived.configuration_constraints &&
+              written.quaternions == derived.quaternions;
+  for (int i = 0; i < derived.symbols(); ++i)
+    same = same && written.names[i] == derived.names[i] && written.dependent[i] == derived.dependent[i] &&
+           written.quaternion_of[i] == derived.quaternion_of[i];
+  return same;
+}
+
+template <class T, class... Functions>
+constexpr auto code_of(function_list<Functions...>) {
+  return std::tuple(&linked_instance<T, Functions>::evaluate...);
+}
+template <class T, class... Functions>
+constexpr auto code_at_rates_of(function_list<Functions...>) {
+  return std::tuple(&linked_instance_at_rates<T, Functions>::evaluate...);
+}
+template <class System>
+constexpr auto all_code_of() {
+  return std::tuple(code_of<double>(typename linked_functions<System>::type{}),
+                    code_at_rates_of<double>(typename linked_functions_at_rates<System>::type{}),
+                    code_of<std::complex<double>>(typename linked_functions_of_complex<System>::type{}));
+}
+
+/// All functions of a linked model. An explicit instantiation of it puts them into an object file.
+template <class System>
+class library_of {
+  static_assert(is_up_to_date<System>(), "the header of this model was written for an earlier state of it");
+  using table = decltype(all_code_of<System>());
+
+public:
+  /// Refers to each of them, so that none is left out.
+  static const table functions;
+};
+template <class System>
+const typename library_of<System>::table library_of<System>::functions = all_code_of<System>();
+
+} // namespace kanexpr::compiled

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kanexpr/compiled/surveyed.hpp>
+
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace kanexpr::compiled {
+
+/// Writes the header of a linked model (see `linked_model.hpp`): the surveys of its systems, as constants.
+class model_header {
+public:
+  model_header(const std::string& path, std::string_view model) : out_(path, std::ios::binary) {
+    out_ << "// Written by kanexpr_add_model: sizes and names of the systems, whose functions are in a "
+            "library.\n"
+            "#pragma once\n\n#include <kanexpr/compiled/linked_model.hpp>\n\n#include \""
+         << model << "\"\n";
+  }
+
+  /// `spelled` is the name of the system from everywhere, "pendulum::System".
+  template <class System>
+  void add(std::string_view spelled) {
+    add(survey_of<System>, spelled);
+  }
+
+  /// Whether all was written.
+  bool close() {
+    out_.close();
+    return static_cast<bool>(out_);
+  }
+
+private:
+  void add(const derivation::survey& known, std::string_view spelled) {
+    out_ << "\ntemplate <>\nstruct kanexpr::compiled::surveyed<" << spelled
+         << "> {\n  using system = " << spelled
+         << ";\n  static constexpr bool is_linked = true;\n"
+            "  static constexpr kanexpr::derivation::survey survey = [] {\n"
+            "    kanexpr::derivation::survey s;\n";
+    set("takes_rates_as_speeds", known.takes_rates_as_speeds);
+    set("coordinates", known.coordinates);
+    set("speeds", known.speeds);
+    set("parameters", known.parameters);
+    set("inputs", known.inputs);
+    set("auxiliary_speeds", known.auxiliary_speeds);
+    set("constraints", known.constraints);
+    set("configuration_constraints", known.configuration_constraints);
+    set("quaternions", known.quaternions);
+    for (int i = 0; i < known.symbols(); ++i) {
+      out_ << "    s.names[" << i << "] = \"" << known.names[i].view() << "\";\n";
+      if (known.dependent[i]) out_ << "    s.dependent[" << i << "] = true;\n";
+      if (known.quaternion_of[i] != 0)
+        out_ << "    s.quaternion_of[" << i << "] = " << known.quaternion_of[i] << ";\n";
+    }
+    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::problem mistake{};\n"
+            "  static constexpr bool follows_from_unparsed = false;\n};\n"
+            "template <>\nstruct kanexpr::equations_of_motion<"
+         << spelled << "> : kanexpr::compiled::linked_equations<" << spelled
+         << "> {};\ntemplate <>\nstruct kanexpr::linearization<" << spelled
+         << "> : kanexpr::compiled::linked_linearization<" << spelled << "> {};\n";
+  }
+  void set(const char* member, int value) {
+    if (value != 0) out_ << "    s." << member << " = " << value << ";\n";
+  }
+
+  std::ofstream out_;
+};
+
+} // namespace kanexpr::compiled

@@ -1,0 +1,13 @@
+#pragma once
+
+/// The words of a model alone, for headers of models that others compile (see `kanexpr_add_model`). Nothing
+/// is derived with this.
+
+#include <kanexpr/compiler.hpp>
+
+#include <kanexpr/describe/constraint.hpp>
+#include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/describe/lagrange_system.hpp>
+#include <kanexpr/describe/motion.hpp>
+#include <kanexpr/describe/system.hpp>
+#include <kanexpr/version.hpp>
