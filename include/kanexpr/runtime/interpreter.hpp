@@ -51,13 +51,13 @@ private:
     const T* const factors = slots_.begin() + e.factors;
     for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
     if (e.op == operation::factorization)
-      symbolic::factorize<math>(e.order, out);
+      numeric::factorize<math>(e.order, out);
     else if (e.op == operation::regularity)
-      *out = symbolic::regularity_of<math>(e.order, factors, into);
+      *out = numeric::regularity_of<math>(e.order, factors, into);
     else if (e.op == operation::solve)
-      symbolic::solve_factorized<math>(e.order, factors, out);
+      numeric::solve_factorized<math>(e.order, factors, out);
     else
-      symbolic::solve_transposed_factorized<math>(e.order, factors, out);
+      numeric::solve_transposed_factorized<math>(e.order, factors, out);
   }
 
   void run(const lower::instruction& step, T* out) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/same_product.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
 
 /// Building expressions in their simplest local form.
 ///

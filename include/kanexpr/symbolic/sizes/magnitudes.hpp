@@ -67,13 +67,13 @@ private:
     const auto entry = [&](int i, int j) {
       return entries[n.op == operation::solve ? i * order + j : j * order + i];
     };
-    const factors place{order};
+    const numeric::factors place{order};
     sequence<double> f(place.size(), 0.0), x(order, 0.0), terms(order, 0.0);
     for (int i = 0; i < order; ++i)
       for (int j = 0; j < order; ++j) f[place.at(i, j)] = value[entry(i, j)];
-    factorize<constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
     for (int i = 0; i < order; ++i) x[i] = value[right[i]];
-    solve_factorized<constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
     for (int i = 0; i < order; ++i) {
       terms[i] = size_[right[i]];
       for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
@@ -84,7 +84,7 @@ private:
     for (int j = 0; j < order; ++j) {
       sequence<double> unit(order, 0.0);
       unit[j] = 1;
-      solve_factorized<constant_elimination>(order, &f[0], &unit[0]);
+      numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &unit[0]);
       for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
     }
   }

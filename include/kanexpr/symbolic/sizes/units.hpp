@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
 
 namespace kanexpr::symbolic {
 
