@@ -12,27 +12,25 @@ namespace kanexpr::symbolic {
 
 /// One operation on numbers in a constant expression, where the C library cannot go.
 constexpr double value_of(operation op, double a, double b) {
-  switch (op) {
-  case operation::negate: return -a;
-  case operation::add: return a + b;
-  case operation::subtract: return a - b;
-  case operation::multiply: return a * b;
-  case operation::divide: return a / b;
-  case operation::power: return elementary::pow(a, b);
-  case operation::sqrt: return elementary::sqrt(a);
-  case operation::sin: return elementary::sin(a);
-  case operation::cos: return elementary::cos(a);
-  case operation::tan: return elementary::tan(a);
-  case operation::asin: return elementary::asin(a);
-  case operation::acos: return elementary::acos(a);
-  case operation::atan: return elementary::atan(a);
-  case operation::atan2: return elementary::atan2(a, b);
-  case operation::exp: return elementary::exp(a);
-  case operation::log: return elementary::log(a);
-  case operation::abs: return elementary::abs(a);
-  case operation::sign: return elementary::sign(a);
-  default: return a;
+  switch (form_of(op)) {
+  case form::negate: return -a;
+  case form::add: return a + b;
+  case form::subtract: return a - b;
+  case form::multiply: return a * b;
+  case form::divide: return a / b;
+  case form::power: return elementary::pow(a, b);
+  case form::function: return properties_of(op).value(a);
+  case form::atan2: return elementary::atan2(a, b);
+  case form::constant:
+  case form::symbol:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break; // no operations on two numbers
   }
+  return elementary::detail::not_a_number;
 }
 
 /// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is

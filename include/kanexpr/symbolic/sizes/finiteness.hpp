@@ -59,24 +59,31 @@ private:
     if (n.op == operation::symbol) return;
     const int a = n.a, b = is_binary(n.op) && !is_numbered(n.op) ? n.b : n.a;
     bool is_never_negative = false, begins = false;
-    switch (n.op) {
-    case operation::constant: is_never_negative = !g_.number_at(id).negative(); break;
-    case operation::multiply:
+    switch (form_of(n.op)) {
+    case form::constant: is_never_negative = !g_.number_at(id).negative(); break;
+    case form::multiply:
       is_never_negative = a == b || (is_never_negative_[a] != 0 && is_never_negative_[b] != 0);
       break;
-    case operation::add: is_never_negative = is_never_negative_[a] != 0 && is_never_negative_[b] != 0; break;
-    case operation::divide: begins = !(g_.is_constant(b) || is_sure_[b] != 0); break;
-    case operation::sqrt:
-      is_never_negative = true;
-      begins = is_never_negative_[a] == 0; // rounding can make it so
+    case form::add: is_never_negative = is_never_negative_[a] != 0 && is_never_negative_[b] != 0; break;
+    case form::divide: begins = !(g_.is_constant(b) || is_sure_[b] != 0); break;
+    case form::function: {
+      const function_properties& f = properties_of(n.op);
+      is_never_negative = f.never_negative;
+      begins = !f.stays_finite;
+      if (n.op == operation::sqrt) begins = is_never_negative_[a] == 0; // rounding can make it so
       break;
-    case operation::abs: is_never_negative = true; break;
-    case operation::power:
-    case operation::asin:
-    case operation::acos:
-    case operation::exp:
-    case operation::log: begins = true; break;
-    default: break; // a tangent is as large as rounding lets it be
+    }
+    case form::power: begins = true; break;
+    case form::symbol:
+    case form::negate:
+    case form::subtract:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break;
     }
     if (is_never_negative) is_never_negative_[id] = 1;
     if (begins) begins_[id] = 1;
@@ -88,18 +95,25 @@ private:
 
   /// Marks the operands that, not being finite, leave the result no finite number.
   static constexpr void pass_on(const node& n, sequence<char>& is_told) {
-    switch (n.op) {
-    case operation::add:
-    case operation::subtract:
-    case operation::multiply: is_told[n.b] = is_told[n.a] = 1; break;
-    case operation::divide:
-    case operation::negate:
-    case operation::sqrt:
-    case operation::sin:
-    case operation::cos:
-    case operation::tan:
-    case operation::abs: is_told[n.a] = 1; break;
-    default: break; // 1/∞ is 0, and so is exp(-∞)
+    switch (form_of(n.op)) {
+    case form::add:
+    case form::subtract:
+    case form::multiply: is_told[n.b] = is_told[n.a] = 1; break;
+    case form::divide: // 1/∞ is 0
+    case form::negate: is_told[n.a] = 1; break;
+    case form::function:
+      if (properties_of(n.op).passes_infinity) is_told[n.a] = 1;
+      break;
+    case form::constant:
+    case form::symbol:
+    case form::power:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break; // may be finite all the same
     }
   }
 
