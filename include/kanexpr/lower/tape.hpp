@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/numbers/elimination.hpp>
 
 namespace kanexpr::lower {
 
@@ -30,7 +30,7 @@ struct elimination {
     return op == operation::factorization || op == operation::regularity ? order * order : order;
   }
   constexpr int outputs() const {
-    if (op == operation::factorization) return symbolic::factors{order}.size();
+    if (op == operation::factorization) return numeric::factors{order}.size();
     return op == operation::regularity ? 1 : order;
   }
 };

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/numeric/unit_quaternion.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 namespace kanexpr {
@@ -36,7 +36,7 @@ public:
   Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) {
     const Eigen::VectorXd at = at_norm_one(x);
     Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
-    for (const symbolic::sequence<int>& places : quaternions_) numeric::leave_norm_out(by_all, at, places);
+    for (const symbolic::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
     return by_dependent;
   }
@@ -46,8 +46,7 @@ public:
   /// What the norms of quaternions are off.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
-    for (int i = 0; i < quaternions_.size(); ++i)
-      left(i) = (numeric::squared_norm(x, quaternions_[i]) - 1) / 2;
+    for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
   mechanics::problem quaternion_called(int k) const {
@@ -57,7 +56,7 @@ public:
   }
   kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
     for (int k = 0; k < quaternions_.size(); ++k)
-      if (!numeric::normalize(x, quaternions_[k], numeric::norm_range{})) {
+      if (!lower::normalize(x, quaternions_[k], lower::norm_range{})) {
         far_from_one_ = mechanics::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
         return kanexpr::status(far_from_one_.view());
       }

@@ -72,8 +72,12 @@ public:
           case symbol_kind::parameter: return Scalar(p[l.position]);
           case symbol_kind::input: return Scalar(r[l.position]);
           case symbol_kind::speed_rate: return Scalar(a[l.position]);
-          default: return t;
+          case symbol_kind::time: return t;
+          case symbol_kind::coordinate_rate:
+          case symbol_kind::auxiliary_speed:
+          case symbol_kind::multiplier: break; // are in no code
           }
+          return t;
         },
         found_.data());
     result_ = Eigen::Map<const matrix>(found_.data(), result_.rows(), result_.cols());

@@ -51,13 +51,13 @@ private:
     const T* const factors = slots_.begin() + e.factors;
     for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
     if (e.op == operation::factorization)
-      symbolic::factorize<math>(e.order, out);
+      numeric::factorize<math>(e.order, out);
     else if (e.op == operation::regularity)
-      *out = symbolic::regularity_of<math>(e.order, factors, into);
+      *out = numeric::regularity_of<math>(e.order, factors, into);
     else if (e.op == operation::solve)
-      symbolic::solve_factorized<math>(e.order, factors, out);
+      numeric::solve_factorized<math>(e.order, factors, out);
     else
-      symbolic::solve_transposed_factorized<math>(e.order, factors, out);
+      numeric::solve_transposed_factorized<math>(e.order, factors, out);
   }
 
   void run(const lower::instruction& step, T* out) {
@@ -68,26 +68,26 @@ private:
       if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
       return;
     }
-    switch (step.op) {
-    case operation::negate: *out = lower::apply<operation::negate>(a, b); return;
-    case operation::add: *out = lower::apply<operation::add>(a, b); return;
-    case operation::subtract: *out = lower::apply<operation::subtract>(a, b); return;
-    case operation::multiply: *out = lower::apply<operation::multiply>(a, b); return;
-    case operation::divide: *out = lower::apply<operation::divide>(a, b); return;
-    case operation::power: *out = lower::apply<operation::power>(a, b); return;
-    case operation::sqrt: *out = lower::apply<operation::sqrt>(a, b); return;
-    case operation::sin: *out = lower::apply<operation::sin>(a, b); return;
-    case operation::cos: *out = lower::apply<operation::cos>(a, b); return;
-    case operation::tan: *out = lower::apply<operation::tan>(a, b); return;
-    case operation::asin: *out = lower::apply<operation::asin>(a, b); return;
-    case operation::acos: *out = lower::apply<operation::acos>(a, b); return;
-    case operation::atan: *out = lower::apply<operation::atan>(a, b); return;
-    case operation::atan2: *out = lower::apply<operation::atan2>(a, b); return;
-    case operation::exp: *out = lower::apply<operation::exp>(a, b); return;
-    case operation::log: *out = lower::apply<operation::log>(a, b); return;
-    case operation::abs: *out = lower::apply<operation::abs>(a, b); return;
-    case operation::sign: *out = lower::apply<operation::sign>(a, b); return;
-    default: return;
+    using symbolic::form;
+    switch (symbolic::form_of(step.op)) {
+    case form::negate: *out = lower::apply<operation::negate>(a, b); return;
+    case form::add: *out = lower::apply<operation::add>(a, b); return;
+    case form::subtract: *out = lower::apply<operation::subtract>(a, b); return;
+    case form::multiply: *out = lower::apply<operation::multiply>(a, b); return;
+    case form::divide: *out = lower::apply<operation::divide>(a, b); return;
+    case form::power: *out = lower::apply<operation::power>(a, b); return;
+    case form::atan2: *out = lower::apply<operation::atan2>(a, b); return;
+    case form::function:
+      symbolic::with_function(step.op, [&]<operation function>() { *out = lower::apply<function>(a, b); });
+      return;
+    case form::constant:
+    case form::symbol: // are loaded before
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: return; // belong to an elimination
     }
   }
 

@@ -61,8 +61,10 @@ private:
     case symbol_kind::coordinate_rate:
       return find(m_.coordinates, name, is_by_lagrange() ? m_.speeds : m_.coordinate_rates);
     case symbol_kind::speed_rate: return find(m_.speeds, name, m_.speed_rates);
-    default: return std::nullopt;
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier: break; // belong to no point
     }
+    return std::nullopt;
   }
 
   std::optional<symbolic::expression> symbol_of(std::string_view name) const {

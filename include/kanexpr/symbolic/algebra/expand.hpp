@@ -25,14 +25,12 @@ public:
 private:
   real_polynomial value(int id, const real_polynomial& a, const real_polynomial& b) {
     const operation op = g_[id].op;
-    switch (op) {
-    case operation::negate: return -a;
-    case operation::add: return a + b;
-    case operation::subtract: return a - b;
-    case operation::multiply: return multiplied(product(a, b, left_));
-    case operation::divide: return b.is_zero() ? over_zero(a) : multiplied(product(a, inverse(b), left_));
-    default: break;
-    }
+    if (op == operation::negate) return -a;
+    if (op == operation::add) return a + b;
+    if (op == operation::subtract) return a - b;
+    if (op == operation::multiply) return multiplied(product(a, b, left_));
+    if (op == operation::divide)
+      return b.is_zero() ? over_zero(a) : multiplied(product(a, inverse(b), left_));
     if (is_atomic(op)) return atom<rational>({g_, id});
     const real_polynomial f = function_of<rational>(op, argument(a), argument(b));
     if (op == operation::sqrt && f.size() == 1 && !f.is_constant()) meanings_[f.terms[0].factors[0].base] = a;

@@ -57,8 +57,8 @@ private:
   /// Whether a function is written as a word before its argument.
   bool is_named(int id) const {
     const operation op = at(id).op;
-    return is_function(op) && op != operation::sqrt && op != operation::abs && op != operation::exp &&
-           op != operation::component;
+    return is_written_as_function(op) && op != operation::sqrt && op != operation::abs &&
+           op != operation::exp && op != operation::component;
   }
 
   static std::string exponent_mark(std::int64_t exponent) {
@@ -66,15 +66,8 @@ private:
   }
 
   static std::string word_for(operation op) {
-    switch (op) {
-    case operation::asin: return "\\arcsin";
-    case operation::acos: return "\\arccos";
-    case operation::atan: return "\\arctan";
-    case operation::log: return "\\ln";
-    case operation::atan2:
-    case operation::sign: return std::string("\\operatorname{") + function_name(op) + "}";
-    default: return std::string("\\") + function_name(op);
-    }
+    const std::string command = symbolic::is_function(op) ? properties_of(op).latex : "";
+    return command.empty() ? std::string("\\operatorname{") + function_name(op) + "}" : command;
   }
 
   /// `ends_open`: nothing follows that a reader could take for a part of the argument.
