@@ -8,35 +8,39 @@
 
 namespace kanexpr::lower {
 
-/// What the steps of a tape do, as one number each, so that one function template is made for all steps that
-/// do the same: an operation, or what fills several slots at once.
+/// What each step behind the angles of a tape does, as one number, so that one function serves all steps that
+/// do the same. What fills several slots at once leaves its values aside, and each slot takes its own.
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
-  static constexpr int sine_and_cosine = -1, all_angles = -2, first_elimination = -3; ///< the next ones below
+  /// What is neither an operation nor a component: a sine with its cosine, and the eliminations from
+  /// `first_elimination` down.
+  static constexpr int sine_and_cosine = -1, first_elimination = -2;
+  static constexpr int component = static_cast<int>(operation::component);
 
   static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
   int what[steps]{};
-  int aside[steps]{}; ///< the place of what is filled at once, before each slot takes its own from there
+  int aside[steps]{};
   int aside_count = 0;
 
   constexpr step_plan() {
-    for (int i = 0; i < tape.sizes.steps; ++i) {
-      what[i] = static_cast<int>(tape.paired[i] ? operation::component : tape.op[i]);
-      if (tape.paired[i] && tape.op[i] == operation::sin) what[i] = sine_and_cosine;
-    }
-    for (int i = 0; i < tape.sizes.angles; ++i)
-      what[tape.sizes.first_angle + 2 * i] = i == 0 ? all_angles : static_cast<int>(operation::component);
-    for (int i = 0; i < tape.sizes.eliminations; ++i) what[tape.eliminations[i].step] = first_elimination - i;
     for (int i = 0; i < tape.sizes.steps; ++i)
-      if (what[i] < 0 || what[i] == static_cast<int>(operation::component)) aside[i] = aside_count++;
+      what[i] = !tape.paired[i]                ? static_cast<int>(tape.op[i])
+                : tape.op[i] == operation::sin ? sine_and_cosine
+                                               : component;
+    for (int i = 0; i < tape.sizes.eliminations; ++i) what[tape.eliminations[i].step] = first_elimination - i;
+    for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
+      if (uses_aside(what[i])) aside[i] = aside_count++;
   }
+
+  static constexpr bool uses_aside(int what) { return what < 0 || what == component; }
 };
 
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
-/// Every index is a constant and all steps stand in one function, so the compiler keeps the slots in
-/// registers from the start and the array disappears.
+/// Every index is a constant and all steps stand in one function, each in the place of its slot in one
+/// initializer, so compilers dissolve the array before they look at anything else. Behind a pointer to the
+/// slots they would look at every step in memory, and in every function on the way out again.
 template <class Code, class T>
 class evaluation {
 public:
@@ -45,10 +49,9 @@ public:
   /// `Arguments` gives the value of each load: `arguments(load)`.
   template <class Arguments>
   [[gnu::always_inline]] explicit evaluation(const Arguments& arguments) noexcept {
-    run(arguments, std::make_integer_sequence<int, tape.sizes.numbers>{},
-        std::make_integer_sequence<int, tape.sizes.loads>{},
-        std::make_integer_sequence<int, tape.sizes.steps>{},
-        std::make_integer_sequence<int, tape.sizes.results>{});
+    run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
+        up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
+        up_to<tape.sizes.steps - behind>{}, up_to<tape.sizes.results>{});
   }
 
   template <int i>
@@ -57,58 +60,66 @@ public:
   }
 
 private:
-  static constexpr int first = tape.first_step();
   static constexpr step_plan<Code> plan{};
+  static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
+                       angles = tape.sizes.angles, behind = first_angle + 2 * angles;
 
-  /// Numbers by value: behind a reference they had to be in memory.
-  using operand = std::conditional_t<std::is_arithmetic_v<T>, T, const T&>;
+  template <int count>
+  using up_to = std::make_integer_sequence<int, count>;
+  static constexpr int at_least_one(int n) { return n > 0 ? n : 1; }
 
-  template <class Arguments, int... number, int... load, int... step, int... result>
-  [[gnu::always_inline]] void
-  run([[maybe_unused]] const Arguments& arguments, std::integer_sequence<int, number...>,
-      std::integer_sequence<int, load...>, std::integer_sequence<int, step...>,
-      std::integer_sequence<int, result...>) noexcept {
-    [[maybe_unused]] T aside[plan.aside_count > 0 ? plan.aside_count : 1];
-    const T slot[tape.slot_count() > 0 ? tape.slot_count() : 1]{
-        number_as<T>(tape.numbers[number])...,
-        arguments.template operator()<tape.loads[load].from, tape.loads[load].position>()...,
-        take<plan.what[step]>(slot[tape.a[step]], slot[tape.b[step]],
-                              is_aside(plan.what[step]) ? aside + plan.aside[step] : nullptr,
-                              plan.what[step] < 0 ? slot : nullptr)...};
-    const int order[]{0, (result_[result] = slot[tape.results[result]], 0)...};
+  // clang++ would load an index from the tape
+  static consteval int a(int step) { return tape.a[step]; }
+  static consteval int b(int step) { return tape.b[step]; }
+  static consteval int slot_of(int result) { return tape.results[result]; }
+
+  /// The sines and cosines of all angles that are known first come from one call, which a scalar type may
+  /// replace.
+  template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
+            int... turned, int... after, int... result>
+  [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
+                                  std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
+                                  std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
+                                  std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
+                                  std::integer_sequence<int, after...>,
+                                  std::integer_sequence<int, result...>) noexcept {
+    [[maybe_unused]] const T given[at_least_one(first + first_angle)] {
+      number_as<T>(tape.numbers[number])...,
+      arguments.template operator()<tape.loads[load].from, tape.loads[load].position>()...,
+      take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr)...
+    };
+    [[maybe_unused]] T sine[at_least_one(angles)], cosine[at_least_one(angles)];
+    if constexpr (angles > 0) {
+      const T all[]{given[a(first_angle + 2 * angle)]...};
+      scalar_math<T>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
+    }
+    [[maybe_unused]] T aside[at_least_one(plan.aside_count)];
+    [[maybe_unused]] const T slot[at_least_one(tape.slot_count())]{
+        given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
+        take<plan.what[behind + after]>(
+            slot[a(behind + after)], slot[b(behind + after)],
+            plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
+            plan.what[behind + after] < 0 ? slot : nullptr)...};
+    const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
     static_cast<void>(order);
   }
 
-  static constexpr bool is_aside(int what) {
-    return what < 0 || what == static_cast<int>(operation::component);
-  }
+  /// Numbers by value: what a reference is bound to would have to be in memory.
+  using operand = std::conditional_t<std::is_arithmetic_v<T>, T, const T&>;
 
-  /// The value of a slot.
+  /// The value of a slot. Only what needs them is given the places aside and the slots.
   template <int what>
   [[gnu::always_inline]] static T take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] T* aside,
                                        [[maybe_unused]] const T* slot) noexcept {
-    using plans = step_plan<Code>;
-    if constexpr (what >= 0 && what != static_cast<int>(operation::component)) {
+    if constexpr (!plan.uses_aside(what)) {
       return apply<static_cast<operation>(what), T>(a, b);
     } else {
-      if constexpr (what == plans::sine_and_cosine)
+      if constexpr (what == plan.sine_and_cosine)
         scalar_math<T>::sincos(a, aside[0], aside[1]);
-      else if constexpr (what == plans::all_angles)
-        turn(aside, slot, std::make_integer_sequence<int, tape.sizes.angles>{});
-      else if constexpr (what <= plans::first_elimination)
-        eliminate<plans::first_elimination - what>(aside, slot);
+      else if constexpr (what < 0)
+        eliminate<plan.first_elimination - what>(aside, slot);
       return *aside;
     }
-  }
-
-  /// The sines and cosines of all angles that are known first, in one call that a scalar type may replace.
-  template <int... i>
-  [[gnu::always_inline]] static void turn(T* aside, const T* slot, std::integer_sequence<int, i...>) noexcept {
-    const T angle[]{slot[tape.a[tape.sizes.first_angle + 2 * i]]...};
-    T sine[sizeof...(i)], cosine[sizeof...(i)];
-    scalar_math<T>::template sincos<sizeof...(i)>(angle, sine, cosine);
-    const int order[]{(aside[2 * i] = sine[i], aside[2 * i + 1] = cosine[i], 0)...};
-    static_cast<void>(order);
   }
 
   template <int i>
@@ -116,10 +127,10 @@ private:
     constexpr elimination e = tape.eliminations[i];
     if constexpr (e.op == operation::regularity) {
       T squares[static_cast<std::size_t>(e.inputs())];
-      gather<e.operands>(squares, slot, std::make_integer_sequence<int, e.inputs()>{});
+      gather<e.operands>(squares, slot, up_to<e.inputs()>{});
       *out = unrolled_elimination<e.order, T>::regularity(slot + e.factors, squares);
     } else {
-      gather<e.operands>(out, slot, std::make_integer_sequence<int, e.inputs()>{});
+      gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)
         unrolled_elimination<e.order, T>::factorize(out);
       else if constexpr (e.op == operation::solve)
@@ -130,7 +141,8 @@ private:
   }
 
   template <int begin, int... i>
-  [[gnu::always_inline]] static void gather(T* out, const T* slot, std::integer_sequence<int, i...>) noexcept {
+  [[gnu::always_inline]] static void gather(T* out, const T* slot,
+                                            std::integer_sequence<int, i...>) noexcept {
     const int order[]{(out[i] = slot[tape.operands[begin + i]], 0)...};
     static_cast<void>(order);
   }
