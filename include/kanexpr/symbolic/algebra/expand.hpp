@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/bottom_up.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
 #include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
 
@@ -100,10 +101,7 @@ private:
 
 } // namespace algebra
 
-/// Products multiplied out, in arguments of functions too: a sum of products of powers. A sum under a bar
-/// stays there, multiplied out: (a + b)/(c d + c e) becomes a/(c (d + e)) + b/(c (d + e)).
-/// Systems of equations of order 1 to 3 are written out, larger ones are symbols.
-inline rewritten expand(expression e, std::size_t most_terms = usual_most_terms) {
+KANEXPR_ENGINE rewritten expand(expression e, std::size_t most_terms) {
   algebra::budget left(most_terms);
   const auto sums = algebra::expansion_reader(e.owner(), left).read({e.node()});
   if (left.failed()) return {e, "the expression cannot be multiplied out: " + left.cause()};
