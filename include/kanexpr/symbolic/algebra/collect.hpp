@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/algebra/expansion_reader.hpp>
 #include <kanexpr/symbolic/algebra/forms.hpp>
 
 namespace kanexpr::symbolic {

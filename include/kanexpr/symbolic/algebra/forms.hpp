@@ -44,5 +44,6 @@ KANEXPR_ENGINE matrix simplify(matrix m, std::size_t most_terms = 1000);
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/symbolic/algebra/collect.hpp>
+#include <kanexpr/symbolic/algebra/expand.hpp>
 #include <kanexpr/symbolic/algebra/simplify.hpp>
 #endif
