@@ -29,7 +29,7 @@ inline outcome fill(std::string& page, const std::string& title, const std::stri
                     const std::string& from) {
   const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
   if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
-    return outcome(from + " is no page for a motion");
+    return outcome(from + " is not a page for a motion");
   page.replace(motion_at, place_of_motion.size(), motion);
   page.replace(title_at, place_of_title.size(), title);
   return {};

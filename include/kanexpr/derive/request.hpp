@@ -72,7 +72,7 @@ constexpr mechanics::stage stage_for(const request& r) {
 /// Reads the entities that a request mentions, before the mechanism is taken as complete.
 constexpr void visit(const request& wanted, reader& r) {
   if (wanted.what == request::kind::foreign)
-    r.refuse("what a function is asked for is no expression of a model");
+    r.refuse("what a function is asked for is not an expression of a model");
   for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
 }
 

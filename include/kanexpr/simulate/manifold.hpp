@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/numeric/unit_quaternion.hpp>
+#include <kanexpr/lower/unit_quaternion.hpp>
 
 #include <Eigen/Core>
 

@@ -1,0 +1,7 @@
+#include <models/iiwa.hpp>
+
+using eom = kanexpr::equations_of_motion<iiwa::System>;
+
+auto accelerations(const eom::state& x, const eom::parameters& p, const eom::inputs& r) {
+  return eom::udot(x, p, r);
+}
