@@ -29,33 +29,38 @@ public:
   static constexpr int one = 1;
 
   constexpr graph() {
-    make_table(1 << 10);
+    make_room(1 << 9);
     constant(exactly(0));
     constant(exactly(1));
   }
   constexpr graph(const graph& other)
-      : nodes_(other.nodes_), numbers_(other.numbers_), symbols_(other.symbols_), table_(other.table_),
-        first_(nodes_.begin()), last_place_(other.last_place_), holds_lists_(other.holds_lists_) {}
+      : numbers_(other.numbers_), symbols_(other.symbols_), holds_lists_(other.holds_lists_) {
+    make_room(other.room_);
+    for (const node& n : other) restore(n);
+  }
   graph& operator=(const graph&) = delete;
+  constexpr ~graph() {
+    delete[] nodes_;
+    delete[] table_;
+  }
 
-  constexpr int size() const { return nodes_.size(); }
+  constexpr int size() const { return size_; }
   /// Whether there is anything of a linear system, live or not.
   constexpr bool holds_lists() const { return holds_lists_; }
-  constexpr const node& operator[](int id) const { return first_[id]; }
-  constexpr const node* begin() const { return first_; }
-  constexpr const node* end() const { return nodes_.end(); }
+  constexpr const node& operator[](int id) const { return nodes_[id]; }
+  constexpr const node* begin() const { return nodes_; }
+  constexpr const node* end() const { return nodes_ + size_; }
 
-  constexpr bool is_constant(int id) const { return first_[id].op == operation::constant; }
-  constexpr const number& number_at(int id) const { return numbers_[first_[id].a]; }
-  constexpr const symbol& symbol_at(int id) const { return symbols_[first_[id].a]; }
+  constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
+  constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
+  constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
   constexpr int constant(const number& value) {
-    int& entry = table_[place_of(value)];
-    if (entry >= 0) return entry;
-    entry = nodes_.size();
-    return append({operation::constant, numbers_.push(value), 0});
+    const int place = place_of(value);
+    if (table_[place] >= 0) return table_[place];
+    return append({operation::constant, numbers_.push(value), 0}, place);
   }
 
   /// The node of an existing constant, or -1.
@@ -71,29 +76,41 @@ public:
   }
 
   /// Number of an existing node, or -1.
-  constexpr int find(const node& wanted) const { return table_[place_of(wanted)]; }
+  constexpr int find(const node& wanted) const {
+    unsigned place = hash(wanted.op, wanted.a, wanted.b) & last_place_;
+    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
+      const node& present = nodes_[id];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
+    }
+    return -1;
+  }
 
   constexpr int find_or_append(const node& wanted) {
-    int& entry = table_[place_of(wanted)];
-    if (entry >= 0) return entry;
-    entry = nodes_.size();
-    return append(wanted);
+    unsigned place = hash(wanted.op, wanted.a, wanted.b) & last_place_;
+    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
+      const node& present = nodes_[id];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
+    }
+    return append(wanted, static_cast<int>(place));
   }
 
   /// Begins anew, with the numbers and symbols of a graph of which the nodes follow by `restore`.
   constexpr void restart(sequence<number>&& numbers, sequence<symbol>&& symbols, int nodes) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
-    nodes_.clear();
-    nodes_.reserve(nodes);
-    first_ = nodes_.begin();
-    int places = 1 << 10;
-    while (2 * nodes > places) places *= 4;
-    make_table(places);
+    size_ = 0;
+    int room = 1 << 9;
+    while (nodes > room) room *= 4;
+    make_room(room);
   }
-  /// A node in the order in which they stood in a graph.
+  /// A node in the order in which they stood in a graph, which had no more of them than there is room for.
   constexpr void restore(const node& kept) {
-    enter(kept, nodes_.push(kept));
+    unsigned place =
+        (kept.op == operation::constant ? hash(numbers_[kept.a]) : hash(kept.op, kept.a, kept.b));
+    place &= last_place_;
+    while (table_[place] >= 0) place = (place + 1) & last_place_;
+    table_[place] = size_;
+    nodes_[size_++] = kept;
     if (kept.op >= operation::pair) holds_lists_ = true;
   }
 
@@ -102,63 +119,65 @@ private:
     const std::uint64_t fraction =
         static_cast<std::uint64_t>(value.numerator) * 31 + static_cast<std::uint64_t>(value.denominator);
     const auto real = std::bit_cast<std::uint64_t>(value.real);
-    return hash({operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32))});
+    return hash(operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32)));
   }
-  static constexpr unsigned hash(const node& n) {
-    const unsigned mixed = (static_cast<unsigned>(n.a) * 2654435761u) ^
-                           (static_cast<unsigned>(n.b) * 2246822519u) ^
-                           (static_cast<unsigned>(n.op) * 3266489917u);
+  static constexpr unsigned hash(operation op, int a, int b) {
+    const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^
+                           (static_cast<unsigned>(b) * 2246822519u) ^
+                           (static_cast<unsigned>(op) * 3266489917u);
     return mixed ^ (mixed >> 15);
   }
 
-  /// Where in the table something stands, or would.
+  /// Where in the table a constant is, or would be.
   constexpr int place_of(const number& wanted) const {
-    const int* const table = table_.begin();
     unsigned place = hash(wanted) & last_place_;
-    for (; table[place] >= 0; place = (place + 1) & last_place_) {
-      const node& present = first_[table[place]];
+    for (; table_[place] >= 0; place = (place + 1) & last_place_) {
+      const node& present = nodes_[table_[place]];
       if (present.op == operation::constant && numbers_[present.a] == wanted) break;
     }
     return static_cast<int>(place);
   }
-  constexpr int place_of(const node& wanted) const {
-    const int* const table = table_.begin();
-    unsigned place = hash(wanted) & last_place_;
-    for (; table[place] >= 0; place = (place + 1) & last_place_) {
-      const node& present = first_[table[place]];
-      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) break;
-    }
-    return static_cast<int>(place);
-  }
-  constexpr int append(const node& added) {
-    const int id = nodes_.push(added);
-    first_ = nodes_.begin();
+
+  constexpr int append(const node& added, int place) {
     if (added.op >= operation::pair) holds_lists_ = true;
-    if (2u * static_cast<unsigned>(id) >= last_place_) rehash();
-    return id;
+    if (size_ == room_) {
+      grow(added);
+      return size_ - 1;
+    }
+    table_[place] = size_;
+    nodes_[size_] = added;
+    return size_++;
   }
-  constexpr void rehash() {
-    make_table(4 * table_.size());
-    for (int id = 0, end = nodes_.size(); id < end; ++id) enter(first_[id], id);
-  }
-  constexpr void make_table(int places) {
-    table_ = sequence<int>(places, -1);
-    last_place_ = static_cast<unsigned>(places) - 1;
-  }
-  /// Of a node that is not in the table yet.
-  constexpr void enter(const node& added, int id) {
-    int* const table = table_.begin();
-    unsigned place = (added.op == operation::constant ? hash(numbers_[added.a]) : hash(added)) & last_place_;
-    while (table[place] >= 0) place = (place + 1) & last_place_;
-    table[place] = id;
+  constexpr void grow(const node& added) {
+    const node kept = added; // may be one of these very nodes
+    node* const before = nodes_;
+    const int count = size_;
+    nodes_ = nullptr;
+    size_ = 0;
+    make_room(4 * room_);
+    for (int id = 0; id < count; ++id) restore(before[id]);
+    restore(kept);
+    delete[] before;
   }
 
-  sequence<node> nodes_{};
+  /// Twice as many places in the table as there are nodes at most, an empty graph's.
+  constexpr void make_room(int nodes) {
+    delete[] nodes_;
+    delete[] table_;
+    room_ = nodes;
+    nodes_ = new node[static_cast<unsigned>(nodes)];
+    table_ = new int[2 * static_cast<unsigned>(nodes)];
+    last_place_ = 2 * static_cast<unsigned>(nodes) - 1;
+    for (unsigned place = 0; place <= last_place_; ++place) table_[place] = -1;
+  }
+
+  node* nodes_ = nullptr;
+  int size_ = 0;
+  int room_ = 0;
+  int* table_ = nullptr; ///< open addressing; -1 is free
+  unsigned last_place_ = 0;
   sequence<number> numbers_{};
   sequence<symbol> symbols_{};
-  sequence<int> table_{}; ///< open addressing; -1 is free
-  const node* first_ = nullptr;
-  unsigned last_place_ = 0; ///< of the table, whose size is a power of 2
   bool holds_lists_ = false;
 };
 
