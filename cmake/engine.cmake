@@ -9,6 +9,9 @@ function(kanexpr_add_engine name)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC kanexpr)
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_ENGINE)
+  # Eigen's functions are others where a program is compiled with other vector instructions. So the engine has an Eigen
+  # of its own, by another name, and none of its declarations speaks of Eigen.
+  target_compile_definitions(${name} PRIVATE Eigen=kanexpr_engine_eigen)
   # Its results are the same to the last bit wherever it is compiled.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)

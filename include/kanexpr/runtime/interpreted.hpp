@@ -45,13 +45,13 @@ public:
   template <class X, class P, class R, class A>
   const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
     using symbolic::symbol_kind;
-    const Scalar* const found = code_.evaluate([&](const lower::load& l) -> Scalar {
-      switch (l.from) {
-      case symbol_kind::coordinate: return Scalar(x[l.position]);
-      case symbol_kind::speed: return Scalar(x[coordinates_ + l.position]);
-      case symbol_kind::parameter: return Scalar(p[l.position]);
-      case symbol_kind::input: return Scalar(r[l.position]);
-      case symbol_kind::speed_rate: return Scalar(a[l.position]);
+    const Scalar* const found = code_.evaluate([&](const lower::load& each) -> Scalar {
+      switch (each.from) {
+      case symbol_kind::coordinate: return Scalar(x[each.position]);
+      case symbol_kind::speed: return Scalar(x[coordinates_ + each.position]);
+      case symbol_kind::parameter: return Scalar(p[each.position]);
+      case symbol_kind::input: return Scalar(r[each.position]);
+      case symbol_kind::speed_rate: return Scalar(a[each.position]);
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate:
       case symbol_kind::auxiliary_speed:

@@ -1,8 +1,7 @@
 // builds: sanitize
 #include "symbolic/random_formula.hpp"
 
-#include <kanexpr/symbolic/algebra/cancel.hpp>
-#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/print/print.hpp>

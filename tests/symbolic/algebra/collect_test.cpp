@@ -1,8 +1,9 @@
 // builds: sanitize
 #include "symbolic/random_formula.hpp"
 
-#include <kanexpr/symbolic/algebra/collect.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/print/term.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,9 @@
 #include "scrambled_formula.hpp"
 
 #include <kanexpr/symbolic/algebra/equality.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/print/print.hpp>

@@ -1,7 +1,7 @@
 // builds: sanitize
 #include "symbolic/random_formula.hpp"
 
-#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 

@@ -1,7 +1,7 @@
 // builds: sanitize
 #include "scrambled_formula.hpp"
 
-#include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>

@@ -224,7 +224,7 @@ struct mechanism {
 
   constexpr explicit mechanism(graph& owner)
       : g(&owner), time(symbolic::variable(owner, {symbolic::symbol_kind::time, name("t"), 0})) {}
-  mechanism(const mechanism&) = delete;
+  explicit mechanism(const mechanism&) = default; // of the same graph
   mechanism& operator=(const mechanism&) = delete;
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {

@@ -11,14 +11,16 @@ namespace kanexpr::runtime {
 /// The constraints of a system that was derived while the program runs, for the numerical methods that
 /// satisfy them.
 class constraints_at {
+  using given_vector = Eigen::Map<const Eigen::VectorXd>;
+
 public:
   using coordinate_vector = Eigen::VectorXd;
 
   constraints_at(model& m, double t, std::span<const double> p, std::span<const double> r)
       : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
         quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
-        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
-        residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
+        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p.data(), size_of(p)),
+        r_(r.data(), size_of(r)), residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
         terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
         jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
@@ -69,6 +71,9 @@ public:
   }
 
 private:
+  static Eigen::Index size_of(std::span<const double> values) {
+    return static_cast<Eigen::Index>(values.size());
+  }
   Eigen::VectorXd at_norm_one(Eigen::VectorXd x) {
     normalize_quaternions(x);
     return x;
@@ -80,8 +85,8 @@ private:
   mechanics::problem far_from_one_;
   int first_speed_;
   double t_;
-  std::span<const double> p_;
-  std::span<const double> r_;
+  given_vector p_;
+  given_vector r_;
   interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
 };
 

@@ -1,0 +1,380 @@
+#pragma once
+
+#include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
+#include <kanexpr/mechanics/model/bodies.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/loads.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/engine/derived_from_mechanism.hpp>
+
+namespace kanexpr::runtime {
+
+KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : m_(*graph_), inspect_(m_) {
+  inspect_.fresh("frames", inertial_frame, m_.frames);
+  mechanics::add_inertial_frame(m_, inertial_frame);
+}
+
+KANEXPR_ENGINE problem(builder::check)() const {
+  return mistake() ? mistake() : mechanics::check_mechanism(m_);
+}
+
+KANEXPR_ENGINE expression builder::coordinate(std::string_view q) {
+  return inspect_.fresh_symbol(q), m_.coordinate(q);
+}
+
+KANEXPR_ENGINE expression builder::speed(std::string_view u) { return inspect_.fresh_symbol(u), m_.speed(u); }
+
+KANEXPR_ENGINE expression builder::parameter(std::string_view p) {
+  return inspect_.fresh_symbol(p), m_.parameter(p);
+}
+
+KANEXPR_ENGINE expression builder::input(std::string_view r) { return inspect_.fresh_symbol(r), m_.input(r); }
+
+KANEXPR_ENGINE expression builder::prescribed(std::string_view r) {
+  mechanics::name called = r;
+  const expression value = input(r);
+  expression last = value;
+  for (int order = 1; order <= 2; ++order) {
+    called.append("'");
+    inspect_.unused(called.view());
+    const expression rate = m_.input(called);
+    m_.prescribed_rates.push({last, rate});
+    last = rate;
+  }
+  return value;
+}
+
+KANEXPR_ENGINE expression builder::auxiliary_speed(std::string_view u) {
+  return inspect_.fresh_symbol(u), m_.auxiliary_speed(u);
+}
+
+KANEXPR_ENGINE void builder::rates_as_speeds() {
+  m_.derived_by = mechanics::method::lagrange;
+  m_.take_rates_as_speeds();
+}
+
+KANEXPR_ENGINE void builder::lagrangian(expression energy) {
+  if (!inspect_.own(energy, "the Lagrangian")) return;
+  m_.has_lagrangian = true;
+  m_.lagrangian = energy;
+}
+
+KANEXPR_ENGINE expression builder::number(double value) {
+  if (!symbolic::is_finite(value)) inspect_.fail({"a number is given that is not finite"});
+  return m_.number(value);
+}
+
+KANEXPR_ENGINE expression builder::dot(expression e) {
+  if (e.lives_in(*graph_)) {
+    if (const int q = m_.coordinates.find(e); q >= 0)
+      return m_.derived_by == mechanics::method::lagrange ? m_.speeds[q] : m_.coordinate_rates[q];
+    if (const int u = m_.speeds.find(e); u >= 0) return m_.speed_rates[u];
+    for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
+      if (p.quantity == e) return p.rate;
+  }
+  inspect_.fail({"the rate of something is asked for that is not a coordinate, speed or prescribed quantity"});
+  return m_.zero();
+}
+
+KANEXPR_ENGINE void builder::kinematic_equation(expression vanishes) {
+  if (inspect_.own(vanishes, "a kinematic differential equation")) m_.kinematics.push(vanishes);
+}
+
+KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
+  constexpr std::string_view whose = "kinematics_of";
+  if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
+  if (const problem found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
+    inspect_.fail({found.view()});
+    return;
+  }
+  for (const expression& e : mechanics::orientation_kinematics(m_, place(frame), place(reference)))
+    m_.kinematics.push(e);
+}
+
+KANEXPR_ENGINE vector builder::along(frame_id axes, expression x, expression y, expression z) {
+  vector v;
+  const mechanics::components value{x, y, z};
+  if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
+  return v;
+}
+
+KANEXPR_ENGINE vector builder::along(frame_id axes, double x, double y, double z) {
+  return along(axes, number(x), number(y), number(z));
+}
+
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz,
+                                       expression xy, expression yz, expression zx) {
+  mechanics::symmetric scalars;
+  scalars.xx = xx, scalars.yy = yy, scalars.zz = zz;
+  scalars.xy = xy, scalars.yz = yz, scalars.zx = zx;
+  const dyadic d = mechanics::dyadic_of(place(axes), scalars);
+  return inspect_.own(d, "an inertia") ? d : dyadic{};
+}
+
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz) {
+  return inertia(axes, xx, yy, zz, m_.zero(), m_.zero(), m_.zero());
+}
+
+KANEXPR_ENGINE frame_id builder::rotated(std::string_view called, frame_id parent, expression angle,
+                                         const vector& axis) {
+  if (!new_frame(called, parent) || !inspect_.own(angle, called) || !inspect_.own(axis, called)) return {};
+  const mechanics::components a = mechanics::express(m_, axis, place(parent));
+  if (a.is_zero())
+    inspect_.fail({"frame ", called, " is turned about an axis of no length"});
+  else if (!mechanics::is_fixed(a))
+    inspect_.fail({"frame ", called, " is turned about an axis that is not fixed in ", name_of(parent)});
+  else
+    return frame_id{mechanics::add_rotated_frame(m_, called, place(parent), angle, a)};
+  return {};
+}
+
+KANEXPR_ENGINE frame_id builder::body_fixed(std::string_view called, frame_id parent,
+                                            std::string_view letters, expression first, expression second,
+                                            expression third) {
+  return by_sequence(called, parent, letters, {first, second, third}, false);
+}
+
+KANEXPR_ENGINE frame_id builder::space_fixed(std::string_view called, frame_id parent,
+                                             std::string_view letters, expression first, expression second,
+                                             expression third) {
+  return by_sequence(called, parent, letters, {first, second, third}, true);
+}
+
+KANEXPR_ENGINE frame_id builder::quaternion(std::string_view called, frame_id parent, expression e0,
+                                            expression e1, expression e2, expression e3) {
+  if (!new_frame(called, parent) || !inspect_.own({e0, e1, e2, e3}, called)) return {};
+  return frame_id{mechanics::add_frame_by_quaternion(m_, called, place(parent), e0, e1, e2, e3)};
+}
+
+KANEXPR_ENGINE frame_id builder::direction_cosines(std::string_view called, frame_id parent,
+                                                   const mechanics::matrix3& to_parent) {
+  if (!new_frame(called, parent) || !inspect_.own(to_parent, called)) return {};
+  return frame_id{mechanics::add_frame_by_matrix(m_, called, place(parent), to_parent)};
+}
+
+KANEXPR_ENGINE void builder::angular_velocity(frame_id frame, frame_id reference, const vector& value) {
+  declare(frame, reference, value, false);
+}
+
+KANEXPR_ENGINE void builder::angular_velocity_apart_from_orientation(frame_id frame, frame_id reference,
+                                                                     const vector& value) {
+  declare(frame, reference, value, true);
+}
+
+KANEXPR_ENGINE point_id builder::origin(std::string_view called) {
+  if (!inspect_.fresh("points", called, m_.points)) return {};
+  return point_id{mechanics::add_origin(m_, called)};
+}
+
+KANEXPR_ENGINE point_id builder::offset(std::string_view called, point_id parent, const vector& from_parent) {
+  if (!inspect_.fresh("points", called, m_.points) || !inspect_.present(parent, called) ||
+      !inspect_.own(from_parent, called))
+    return {};
+  return point_id{mechanics::add_point(m_, called, place(parent), from_parent)};
+}
+
+KANEXPR_ENGINE void builder::fixed_in(point_id point, frame_id frame) {
+  if (inspect_.present(frame, "a fixed point") && unsaid_motion(point))
+    mechanics::fix_point(m_, place(point), place(frame));
+}
+
+KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
+  if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
+      inspect_.own(value, name_of(point)))
+    mechanics::declare_velocity(m_, place(point), place(reference), value);
+}
+
+KANEXPR_ENGINE void builder::particle(std::string_view called, point_id at, expression mass) {
+  if (inspect_.fresh("bodies", called, m_.bodies) && inspect_.present(at, called) &&
+      inspect_.own(mass, called))
+    mechanics::add_particle(m_, called, place(at), mass);
+}
+
+KANEXPR_ENGINE void builder::rigid_body(std::string_view called, point_id center, frame_id frame,
+                                        expression mass, const dyadic& inertia) {
+  rigid_body(called, center, frame, mass, inertia, center);
+}
+
+KANEXPR_ENGINE void builder::rigid_body(std::string_view called, point_id center, frame_id frame,
+                                        expression mass, const dyadic& inertia, point_id about) {
+  if (inspect_.fresh("bodies", called, m_.bodies) && inspect_.present(center, called) &&
+      inspect_.present(frame, called) && inspect_.own(mass, called) && inspect_.own(inertia, called) &&
+      inspect_.present(about, called))
+    mechanics::add_rigid_body(m_, called, place(center), place(frame), mass, inertia, place(about));
+}
+
+KANEXPR_ENGINE void builder::changing_inertia(std::string_view body) {
+  for (mechanics::body& b : m_.bodies)
+    if (b.called.view() == body) {
+      b.inertia_changes = true;
+      return;
+    }
+  inspect_.fail({"changing_inertia names ", body, ", and there is no such body"});
+}
+
+KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
+  for (mechanics::body& b : m_.bodies)
+    if (b.called.view() == of) {
+      b.effective = true;
+      return;
+    }
+  inspect_.fail({"there is no body ", of, " whose inertia could be an effective one"});
+}
+
+KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
+  if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
+    mechanics::add_force(m_, place(at), value);
+}
+
+KANEXPR_ENGINE void builder::torque(frame_id on, const vector& value) {
+  if (inspect_.present(on, "a torque") && inspect_.own(value, "a torque"))
+    mechanics::add_torque(m_, place(on), value);
+}
+
+KANEXPR_ENGINE void builder::force_between(point_id at, point_id other, const vector& value) {
+  if (both(at, other, "a force") && inspect_.own(value, "a force"))
+    mechanics::add_force(m_, place(at), value, place(other));
+}
+
+KANEXPR_ENGINE void builder::torque_between(frame_id on, frame_id other, const vector& value) {
+  if (both(on, other, "a torque") && inspect_.own(value, "a torque"))
+    mechanics::add_torque(m_, place(on), value, place(other));
+}
+
+KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
+  if (m_.has_gravity)
+    inspect_.fail({"gravity is given twice"});
+  else if (inspect_.own(acceleration, "gravity"))
+    mechanics::set_gravity(m_, acceleration);
+}
+
+KANEXPR_ENGINE void builder::potential_energy(expression energy) {
+  if (!inspect_.own(energy, "a potential energy")) return;
+  if (energy.is_zero()) inspect_.fail({"a potential energy is zero; 1/2 of whole numbers is 0 in C++"});
+  m_.potential_energies.push(energy);
+}
+
+KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness,
+                                    expression natural_length) {
+  if (both(at, other, "a spring") && inspect_.own({stiffness, natural_length}, "a spring"))
+    mechanics::add_spring(m_, place(at), place(other), stiffness, natural_length);
+}
+
+KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness) {
+  spring(at, other, stiffness, m_.zero());
+}
+
+KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damping) {
+  if (both(at, other, "a damper") && inspect_.own(damping, "a damper"))
+    mechanics::add_damper(m_, place(at), place(other), damping);
+}
+
+KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
+  constexpr std::string_view whose = "a torsional spring";
+  if (!inspect_.own(angle, whose) || !inspect_.own({stiffness, rest}, whose)) return;
+  if (const problem found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
+    inspect_.fail({found.view()});
+  else
+    mechanics::add_torsional_spring(m_, angle, stiffness, rest);
+}
+
+KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness) {
+  torsional_spring(angle, stiffness, m_.zero());
+}
+
+KANEXPR_ENGINE void builder::torsional_damper(frame_id on, frame_id other, expression damping) {
+  if (both(on, other, "a torsional damper") && inspect_.own(damping, "a torsional damper"))
+    mechanics::add_torsional_damper(m_, place(on), place(other), damping);
+}
+
+KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
+  if (inspect_.own(vanishes, "a configuration constraint")) m_.configuration_constraints.push(vanishes);
+}
+
+KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
+  if (inspect_.own(vanishes, "a velocity constraint")) m_.velocity_constraints.push({vanishes, {}, {}});
+}
+
+KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishing, const vector& direction) {
+  constexpr std::string_view whose = "a velocity constraint";
+  if (!inspect_.own(vanishing, whose) || !inspect_.own(direction, whose)) return;
+  if (direction.is_zero()) {
+    inspect_.fail({whose, " is given a direction of no length"});
+    return;
+  }
+  const int axes = direction.parts[0].frame;
+  const expression value =
+      mechanics::dot(mechanics::express(m_, vanishing, axes), mechanics::express(m_, direction, axes));
+  m_.velocity_constraints.push({value, vanishing, direction});
+}
+
+KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
+  if (inspect_.own(vanishes, "an acceleration constraint")) m_.acceleration_constraints.push(vanishes);
+}
+
+KANEXPR_ENGINE void builder::dependent(expression e) {
+  if (!inspect_.own(e, "what is dependent")) return;
+  const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
+  symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
+  const int at = q >= 0 ? q : u;
+  if (at < 0)
+    inspect_.fail({"something is said to be dependent that is neither a coordinate nor a speed"});
+  else if (places.contains(at))
+    inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is said to be dependent twice"});
+  else
+    places.push(at);
+}
+
+KANEXPR_ENGINE void builder::declare(frame_id frame, frame_id reference, const vector& value, bool apart) {
+  constexpr std::string_view whose = "a declared angular velocity";
+  if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
+  if (frame == inertial_frame())
+    inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
+  else if (m_.frames[place(frame)].turns_by_declaration())
+    inspect_.fail({"frame ", name_of(frame), " is given two angular velocities"});
+  else if (inspect_.own(value, name_of(frame)))
+    mechanics::declare_angular_velocity(m_, place(frame), place(reference), value, apart);
+}
+
+KANEXPR_ENGINE bool builder::new_frame(std::string_view called, frame_id parent) {
+  return inspect_.fresh("frames", called, m_.frames) && inspect_.present(parent, called);
+}
+
+KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
+  if (!inspect_.present(p, "a declared motion")) return false;
+  const mechanics::point& at = m_.points[place(p)];
+  if (at.parent == mechanics::none)
+    return inspect_.fail(
+        {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is said to move"});
+  if (at.fixed_in != mechanics::none || at.moves_by_declaration())
+    return inspect_.fail({"how point ", name_of(p), " moves is said twice"});
+  return true;
+}
+
+KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id parent,
+                                             std::string_view letters,
+                                             const symbolic::sequence<expression>& angles, bool space_fixed) {
+  if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
+  if (!mechanics::is_sequence(letters)) {
+    inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
+                   ", which is none: three axes, no two neighbours alike"});
+    return {};
+  }
+  return frame_id{mechanics::add_frame_by_sequence(m_, called, place(parent), letters, angles, space_fixed)};
+}
+
+} // namespace kanexpr::runtime
+
+namespace kanexpr {
+
+KANEXPR_ENGINE model derive(const runtime::builder& built) {
+  return model(
+      std::make_shared<runtime::derived_from_mechanism>(built.graph_, built.mechanism(), built.mistake()));
+}
+
+} // namespace kanexpr

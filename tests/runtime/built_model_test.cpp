@@ -1,0 +1,109 @@
+// builds: no-exceptions
+// A model of what a builder built, beside that of the same system described as types.
+#include "runtime/agreement.hpp"
+
+#include <kanexpr/runtime/builder.hpp>
+
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+namespace {
+
+using kanexpr::derive;
+using kanexpr::model;
+using kanexpr::runtime::builder;
+using kanexpr::symbolic::expression;
+using kanexpr::symbolic::print;
+
+static_assert(std::is_copy_constructible_v<model> && std::is_copy_assignable_v<model>);
+static_assert(std::is_nothrow_move_constructible_v<model> && std::is_nothrow_move_assignable_v<model>);
+
+// A bob on a rod that turns about a fixed point; x points down, a motor turns the rod.
+struct pendulum : builder {
+  expression q = coordinate("q"), u = speed("u"), m = parameter("m"), l = parameter("l"), g = parameter("g"),
+             motor = input("T");
+
+  pendulum() : builder("N") {
+    kinematic_equation(dot(q) - u);
+    const auto n = inertial_frame();
+    const auto rod = rotated("A", n, q, along(n, 0, 0, 1));
+    const auto o = origin("O");
+    particle("Bob", offset("P", o, along(rod, l, number(0), number(0))), m);
+    gravity(along(n, g, number(0), number(0)));
+    torque(rod, along(n, number(0), number(0), motor));
+  }
+};
+
+model model_of_pendulum() { return derive(pendulum()); } // the builder does not outlive this
+
+TEST(built_model, is_printed_and_evaluated_like_one_of_words) {
+  model built = model_of_pendulum();
+  ASSERT_EQ(built.mistake(), "");
+  EXPECT_EQ(print(built.mass_matrix()), "[l^2*m]");
+  EXPECT_EQ(print(built.forcing()), "[T - g*l*m*sin(q)]");
+  EXPECT_EQ(latex(built.mass_matrix()), "\\begin{bmatrix}\nl^{2} m\n\\end{bmatrix}");
+  auto udot = built.function(built.udot());
+  const Eigen::Vector2d x(0.5, -1.2);
+  const Eigen::Vector3d p(1.5, 2, 9.81);
+  EXPECT_NEAR(udot(x, p, Eigen::Matrix<double, 1, 1>(0.6))(0), 0.6 / (1.5 * 4) - 9.81 / 2 * std::sin(0.5),
+              1e-15);
+  EXPECT_TRUE(udot.status());
+}
+
+TEST(built_model, is_linearized_with_symbols_by_their_names) {
+  model built = model_of_pendulum();
+  constexpr kanexpr::coordinate<"q"> q;
+  constexpr kanexpr::parameter<"l"> l;
+  kanexpr::runtime::linearization linear = built.linearize({{q, 0}, {"u", 0}, {"T", 0}, {"g", 2 * l}});
+  EXPECT_TRUE(linear);
+  EXPECT_EQ(print(linear.explicit_form().A), "[0,  1]\n[-2, 0]");
+  EXPECT_EQ(print(linear.explicit_form().B), "[0        ]\n[1/(l^2*m)]");
+  EXPECT_THAT(linear.states(), testing::ElementsAre("q", "u"));
+  EXPECT_THAT(built.linearize({{"w", 0}}).problems(),
+              testing::ElementsAre("the operating point names w, which the system does not have"));
+  EXPECT_THAT(built.linearize({{"q", 1}, {"u", 0}, {"T", 0}, {"u'", 0}}).problems(),
+              testing::ElementsAre("the operating point does not satisfy dynamic differential equation 1: it "
+                                   "leaves 0.8414709848078965*g*l*m"));
+}
+
+TEST(built_model, does_not_change_with_what_is_built_afterwards) {
+  pendulum b;
+  model before = derive(b);
+  b.torsional_spring(b.q, b.parameter("k"));
+  model after = derive(b);
+  EXPECT_EQ(print(before.forcing()), "[T - g*l*m*sin(q)]");
+  EXPECT_EQ(print(after.forcing()), "[T - g*l*m*sin(q) - k*q]");
+}
+
+TEST(built_model, has_the_mistake_of_the_builder) {
+  pendulum b;
+  b.speed("q");
+  model built = derive(b);
+  EXPECT_EQ(built.mistake(), "the name q is used twice");
+  EXPECT_EQ(built.udot().rows, 0);
+  EXPECT_THAT(built.linearize().problems(), testing::ElementsAre("the name q is used twice"));
+}
+
+TEST(built_model, has_the_mistake_of_the_mechanism) {
+  pendulum b;
+  b.coordinate("q2");
+  EXPECT_NE(derive(b).mistake(), "");
+  EXPECT_EQ(derive(b).mistake(), std::string(b.check().view()));
+}
+
+TEST(model, is_shared_by_its_copies) {
+  model first = derive<simple_pendulum::System>();
+  model second = first;
+  EXPECT_EQ(second.mass_matrix().entries[0], first.mass_matrix().entries[0]);
+  EXPECT_TRUE(second.mass_matrix().entries[0].lives_in(first.graph()));
+  const model moved = std::move(first);
+  EXPECT_EQ(&moved.mechanism(), &second.mechanism());
+  first = model_of_pendulum();
+  EXPECT_EQ(print(first.mass_matrix()), "[l^2*m]");
+}
+
+} // namespace
