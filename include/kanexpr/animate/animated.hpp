@@ -33,11 +33,12 @@ public:
     return evaluate(s, all);
   }
   bool take_between(double t, double* all) const override {
-    if constexpr (requires { *trajectory_.at(t); })
+    if constexpr (numbers_in::rate_count != 0 && requires { *trajectory_.at(t); })
       if (const auto between = trajectory_.at(t)) {
         evaluate(*between, all);
         return true;
       }
+    static_cast<void>(t), static_cast<void>(all);
     return false;
   }
 

@@ -8,7 +8,8 @@ namespace kanexpr::animate {
 /// Evaluates a picture along a motion.
 class camera {
 public:
-  explicit camera(const scene& shown) : scene_(shown), x_(shown.known.coordinates + shown.known.speeds) {}
+  explicit camera(const scene& shown)
+      : scene_(shown), x_(static_cast<std::size_t>(shown.known.coordinates + shown.known.speeds)) {}
 
   animation film() {
     name_columns();
