@@ -4,15 +4,19 @@ include(CMakePackageConfigHelpers)
 set(kanexpr_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/kanexpr)
 
 install(DIRECTORY include/kanexpr DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-  PATTERN page EXCLUDE)
+  PATTERN "engine/*.cpp" PATTERN page EXCLUDE)
 install(TARGETS kanexpr EXPORT kanexpr-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT kanexpr-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
 set(kanexpr_page ${CMAKE_INSTALL_DATADIR}/kanexpr/kanexpr.html)
 configure_package_config_file(cmake/kanexpr-config.cmake.in ${PROJECT_BINARY_DIR}/kanexpr-config.cmake
   INSTALL_DESTINATION ${kanexpr_package_dir} PATH_VARS kanexpr_page)
-# Headers only: one package serves 32 and 64 bits.
+# Of headers only, one package serves 32 and 64 bits.
+set(kanexpr_serves)
+if(NOT KANEXPR_BUILD_ENGINE)
+  set(kanexpr_serves ARCH_INDEPENDENT)
+endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ${kanexpr_serves})
 install(FILES ${PROJECT_BINARY_DIR}/kanexpr-config.cmake ${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
   cmake/parts.cmake cmake/kanexpr_add_model.cmake DESTINATION ${kanexpr_package_dir})

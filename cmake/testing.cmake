@@ -1,12 +1,12 @@
-# kanexpr_add_harness(<name>): what all tests link.
-function(kanexpr_add_harness name)
+# kanexpr_add_harness(<name> <engine>): what all tests link. `engine` is kanexpr where every test compiles it.
+function(kanexpr_add_harness name engine)
   add_library(${name} STATIC oracles.cpp no_heap.cpp systems/hand_written.cpp systems/linearized.cpp
     systems/newton_euler.cpp systems/robot_results.cpp)
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
   target_compile_definitions(${name} PRIVATE KANEXPR_ORACLES="${CMAKE_CURRENT_SOURCE_DIR}/oracles")
   # Results of two compilers are compared to the last bit: none of them may fuse a product and a sum.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
-  target_link_libraries(${name} PUBLIC kanexpr kanexpr_strict GTest::gmock GTest::gtest_main
+  target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main
     PRIVATE nlohmann_json::nlohmann_json)
   # Eigen asks malloc itself for memory: replacing operator new would not see it.
   target_link_options(${name} INTERFACE

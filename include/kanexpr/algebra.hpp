@@ -4,6 +4,5 @@
 /// and cosines brought together, and whether two of them are equal. Needs Boost.Multiprecision.
 
 #include <kanexpr/symbolic.hpp>
-#include <kanexpr/symbolic/algebra/collect.hpp>
 #include <kanexpr/symbolic/algebra/equality.hpp>
-#include <kanexpr/symbolic/algebra/simplify.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>

@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  kanexpr::model<System> derived_;
+  kanexpr::model derived_ = kanexpr::derive<System>();
   kanexpr::runtime::interpreted<double> result_;
   std::map<std::string, double> values_ = oracle::load("bicycle_whipple").parameters;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
+
 #include <initializer_list>
 #include <string_view>
 
@@ -58,6 +60,13 @@ constexpr problem sentence(std::initializer_list<std::string_view> pieces) {
     append(piece.substr(piece.size() - kept / 2));
   }
   return p;
+}
+
+/// A number in a sentence.
+constexpr symbolic::name counted(int n) {
+  symbolic::name text;
+  text.append(n);
+  return text;
 }
 
 } // namespace kanexpr::mechanics

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 
 #include <bit>
 #include <complex>
@@ -34,7 +34,7 @@ constexpr double number_for_unknown(std::string_view name) {
 }
 
 constexpr gap gap_in(double value) {
-  namespace of = symbolic::elementary::detail;
+  namespace of = elementary::detail;
   if (of::is_finite(value)) return gap::none;
   if (!of::is_nan(value)) return gap::infinite;
   const std::uint64_t reason = of::bits(value) >> 48 & 7;

@@ -8,7 +8,8 @@
 namespace kanexpr::derivation {
 
 /// The straight-line code for some results. The measures and scales of what may be singular are behind all
-/// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold it.
+/// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold
+/// it.
 struct cut_code {
   problem mistake{};
   roomy_causes causes{};

@@ -12,6 +12,14 @@ namespace kanexpr::derivation {
 /// A system on its way from the types of a model to equations that can be asked for results. It stays where
 /// it was made. The first mistake ends the way.
 class derived_system {
+  // before who calls it: clang++ forms no template for a constant expression that comes later in its class
+  template <class Self, class Visit>
+  static constexpr void each_part(Self& self, Visit& visit) {
+    visit(self.mechanism_);
+    visit(self.reader_);
+    visit(*self.equations_);
+  }
+
 public:
   constexpr explicit derived_system(const system_record& from)
       : mechanism_(graph_), reader_(from, mechanism_) {
@@ -67,13 +75,6 @@ public:
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:
-  template <class Self, class Visit>
-  static constexpr void each_part(Self& self, Visit& visit) {
-    visit(self.mechanism_);
-    visit(self.reader_);
-    visit(*self.equations_);
-  }
-
   symbolic::graph graph_{};
   mechanism mechanism_;
   derivation::reader reader_;

@@ -13,18 +13,7 @@ namespace kanexpr::derivation {
 /// them. Nodes keep their numbers.
 class image_reader {
 public:
-  constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
-      : from_(from), g_(g), m_(m) {
-    symbolic::sequence<symbolic::number> numbers;
-    numbers.reserve(from.numbers);
-    for (int i = 0; i < from.numbers; ++i)
-      numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
-    symbolic::sequence<symbolic::symbol> symbols;
-    (*this)(symbols);
-    g.restart(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
-              static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.nodes);
-    for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
-  }
+  constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m);
 
   template <class T>
   constexpr void operator()(T& part) {
@@ -68,5 +57,18 @@ private:
   const mechanics::mechanism& m_;
   int next_word_ = 0, next_frame_ = 0, next_point_ = 0;
 };
+
+constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
+    : from_(from), g_(g), m_(m) {
+  symbolic::sequence<symbolic::number> numbers;
+  numbers.reserve(from.numbers);
+  for (int i = 0; i < from.numbers; ++i)
+    numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
+  symbolic::sequence<symbolic::symbol> symbols;
+  (*this)(symbols);
+  g.restart(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
+            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.nodes);
+  for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
+}
 
 } // namespace kanexpr::derivation

@@ -13,11 +13,7 @@ namespace kanexpr::derivation {
 /// order.
 class image_writer {
 public:
-  constexpr image_writer(image& into, const symbolic::graph& g) : into_(into) {
-    write_nodes(g);
-    write_numbers(g);
-    (*this)(g.symbols());
-  }
+  constexpr image_writer(image& into, const symbolic::graph& g);
 
   template <class T>
   constexpr void operator()(const T& part) {
@@ -88,5 +84,11 @@ private:
 
   image& into_;
 };
+
+constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : into_(into) {
+  write_nodes(g);
+  write_numbers(g);
+  (*this)(g.symbols());
+}
 
 } // namespace kanexpr::derivation

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/derive/read/reader.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <span>
@@ -30,12 +30,12 @@ struct request {
   };
 
   kind what = kind::foreign;
-  quantity wanted{};                          ///< of a result
-  bool is_at_given_rates = false;             ///< with the symbols u̇
-  std::span<const phrase> phrases{};          ///< of the others
-  std::string_view whom = "an expression";    ///< holds the phrases
-  std::span<const describe::token> by{};      ///< of a Jacobian: the symbols
-  bool is_to_inputs = false;                  ///< of a sensitivity
+  quantity wanted{};                       ///< of a result
+  bool is_at_given_rates = false;          ///< with the symbols u̇
+  std::span<const phrase> phrases{};       ///< of the others
+  std::string_view whom = "an expression"; ///< holds the phrases
+  std::span<const describe::token> by{};   ///< of a Jacobian: the symbols
+  bool is_to_inputs = false;               ///< of a sensitivity
 };
 
 constexpr int rows_of(const phrase& p) { return p.kind == shape::vector ? 3 : 1; }
@@ -166,12 +166,9 @@ struct requested<wanted> {
 
 template <int size, int columns, jacobian_matrix<size, columns> wanted>
 struct requested<wanted> {
-  static constexpr phrase words[]{
-      {wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}};
-  static constexpr request value{.what = request::kind::jacobian,
-                                 .phrases = words,
-                                 .whom = "a jacobian",
-                                 .by = wanted.by};
+  static constexpr phrase words[]{{wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}};
+  static constexpr request value{
+      .what = request::kind::jacobian, .phrases = words, .whom = "a jacobian", .by = wanted.by};
 };
 
 } // namespace kanexpr::derivation

@@ -2,7 +2,7 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-/// Operators and functions that C++ has and models do not, such as `dot(q) = u` and `q^2`. What is written
+/// Operators that C++ has and models do not, such as `dot(q) = u` and `q^2`. What is written
 /// with them is kept, with the mistake behind it: who reads the model knows where it stands, and says so.
 namespace kanexpr {
 
@@ -174,73 +174,6 @@ constexpr auto dot(const X& x, const Y&, const Z&, const More&...) {
 template <describe::expression_of_a_model X, class Y, class Z, class... More>
 constexpr auto cross(const X& x, const Y&, const Z&, const More&...) {
   return describe::misused<vector>(x, describe::misuse::operands);
-}
-
-template <describe::expression_of_a_model X>
-constexpr auto sinh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto cosh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto tanh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto asinh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto acosh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto atanh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto cbrt(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto exp2(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto log2(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto log10(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto floor(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto ceil(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto(round)(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto fabs(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto hypot(const X& x, const Y& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::function);
-}
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto fmod(const X& x, const Y& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::function);
 }
 
 } // namespace kanexpr

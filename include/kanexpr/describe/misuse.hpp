@@ -1,6 +1,7 @@
 #pragma once
 
-#include <string_view>
+#include <kanexpr/base/problem.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::describe {
 
@@ -31,6 +32,14 @@ enum class misuse : unsigned char {
   operands,
 };
 
+inline constexpr mechanics::problem which_functions_there_are = [] {
+  mechanics::problem p =
+      mechanics::sentence({" is written with a function that models do not have; those they have are "});
+  for (const symbolic::function_properties& f : symbolic::functions)
+    p = mechanics::sentence({p.view(), f.name, ", "});
+  return mechanics::sentence({p.view(), "atan2 and pow"});
+}();
+
 /// How a sentence about a part of a model goes on that holds it.
 constexpr std::string_view what_is_wrong(misuse what) {
   switch (what) {
@@ -57,9 +66,7 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::axes:
     return " uses in_axes_of for something other than a vector and a frame: in_axes_of<frame>(vector)";
   case misuse::partial: return " takes a partial derivative by something that is not a symbol";
-  case misuse::function:
-    return " is written with a function that models do not have; those they have are sqrt, sin, cos, tan, "
-           "asin, acos, atan, atan2, exp, log, abs, sign and pow";
+  case misuse::function: return which_functions_there_are.view();
   case misuse::points:
     return " uses position_of for something other than two points: position_of<point, from>";
   case misuse::seen_motion:

@@ -2,9 +2,8 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/arguments.hpp>
+#include <kanexpr/describe/functions.hpp>
 #include <kanexpr/describe/misfit.hpp>
-#include <kanexpr/describe/mistaken.hpp>
-#include <kanexpr/describe/mixed.hpp>
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>

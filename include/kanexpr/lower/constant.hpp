@@ -27,24 +27,24 @@ struct constant_matrix {
 /// A step of an elimination; the solution of a singular system is not-a-number.
 constexpr void constant_elimination(const elimination& e, const int* operands, const double* slot,
                                     double* out) {
-  using math = symbolic::constant_elimination;
+  using math = numeric::constant_elimination;
   const double* const factors = slot + e.factors;
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
   if (e.op == operation::regularity) {
-    const bool singular = numeric::equal(factors[symbolic::factors{e.order}.least_pivot()], 0.0);
-    *out = singular ? 0 : symbolic::regularity_of<math>(e.order, factors, inputs.begin());
+    const bool singular = numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
+    *out = singular ? 0 : numeric::regularity_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];
   if (e.op == operation::factorization)
-    symbolic::factorize<math>(e.order, out);
-  else if (numeric::equal(factors[symbolic::factors{e.order}.least_pivot()], 0.0))
-    for (int i = 0; i < e.order; ++i) out[i] = symbolic::elementary::detail::not_a_number;
+    numeric::factorize<math>(e.order, out);
+  else if (numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0))
+    for (int i = 0; i < e.order; ++i) out[i] = elementary::detail::not_a_number;
   else if (e.op == operation::solve)
-    symbolic::solve_factorized<math>(e.order, factors, out);
+    numeric::solve_factorized<math>(e.order, factors, out);
   else
-    symbolic::solve_transposed_factorized<math>(e.order, factors, out);
+    numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
 /// All slots of a tape, one after another; `value_of(load)` gives the arguments.

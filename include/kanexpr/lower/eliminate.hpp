@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/symbolic/numbers/elimination.hpp>
+#include <kanexpr/numeric/elimination.hpp>
 
 namespace kanexpr::lower {
 
@@ -20,11 +20,11 @@ struct elimination_math {
   }
 };
 
-/// The steps of symbolic/numbers/elimination.hpp one by one, with constant places only.
+/// The steps of numeric/elimination.hpp one by one, with constant places only.
 template <int order, class T>
 class unrolled_elimination {
   using math = elimination_math<T>;
-  static constexpr symbolic::factors place{order};
+  static constexpr numeric::factors place{order};
   template <int count>
   using numbers = std::make_integer_sequence<int, count>;
 

@@ -8,12 +8,39 @@
 
 namespace kanexpr::lower {
 
-/// How many steps one function template holds: fewer cost more instantiations, more cost longer ones.
-inline constexpr int steps_in_a_block = 24;
+/// What each step behind the angles of a tape does, as one number, so that one function serves all steps that
+/// do the same. What fills several slots at once leaves its values aside, and each slot takes its own.
+template <class Code>
+struct step_plan {
+  static constexpr const auto& tape = Code::tape;
+  /// What is neither an operation nor a component: a sine with its cosine, and the eliminations from
+  /// `first_elimination` down.
+  static constexpr int sine_and_cosine = -1, first_elimination = -2;
+  static constexpr int component = static_cast<int>(operation::component);
+
+  static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
+  int what[steps]{};
+  int aside[steps]{};
+  int aside_count = 0;
+
+  constexpr step_plan() {
+    for (int i = 0; i < tape.sizes.steps; ++i)
+      what[i] = !tape.paired[i]                ? static_cast<int>(tape.op[i])
+                : tape.op[i] == operation::sin ? sine_and_cosine
+                                               : component;
+    for (int i = 0; i < tape.sizes.eliminations; ++i) what[tape.eliminations[i].step] = first_elimination - i;
+    for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
+      if (uses_aside(what[i])) aside[i] = aside_count++;
+  }
+
+  static constexpr bool uses_aside(int what) { return what < 0 || what == component; }
+};
 
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
-/// Every index is a constant, so the compiler keeps the slots in registers and the array disappears.
+/// Every index is a constant and all steps stand in one function, each in the place of its slot in one
+/// initializer, so compilers dissolve the array before they look at anything else. Behind a pointer to the
+/// slots they would look at every step in memory, and in every function on the way out again.
 template <class Code, class T>
 class evaluation {
 public:
@@ -22,124 +49,105 @@ public:
   /// `Arguments` gives the value of each load: `arguments(load)`.
   template <class Arguments>
   [[gnu::always_inline]] explicit evaluation(const Arguments& arguments) noexcept {
-    load_numbers(std::make_integer_sequence<int, tape.sizes.numbers>{});
-    load_arguments(arguments, std::make_integer_sequence<int, tape.sizes.loads>{});
-    run<0, tape.sizes.first_angle>();
-    turn(std::make_integer_sequence<int, tape.sizes.angles>{});
-    run_rest(std::make_integer_sequence<int, tape.sizes.eliminations>{});
+    run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
+        up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
+        up_to<tape.sizes.steps - behind>{}, up_to<tape.sizes.results>{});
   }
 
   template <int i>
   [[gnu::always_inline]] const T& result() const noexcept {
-    return slot_[tape.results[i]];
+    return result_[i];
   }
 
 private:
-  static constexpr int first = tape.first_step();
+  static constexpr step_plan<Code> plan{};
+  static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
+                       angles = tape.sizes.angles, behind = first_angle + 2 * angles;
 
-  template <int... i>
-  [[gnu::always_inline]] void load_numbers(std::integer_sequence<int, i...>) noexcept {
-    const int order[]{0, (slot_[i] = number_as<T>(tape.numbers[i]), 0)...};
-    static_cast<void>(order);
-  }
+  template <int count>
+  using up_to = std::make_integer_sequence<int, count>;
+  static constexpr int at_least_one(int n) { return n > 0 ? n : 1; }
 
-  template <class Arguments, int... i>
-  [[gnu::always_inline]] void load_arguments(const Arguments& arguments,
-                                             std::integer_sequence<int, i...>) noexcept {
-    const int order[] {
-      0,
-      (slot_[tape.sizes.numbers + i] =
-           arguments.template operator()<tape.loads[i].from, tape.loads[i].position>(),
-       0)...
+  // clang++ would load an index from the tape
+  static consteval int a(int step) { return tape.a[step]; }
+  static consteval int b(int step) { return tape.b[step]; }
+  static consteval int slot_of(int result) { return tape.results[result]; }
+
+  /// The sines and cosines of all angles that are known first come from one call, which a scalar type may
+  /// replace.
+  template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
+            int... turned, int... after, int... result>
+  [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
+                                  std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
+                                  std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
+                                  std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
+                                  std::integer_sequence<int, after...>,
+                                  std::integer_sequence<int, result...>) noexcept {
+    [[maybe_unused]] const T given[at_least_one(first + first_angle)] {
+      number_as<T>(tape.numbers[number])...,
+      arguments.template operator()<tape.loads[load].from, tape.loads[load].position>()...,
+      take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr)...
     };
-    static_cast<void>(order);
-  }
-
-  /// The sines and cosines of all angles that are known first, in one call that a scalar type may replace.
-  template <int... i>
-  [[gnu::always_inline]] void turn(std::integer_sequence<int, i...>) noexcept {
-    if constexpr (sizeof...(i) != 0) {
-      const T angle[]{slot_[tape.a[tape.sizes.first_angle + 2 * i]]...};
-      T sine[sizeof...(i)], cosine[sizeof...(i)];
-      scalar_math<T>::template sincos<sizeof...(i)>(angle, sine, cosine);
-      const int order[]{(slot_[first + tape.sizes.first_angle + 2 * i] = sine[i],
-                         slot_[first + tape.sizes.first_angle + 2 * i + 1] = cosine[i], 0)...};
-      static_cast<void>(order);
+    [[maybe_unused]] T sine[at_least_one(angles)], cosine[at_least_one(angles)];
+    if constexpr (angles > 0) {
+      const T all[]{given[a(first_angle + 2 * angle)]...};
+      scalar_math<T>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
+    [[maybe_unused]] T aside[at_least_one(plan.aside_count)];
+    [[maybe_unused]] const T slot[at_least_one(tape.slot_count())]{
+        given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
+        take<plan.what[behind + after]>(
+            slot[a(behind + after)], slot[b(behind + after)],
+            plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
+            plan.what[behind + after] < 0 ? slot : nullptr)...};
+    const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
+    static_cast<void>(order);
   }
 
-  /// The steps after the angles, with the eliminations between them.
-  template <int... i>
-  [[gnu::always_inline]] void run_rest(std::integer_sequence<int, i...>) noexcept {
-    const int order[]{0, (run<end_of(i - 1), tape.eliminations[i].step>(), eliminate<i>(), 0)...};
-    static_cast<void>(order);
-    run<end_of(static_cast<int>(sizeof...(i)) - 1), tape.sizes.steps>();
-  }
-  static constexpr int end_of(int i) {
-    if (i < 0) return tape.sizes.first_angle + 2 * tape.sizes.angles;
-    return tape.eliminations[i].step + tape.eliminations[i].outputs();
+  /// Numbers by value: what a reference is bound to would have to be in memory.
+  using operand = std::conditional_t<std::is_arithmetic_v<T>, T, const T&>;
+
+  /// The value of a slot. Only what needs them is given the places aside and the slots.
+  template <int what>
+  [[gnu::always_inline]] static T take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] T* aside,
+                                       [[maybe_unused]] const T* slot) noexcept {
+    if constexpr (!plan.uses_aside(what)) {
+      return apply<static_cast<operation>(what), T>(a, b);
+    } else {
+      if constexpr (what == plan.sine_and_cosine)
+        scalar_math<T>::sincos(a, aside[0], aside[1]);
+      else if constexpr (what < 0)
+        eliminate<plan.first_elimination - what>(aside, slot);
+      return *aside;
+    }
   }
 
   template <int i>
-  [[gnu::always_inline]] void eliminate() noexcept {
+  [[gnu::always_inline]] static void eliminate(T* out, const T* slot) noexcept {
     constexpr elimination e = tape.eliminations[i];
-    T* const out = slot_ + first + e.step;
     if constexpr (e.op == operation::regularity) {
       T squares[static_cast<std::size_t>(e.inputs())];
-      gather<e.operands>(squares, std::make_integer_sequence<int, e.inputs()>{});
-      *out = unrolled_elimination<e.order, T>::regularity(slot_ + e.factors, squares);
+      gather<e.operands>(squares, slot, up_to<e.inputs()>{});
+      *out = unrolled_elimination<e.order, T>::regularity(slot + e.factors, squares);
     } else {
-      gather<e.operands>(out, std::make_integer_sequence<int, e.inputs()>{});
+      gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)
         unrolled_elimination<e.order, T>::factorize(out);
       else if constexpr (e.op == operation::solve)
-        unrolled_elimination<e.order, T>::solve(slot_ + e.factors, out);
+        unrolled_elimination<e.order, T>::solve(slot + e.factors, out);
       else
-        unrolled_elimination<e.order, T>::solve_transposed(slot_ + e.factors, out);
+        unrolled_elimination<e.order, T>::solve_transposed(slot + e.factors, out);
     }
   }
 
   template <int begin, int... i>
-  [[gnu::always_inline]] void gather(T* out, std::integer_sequence<int, i...>) noexcept {
-    const int order[]{(out[i] = slot_[tape.operands[begin + i]], 0)...};
+  [[gnu::always_inline]] static void gather(T* out, const T* slot,
+                                            std::integer_sequence<int, i...>) noexcept {
+    const int order[]{(out[i] = slot[tape.operands[begin + i]], 0)...};
     static_cast<void>(order);
   }
 
-  template <int begin, int end>
-  [[gnu::always_inline]] void run() noexcept {
-    run_blocks<begin, end>(
-        std::make_integer_sequence<int, (end - begin + steps_in_a_block - 1) / steps_in_a_block>{});
-  }
-
-  template <int begin, int end, int... block>
-  [[gnu::always_inline]] void run_blocks(std::integer_sequence<int, block...>) noexcept {
-    const int order[]{0, (run_block<begin + block * steps_in_a_block, end>(), 0)...};
-    static_cast<void>(order);
-  }
-
-  template <int begin, int end>
-  [[gnu::always_inline]] void run_block() noexcept {
-    constexpr int left = end - begin;
-    run_steps<begin>(std::make_integer_sequence<int, (left < steps_in_a_block ? left : steps_in_a_block)>{});
-  }
-
-  template <int begin, int... i>
-  [[gnu::always_inline]] void run_steps(std::integer_sequence<int, i...>) noexcept {
-    const int order[]{(step<tape.op[begin + i], tape.paired[begin + i]>(
-                           slot_ + first + begin + i, slot_[tape.a[begin + i]], slot_[tape.b[begin + i]]),
-                       0)...};
-    static_cast<void>(order);
-  }
-
-  template <operation op, bool paired>
-  [[gnu::always_inline]] static void step(T* slot, const T& a, const T& b) noexcept {
-    if constexpr (!paired)
-      *slot = apply<op>(a, b);
-    else if constexpr (op == operation::sin)
-      scalar_math<T>::sincos(a, slot[0], slot[1]);
-  }
-
-  T slot_[tape.slot_count() > 0 ? tape.slot_count() : 1];
+  T result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
 };
 
 } // namespace kanexpr::lower

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/equal.hpp>
-#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 #include <bit>
@@ -50,39 +49,7 @@ struct default_scalar_math {
 
   template <symbolic::operation op>
   static T by_name(const T& x) {
-    using std::abs;
-    using std::acos;
-    using std::asin;
-    using std::atan;
-    using std::cos;
-    using std::exp;
-    using std::log;
-    using std::sin;
-    using std::sqrt;
-    using std::tan;
-    using symbolic::operation;
-    if constexpr (op == operation::sqrt)
-      return sqrt(x);
-    else if constexpr (op == operation::sin)
-      return sin(x);
-    else if constexpr (op == operation::cos)
-      return cos(x);
-    else if constexpr (op == operation::tan)
-      return tan(x);
-    else if constexpr (op == operation::asin)
-      return asin(x);
-    else if constexpr (op == operation::acos)
-      return acos(x);
-    else if constexpr (op == operation::atan)
-      return atan(x);
-    else if constexpr (op == operation::exp)
-      return exp(x);
-    else if constexpr (op == operation::log)
-      return log(x);
-    else if constexpr (op == operation::abs)
-      return abs(x);
-    else
-      return sign(x);
+    return symbolic::scalar_function<op>::of(x);
   }
 
   /// Not-a-number exceeds nothing.
@@ -106,13 +73,7 @@ struct default_scalar_math {
     return (bits & exponent) != exponent;
   }
 
-  /// Of what is not a number it is none.
-  static T sign(const T& x) {
-    if constexpr (std::is_arithmetic_v<T>)
-      return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;
-    else
-      return T((T(0) < x) - (x < T(0)));
-  }
+  static T sign(const T& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
   /// What elimination exchanges rows with: by selection, since a branch would depend on the data.
   [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
     const bool exchanged = T(0) < d;
@@ -140,7 +101,9 @@ struct scalar_math : default_scalar_math<T> {};
 template <symbolic::operation op, class T>
 [[gnu::always_inline]] inline T apply(const T& a, const T& b) {
   using symbolic::operation;
-  if constexpr (op == operation::negate)
+  if constexpr (symbolic::is_function(op))
+    return scalar_math<T>::template by_name<op>(a);
+  else if constexpr (op == operation::negate)
     return T(-a);
   else if constexpr (op == operation::add)
     return T(a + b);
@@ -152,10 +115,10 @@ template <symbolic::operation op, class T>
     return T(a / b);
   else if constexpr (op == operation::power)
     return scalar_math<T>::power(a, b);
-  else if constexpr (op == operation::atan2)
+  else {
+    static_assert(op == operation::atan2);
     return scalar_math<T>::atan2(a, b);
-  else
-    return scalar_math<T>::template by_name<op>(a);
+  }
 }
 
 /// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
-#include <kanexpr/symbolic/numbers/elimination.hpp>
 
 namespace kanexpr::lower {
 
@@ -30,7 +30,7 @@ struct elimination {
     return op == operation::factorization || op == operation::regularity ? order * order : order;
   }
   constexpr int outputs() const {
-    if (op == operation::factorization) return symbolic::factors{order}.size();
+    if (op == operation::factorization) return numeric::factors{order}.size();
     return op == operation::regularity ? 1 : order;
   }
 };
@@ -115,14 +115,15 @@ private:
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> is_free(end_, 0); // of nodes that depend on no function: sums and products of what is given
+    sequence<char> is_free(end_,
+                           0); // of nodes that depend on no function: sums and products of what is given
     char* const free = is_free.begin();
     sequence<int> gathered;
     for (int id = 0; id < end_; ++id) {
       const symbolic::node& n = nodes_[id];
       if (n.op <= operation::divide)
-        free[id] = n.op <= operation::symbol ||
-                   (free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0));
+        free[id] =
+            n.op <= operation::symbol || (free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0));
       else if (n.op == operation::sin && is_live_[id] != 0 && free[n.a] != 0 && has_both(id)) {
         put_with_operands(n.a);
         gathered.push(id);

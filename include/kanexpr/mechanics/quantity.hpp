@@ -53,7 +53,7 @@ enum class extent_by : unsigned char {
   three,
   coordinates,               ///< n
   speeds,                    ///< p
-  coordinates_and_speeds,         ///< n+p
+  coordinates_and_speeds,    ///< n+p
   independent_speeds,        ///< p−m
   configuration_constraints, ///< l
   speed_constraints,         ///< m
@@ -85,7 +85,8 @@ inline constexpr result_row results[]{
     {quantity::forcing, "forcing", extent_by::independent_speeds, extent_by::one, stage::equations},
     {quantity::mass_matrix_full, "mass_matrix_full", extent_by::coordinates_and_speeds,
      extent_by::coordinates_and_speeds, stage::equations},
-    {quantity::forcing_full, "forcing_full", extent_by::coordinates_and_speeds, extent_by::one, stage::equations},
+    {quantity::forcing_full, "forcing_full", extent_by::coordinates_and_speeds, extent_by::one,
+     stage::equations},
     {quantity::qdot, "qdot", extent_by::coordinates, extent_by::one, stage::constrained},
     {quantity::udot, "udot", extent_by::speeds, extent_by::one, stage::equations},
     {quantity::rhs, "rhs", extent_by::coordinates_and_speeds, extent_by::one, stage::equations},
@@ -131,9 +132,10 @@ inline constexpr result_row results[]{
      stage::linearized},
     {quantity::input_matrix, "explicit_form", extent_by::independent_states, extent_by::inputs,
      stage::linearized},
-    {quantity::state_jacobian, "jacobian", extent_by::coordinates_and_speeds, extent_by::coordinates_and_speeds,
+    {quantity::state_jacobian, "jacobian", extent_by::coordinates_and_speeds,
+     extent_by::coordinates_and_speeds, stage::equations},
+    {quantity::input_jacobian, "jacobian", extent_by::coordinates_and_speeds, extent_by::inputs,
      stage::equations},
-    {quantity::input_jacobian, "jacobian", extent_by::coordinates_and_speeds, extent_by::inputs, stage::equations},
     {quantity::implicit_mass_matrix, "implicit_form", extent_by::unknowns, extent_by::unknowns,
      stage::equations},
     {quantity::implicit_state_matrix, "implicit_form", extent_by::unknowns, extent_by::independent_states,

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/problem.hpp>
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/numeric/newton.hpp>
 
 #include <cmath>

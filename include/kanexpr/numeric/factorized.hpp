@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/numeric/constant_elimination.hpp>
 
 #include <Eigen/Core>
 
@@ -14,29 +14,26 @@ template <class Vector>
 class factorized {
 public:
   template <class Matrix>
-  explicit factorized(const Matrix& a)
-      : order_(static_cast<int>(a.rows())), f_(symbolic::factors{order_}.size()) {
-    const symbolic::factors place{order_};
+  explicit factorized(const Matrix& a) : order_(static_cast<int>(a.rows())), f_(factors{order_}.size()) {
+    const factors place{order_};
     for (int i = 0; i < order_; ++i)
       for (int j = 0; j < order_; ++j) f_(place.at(i, j)) = a(i, j);
     largest_ = a.cwiseAbs().maxCoeff();
-    symbolic::factorize<symbolic::constant_elimination>(order_, f_.data());
+    factorize<constant_elimination>(order_, f_.data());
   }
 
   /// The least pivot beside the largest entry.
-  double regularity() const { return f_(symbolic::factors{order_}.least_pivot()) / largest_; }
+  double regularity() const { return f_(factors{order_}.least_pivot()) / largest_; }
 
   /// Whether rounding decides on the least pivot.
   bool is_singular() const { return !(regularity() > order_ * std::numeric_limits<double>::epsilon()); }
 
   /// Turns b into the solution of A x = b.
-  void solve(Vector& b) const {
-    symbolic::solve_factorized<symbolic::constant_elimination>(order_, f_.data(), b.data());
-  }
+  void solve(Vector& b) const { solve_factorized<constant_elimination>(order_, f_.data(), b.data()); }
 
 private:
   static constexpr int fixed = Vector::RowsAtCompileTime;
-  static constexpr int room = fixed < 0 ? Eigen::Dynamic : symbolic::factors{fixed < 0 ? 0 : fixed}.size();
+  static constexpr int room = fixed < 0 ? Eigen::Dynamic : factors{fixed < 0 ? 0 : fixed}.size();
 
   int order_;
   Eigen::Matrix<double, room, 1> f_;

@@ -1,110 +1,51 @@
 #pragma once
 
-#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/base/engine.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/numeric/unit_quaternion.hpp>
 #include <kanexpr/runtime/model.hpp>
+
+#include <span>
+#include <vector>
 
 namespace kanexpr {
 
 namespace runtime {
 
-/// The constraints of a system that was derived while the program runs, for the numerical methods that
-/// satisfy them.
-template <class Model, class P, class R>
-class constraints_at {
-public:
-  using coordinate_vector = Eigen::VectorXd;
+KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const double> p,
+                                 std::span<const double> r, double t, const assembly_options& options);
+KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
+                                             std::span<const double> r, double t, double tolerance);
 
-  constraints_at(Model& m, double t, const P& p, const R& r)
-      : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
-        quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
-        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
-        residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
-        terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
-        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
-        velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
-        velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
-        speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
-
-  int coordinates() const { return coordinates_.size(); }
-  int place_of_coordinate(int i) const { return coordinates_[i]; }
-
-  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) {
-    return residual_(t_, at_norm_one(x), p_, r_);
-  }
-  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) {
-    const Eigen::VectorXd at = at_norm_one(x);
-    Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
-    for (const symbolic::sequence<int>& places : quaternions_) numeric::leave_norm_out(by_all, at, places);
-    for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
-    return by_dependent;
-  }
-  Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
-  Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
-  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
-  /// What the norms of quaternions are off.
-  Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd left(quaternions_.size());
-    for (int i = 0; i < quaternions_.size(); ++i)
-      left(i) = (numeric::squared_norm(x, quaternions_[i]) - 1) / 2;
-    return left;
-  }
-  mechanics::problem quaternion_called(int k) const {
-    return mechanics::sentence(
-        {"the quaternion ",
-         mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
-  }
-  kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
-    for (int k = 0; k < quaternions_.size(); ++k)
-      if (!numeric::normalize(x, quaternions_[k], numeric::norm_range{})) {
-        far_from_one_ = mechanics::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
-        return kanexpr::status(far_from_one_.view());
-      }
-    return {};
-  }
-  kanexpr::status solve_speeds(Eigen::VectorXd& x) {
-    const Eigen::VectorXd u = speeds_solved_(t_, x, p_, r_);
-    if (speeds_solved_.status())
-      for (int i = 0; i < speeds_.size(); ++i) x(first_speed_ + speeds_[i]) = u(i);
-    return speeds_solved_.status();
-  }
-
-private:
-  Eigen::VectorXd at_norm_one(Eigen::VectorXd x) {
-    normalize_quaternions(x);
-    return x;
-  }
-
-  symbolic::sequence<int> coordinates_, speeds_;
-  symbolic::sequence<symbolic::sequence<int>> quaternions_;
-  const mechanics::mechanism& mechanism_;
-  mechanics::problem far_from_one_;
-  int first_speed_;
-  double t_;
-  const P& p_;
-  const R& r_;
-  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
-};
+/// The entries of any vector.
+template <class Vector>
+std::vector<double> entries_of(const Vector& v) {
+  std::vector<double> entries;
+  for (Eigen::Index i = 0; i < v.size(); ++i) entries.push_back(v[i]);
+  return entries;
+}
 
 } // namespace runtime
 
 /// As for a compiled system: gives quaternions norm 1 and solves the constraints for what is dependent in
 /// `x` = [q; u].
-template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
-assembly assemble(model<System, also...>& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {},
-                  double t = 0, const assembly_options& options = {}) {
-  runtime::constraints_at<model<System, also...>, P, R> constraints(m, t, p, r);
-  return numeric::assemble(constraints, x, options);
+template <class P = Eigen::VectorXd, class R = Eigen::VectorXd>
+assembly assemble(model& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {}, double t = 0,
+                  const assembly_options& options = {}) {
+  return runtime::assemble(m, {x.data(), static_cast<std::size_t>(x.size())}, runtime::entries_of(p),
+                           runtime::entries_of(r), t, options);
 }
 
 /// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
 /// and its quaternions have norm 1; if not, what is off and by how much.
-template <class System, auto... also, class P = Eigen::VectorXd, class R = Eigen::VectorXd>
-consistency check_consistency(model<System, also...>& m, const Eigen::VectorXd& x, const P& p, const R& r,
-                              double t = 0, double tolerance = 1e-9) {
-  runtime::constraints_at<model<System, also...>, P, R> constraints(m, t, p, r);
-  return numeric::check_consistency(constraints, x, tolerance);
+template <class P = Eigen::VectorXd, class R = Eigen::VectorXd>
+consistency check_consistency(model& m, const Eigen::VectorXd& x, const P& p, const R& r, double t = 0,
+                              double tolerance = 1e-9) {
+  return runtime::check_consistency(m, {x.data(), static_cast<std::size_t>(x.size())}, runtime::entries_of(p),
+                                    runtime::entries_of(r), t, tolerance);
 }
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/runtime/engine/assemble.hpp>
+#endif

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
-#include <kanexpr/lower/regular.hpp>
-#include <kanexpr/mechanics/dynamics/singular.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic/linear/solve.hpp>
+#include <kanexpr/runtime/guarded_code.hpp>
 
 #include <Eigen/Core>
 
@@ -22,28 +18,13 @@ public:
   /// `guards`: what may be singular on the way to the results.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
               const symbolic::sequence<mechanics::guard>& guards = {})
-      : code_(lower::tape_of(g, nodes(wanted, guards))), coordinates_(coordinates),
-        result_(wanted.rows, wanted.columns), found_(code_.size()) {
-    for (const mechanics::guard& each : guards) {
-      causes_.push(each.cause);
-      is_of_finiteness_.push(each.of_finiteness);
-    }
-  }
+      : code_(g, wanted, guards), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
 
   /// Operations of one call.
-  symbolic::cost cost() const { return lower::cost_of(code_.code()); }
+  symbolic::cost cost() const { return code_.cost(); }
 
   /// Whether all that the last call had to solve could be solved at its state.
-  kanexpr::status status() const {
-    for (int i = 0; i < causes_.size(); ++i) {
-      const Scalar &measure = found_[result_.size() + 2 * i], &scale = found_[result_.size() + 2 * i + 1];
-      constexpr double least = mechanics::least_regularity<Scalar>();
-      if (is_of_finiteness_[i] ? !lower::passes<true>(measure, scale, least)
-                               : !lower::passes<false>(measure, scale, least))
-        return kanexpr::status(causes_[i].view());
-    }
-    return {};
-  }
+  kanexpr::status status() const { return code_.status(); }
 
   template <class X>
   const matrix& operator()(const X& x) {
@@ -64,19 +45,21 @@ public:
   template <class X, class P, class R, class A>
   const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
     using symbolic::symbol_kind;
-    code_.evaluate(
-        [&](const lower::load& l) -> Scalar {
-          switch (l.from) {
-          case symbol_kind::coordinate: return Scalar(x[l.position]);
-          case symbol_kind::speed: return Scalar(x[coordinates_ + l.position]);
-          case symbol_kind::parameter: return Scalar(p[l.position]);
-          case symbol_kind::input: return Scalar(r[l.position]);
-          case symbol_kind::speed_rate: return Scalar(a[l.position]);
-          default: return t;
-          }
-        },
-        found_.data());
-    result_ = Eigen::Map<const matrix>(found_.data(), result_.rows(), result_.cols());
+    const Scalar* const found = code_.evaluate([&](const lower::load& l) -> Scalar {
+      switch (l.from) {
+      case symbol_kind::coordinate: return Scalar(x[l.position]);
+      case symbol_kind::speed: return Scalar(x[coordinates_ + l.position]);
+      case symbol_kind::parameter: return Scalar(p[l.position]);
+      case symbol_kind::input: return Scalar(r[l.position]);
+      case symbol_kind::speed_rate: return Scalar(a[l.position]);
+      case symbol_kind::time: return t;
+      case symbol_kind::coordinate_rate:
+      case symbol_kind::auxiliary_speed:
+      case symbol_kind::multiplier: break; // are in no code
+      }
+      return t;
+    });
+    result_ = Eigen::Map<const matrix>(found, result_.rows(), result_.cols());
     return result_;
   }
 
@@ -86,23 +69,9 @@ private:
     Scalar operator[](Eigen::Index) const { return std::numeric_limits<Scalar>::quiet_NaN(); }
   };
 
-  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted,
-                                       const symbolic::sequence<mechanics::guard>& guards) {
-    symbolic::sequence<int> ids;
-    for (const symbolic::expression& e : wanted.entries) ids.push(e.node());
-    for (const mechanics::guard& each : guards) {
-      ids.push(each.measure.node());
-      ids.push(each.scale.node());
-    }
-    return ids;
-  }
-
-  interpreter<Scalar> code_;
+  guarded_code<Scalar> code_;
   int coordinates_;
   matrix result_;
-  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> found_; ///< the result, then how regular what it depends on is
-  symbolic::sequence<mechanics::problem> causes_{};
-  symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };
 
 } // namespace kanexpr::runtime

@@ -11,12 +11,7 @@ namespace kanexpr::runtime {
 template <class T = double>
 class interpreter {
 public:
-  explicit interpreter(const lower::tape& code)
-      : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
-    for (const lower::elimination& e : code_.eliminations)
-      if (e.inputs() > squares_.size()) squares_.resize(e.inputs(), lower::scalar_math<T>::from(0));
-    for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
-  }
+  explicit interpreter(const lower::tape& code);
 
   const lower::tape& code() const { return code_; }
   int size() const { return code_.results.size(); }
@@ -27,73 +22,101 @@ public:
   void evaluate(const Arguments& value_of, Results&& results) {
     const int first_load = code_.numbers.size();
     for (int i = 0; i < code_.loads.size(); ++i) slots_[first_load + i] = value_of(code_.loads[i]);
-    int next = 0;
-    for (const lower::elimination& e : code_.eliminations) {
-      run(next, e.step);
-      eliminate(e);
-      next = e.step + e.outputs();
-    }
-    run(next, code_.steps.size());
+    run();
     for (int i = 0; i < size(); ++i) results[i] = slots_[code_.results[i]];
   }
 
 private:
-  void run(int begin, int end) {
-    T* out = slots_.begin() + code_.first_step() + begin;
-    for (int i = begin; i < end; ++i) run(code_.steps[i], out++);
-  }
-
-  void eliminate(const lower::elimination& e) {
-    using symbolic::operation;
-    using math = lower::elimination_math<T>;
-    T* const out = slots_.begin() + code_.first_step() + e.step;
-    T* const into = e.op == operation::regularity ? squares_.begin() : out;
-    const T* const factors = slots_.begin() + e.factors;
-    for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
-    if (e.op == operation::factorization)
-      symbolic::factorize<math>(e.order, out);
-    else if (e.op == operation::regularity)
-      *out = symbolic::regularity_of<math>(e.order, factors, into);
-    else if (e.op == operation::solve)
-      symbolic::solve_factorized<math>(e.order, factors, out);
-    else
-      symbolic::solve_transposed_factorized<math>(e.order, factors, out);
-  }
-
-  void run(const lower::instruction& step, T* out) {
-    using symbolic::operation;
-    const T& a = slots_[step.a];
-    const T& b = slots_[step.b];
-    if (step.paired) {
-      if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
-      return;
-    }
-    switch (step.op) {
-    case operation::negate: *out = lower::apply<operation::negate>(a, b); return;
-    case operation::add: *out = lower::apply<operation::add>(a, b); return;
-    case operation::subtract: *out = lower::apply<operation::subtract>(a, b); return;
-    case operation::multiply: *out = lower::apply<operation::multiply>(a, b); return;
-    case operation::divide: *out = lower::apply<operation::divide>(a, b); return;
-    case operation::power: *out = lower::apply<operation::power>(a, b); return;
-    case operation::sqrt: *out = lower::apply<operation::sqrt>(a, b); return;
-    case operation::sin: *out = lower::apply<operation::sin>(a, b); return;
-    case operation::cos: *out = lower::apply<operation::cos>(a, b); return;
-    case operation::tan: *out = lower::apply<operation::tan>(a, b); return;
-    case operation::asin: *out = lower::apply<operation::asin>(a, b); return;
-    case operation::acos: *out = lower::apply<operation::acos>(a, b); return;
-    case operation::atan: *out = lower::apply<operation::atan>(a, b); return;
-    case operation::atan2: *out = lower::apply<operation::atan2>(a, b); return;
-    case operation::exp: *out = lower::apply<operation::exp>(a, b); return;
-    case operation::log: *out = lower::apply<operation::log>(a, b); return;
-    case operation::abs: *out = lower::apply<operation::abs>(a, b); return;
-    case operation::sign: *out = lower::apply<operation::sign>(a, b); return;
-    default: return;
-    }
-  }
+  void run();
+  void run(int begin, int end);
+  void run(const lower::instruction& step, T* out);
+  void eliminate(const lower::elimination& e);
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
   symbolic::sequence<T> squares_{}; ///< while they grow
 };
+
+// Not inside of the class: there they would be inline, and every file would compile them.
+
+template <class T>
+interpreter<T>::interpreter(const lower::tape& code)
+    : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
+  for (const lower::elimination& e : code_.eliminations)
+    if (e.inputs() > squares_.size()) squares_.resize(e.inputs(), lower::scalar_math<T>::from(0));
+  for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
+}
+
+template <class T>
+void interpreter<T>::run() {
+  int next = 0;
+  for (const lower::elimination& e : code_.eliminations) {
+    run(next, e.step);
+    eliminate(e);
+    next = e.step + e.outputs();
+  }
+  run(next, code_.steps.size());
+}
+
+template <class T>
+void interpreter<T>::run(int begin, int end) {
+  T* out = slots_.begin() + code_.first_step() + begin;
+  for (int i = begin; i < end; ++i) run(code_.steps[i], out++);
+}
+
+template <class T>
+void interpreter<T>::eliminate(const lower::elimination& e) {
+  using symbolic::operation;
+  using math = lower::elimination_math<T>;
+  T* const out = slots_.begin() + code_.first_step() + e.step;
+  T* const into = e.op == operation::regularity ? squares_.begin() : out;
+  const T* const factors = slots_.begin() + e.factors;
+  for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
+  if (e.op == operation::factorization)
+    numeric::factorize<math>(e.order, out);
+  else if (e.op == operation::regularity)
+    *out = numeric::regularity_of<math>(e.order, factors, into);
+  else if (e.op == operation::solve)
+    numeric::solve_factorized<math>(e.order, factors, out);
+  else
+    numeric::solve_transposed_factorized<math>(e.order, factors, out);
+}
+
+template <class T>
+void interpreter<T>::run(const lower::instruction& step, T* out) {
+  using symbolic::operation;
+  const T& a = slots_[step.a];
+  const T& b = slots_[step.b];
+  if (step.paired) {
+    if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
+    return;
+  }
+  using symbolic::form;
+  switch (symbolic::form_of(step.op)) {
+  case form::negate: *out = lower::apply<operation::negate>(a, b); return;
+  case form::add: *out = lower::apply<operation::add>(a, b); return;
+  case form::subtract: *out = lower::apply<operation::subtract>(a, b); return;
+  case form::multiply: *out = lower::apply<operation::multiply>(a, b); return;
+  case form::divide: *out = lower::apply<operation::divide>(a, b); return;
+  case form::power: *out = lower::apply<operation::power>(a, b); return;
+  case form::atan2: *out = lower::apply<operation::atan2>(a, b); return;
+  case form::function:
+    symbolic::with_function(step.op, [&]<operation function>() { *out = lower::apply<function>(a, b); });
+    return;
+  case form::constant:
+  case form::symbol: // are loaded before
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: return; // belong to an elimination
+  }
+}
+
+#if defined KANEXPR_COMPILED_ENGINE
+extern template class interpreter<double>;
+extern template class interpreter<float>;
+#endif
 
 } // namespace kanexpr::runtime

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/engine.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -39,31 +40,12 @@ public:
   };
 
   linearization_point() = default;
-  linearization_point(std::initializer_list<entry> entries) {
-    for (const entry& e : entries) {
-      const std::size_t known = entries_.size();
-      set(e.what, e.value);
-      if (entries_.size() == known) doubled_.push_back(e.what);
-    }
-  }
+  linearization_point(std::initializer_list<entry> entries);
 
-  linearization_point& set(const symbol_name& what, const point_value& value) {
-    for (entry& e : entries_)
-      if (e.what == what) {
-        e.value = value;
-        return *this;
-      }
-    entries_.push_back({what, value});
-    return *this;
-  }
+  linearization_point& set(const symbol_name& what, const point_value& value);
 
   /// Both sets of values; where both name a symbol, the other's value counts.
-  linearization_point with(const linearization_point& other) const {
-    linearization_point both = *this;
-    for (const entry& e : other.entries_) both.set(e.what, e.value);
-    both.doubled_.insert(both.doubled_.end(), other.doubled_.begin(), other.doubled_.end());
-    return both;
-  }
+  linearization_point with(const linearization_point& other) const;
 
   const std::vector<entry>& entries() const { return entries_; }
   /// What one list names twice, which is a mistake.
@@ -75,3 +57,7 @@ private:
 };
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/runtime/engine/linearization_point.hpp>
+#endif

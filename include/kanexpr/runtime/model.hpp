@@ -1,50 +1,40 @@
 #pragma once
 
+#include <kanexpr/base/engine.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
-#include <kanexpr/derive/stages.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
+#include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/runtime/linearization.hpp>
-#include <kanexpr/runtime/point_reader.hpp>
+#include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/symbolic/print/latex.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace kanexpr {
 
 /// A system derived while the program runs, by the functions that derive it in the compiler: its results are
-/// expressions, to print, to look into and to evaluate. It stays where it was made.
-///
-/// `also` are expressions with points and frames that the system itself does not use.
-template <class System, auto... also>
+/// expressions, to print, to look into and to evaluate. Copies share one derivation, which lives as long as
+/// the last of them and of their linearizations; one thread at a time may use it.
 class model {
 public:
-  model() : system_(std::make_shared<derivation::derived_system>(System::record)) {
-    (derivation::visit(derivation::requested<also>::value, system_->reader()), ...);
-    go_on(*system_, derivation::stage::constrained);
-  }
-  model(const model&) = delete;
-  model& operator=(const model&) = delete;
+  /// `also` are expressions with points and frames that the system itself does not use.
+  explicit model(const describe::system_record& from, std::span<const derivation::request> also = {});
+  explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence; empty: there is none.
-  std::string mistake() const { return std::string(system_->mistake().view()); }
+  std::string mistake() const;
 
   /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and
   /// u6".
-  std::string names_of_dependent_coordinates() {
-    return enumerated(mechanism().coordinates, &mechanics::equations::coordinates);
-  }
-  std::string names_of_dependent_speeds() {
-    return enumerated(mechanism().speeds, &mechanics::equations::speeds);
-  }
+  std::string names_of_dependent_coordinates();
+  std::string names_of_dependent_speeds();
 
   /// A result as a matrix of expressions; without entries where the system has a mistake.
-  symbolic::matrix get(mechanics::quantity wanted) {
-    if (system_->mistake()) return {};
-    return system_->equations().get(wanted);
-  }
+  symbolic::matrix get(mechanics::quantity wanted);
   // the steps of Kane's method, in its words
   symbolic::matrix qdot() { return get(mechanics::quantity::qdot); }
   symbolic::matrix configuration_residual() { return get(mechanics::quantity::configuration_residual); }
@@ -65,85 +55,72 @@ public:
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
   runtime::linearization linearize(const linearization_point& at = {}, const linearization_point& second = {},
-                                   const linearization_point& third = {}) {
-    runtime::point_reader reader(*system_);
-    const std::vector<symbolic::replacement> values = reader.read(at.with(second).with(third));
-    return {system_, values, reader.problems()};
-  }
+                                   const linearization_point& third = {});
 
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
   template <auto... measured>
   symbolic::matrix measured_by() {
-    symbolic::matrix all(graph(), 0, 1);
-    const auto add = [&](const symbolic::matrix& m) {
-      for (const symbolic::expression& e : m.entries) all.entries.push(e);
-    };
-    (add(form_with_rates(derivation::requested<measured>::value, system_->reader(), system_->equations())),
-     ...);
-    all.rows = all.entries.size();
-    return all;
+    const derivation::request all[]{derivation::requested<measured>::value...};
+    return measured_by(all);
   }
+  symbolic::matrix measured_by(std::span<const derivation::request> measured);
 
   /// A vector or scalar with the dependent speeds as the constraints give them.
-  symbolic::expression imposed(symbolic::expression e) { return equations().imposed(e); }
-  mechanics::vector imposed(const mechanics::vector& v) {
-    mechanics::vector out;
-    for (const mechanics::vector::part& p : v.parts)
-      out.add(p.frame, {imposed(p.value.x), imposed(p.value.y), imposed(p.value.z)});
-    return out;
-  }
+  symbolic::expression imposed(symbolic::expression e);
+  mechanics::vector imposed(const mechanics::vector& v);
 
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
   template <auto wanted>
   symbolic::matrix get() {
-    if (system_->mistake()) return {};
-    return form(derivation::requested<wanted>::value, system_->reader(), system_->equations());
+    return get(derivation::requested<wanted>::value);
   }
+  symbolic::matrix get(const derivation::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted>
   mechanics::vector vector() {
-    return system_->reader().evaluate(describe::phrase_of<wanted>, "an expression").vector;
+    return vector(describe::phrase_of<wanted>);
   }
+  mechanics::vector vector(const describe::phrase& words);
 
   std::string print(const mechanics::vector& v,
-                    mechanics::basis_style style = mechanics::basis_style::xyz) const {
-    return mechanics::print(mechanism(), v, style);
-  }
+                    mechanics::basis_style style = mechanics::basis_style::xyz) const;
   std::string latex(const mechanics::vector& v,
-                    mechanics::basis_style style = mechanics::basis_style::xyz) const {
-    return mechanics::latex(mechanism(), v, style);
-  }
+                    mechanics::basis_style style = mechanics::basis_style::xyz) const;
 
   /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the
   /// last bit.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    symbolic::sequence<int> outputs;
-    for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-    symbolic::sequence<mechanics::guard> guards;
-    if (system_->is_derived()) guards = system_->equations().guards_of(outputs);
-    return {graph(), result, mechanism().coordinates.size(), guards};
+    return {graph(), result, coordinates(), guards_of(result)};
   }
 
   symbolic::graph& graph() { return system_->graph(); }
-  const mechanics::mechanism& mechanism() const { return system_->model(); }
-  mechanics::equations& equations() { return system_->equations(); }
+  const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
+  /// Only without a mistake.
+  mechanics::equations& equations() { return *system_->equations(); }
 
 private:
-  std::string enumerated(const symbolic::sequence<symbolic::expression>& symbols,
-                         const mechanics::partition& (mechanics::equations::*which)() const) {
-    if (system_->mistake()) return {};
-    return std::string(mechanics::enumerated(mechanism(), symbols, (equations().*which)().dependent).view());
-  }
+  int coordinates() const;
+  /// What may be singular on the way to a result.
+  symbolic::sequence<mechanics::guard> guards_of(const symbolic::matrix& result);
 
-  std::shared_ptr<derivation::derived_system> system_; ///< shared with its linearizations
+  std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };
 
 /// Derives a system while the program runs.
 template <class System, auto... also>
-model<System, also...> derive() {
-  return model<System, also...>();
+model derive() {
+  if constexpr (sizeof...(also) == 0) {
+    return model(System::record);
+  } else {
+    const derivation::request all[]{derivation::requested<also>::value...};
+    return model(System::record, all);
+  }
 }
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/runtime/engine/model.hpp>
+#endif

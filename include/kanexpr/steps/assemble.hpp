@@ -79,7 +79,7 @@ public:
   }
   static mechanics::problem quaternion_called(int k) { return quaternions::called(k); }
   kanexpr::status normalize_quaternions(state<System>& x) const {
-    return quaternions::normalize(x, numeric::norm_range{});
+    return quaternions::normalize(x, lower::norm_range{});
   }
   /// Gives the state its dependent speeds, if they can be solved for.
   kanexpr::status solve_speeds(state<System>& x) const {
@@ -98,7 +98,7 @@ private:
   static decltype(auto) at_norm_one(const state<System>& x) {
     if constexpr (quaternions::are_bound) {
       state<System> at = x;
-      quaternions::normalize(at, numeric::norm_range{});
+      quaternions::normalize(at, lower::norm_range{});
       return at;
     } else {
       return (x);

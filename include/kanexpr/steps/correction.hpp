@@ -73,7 +73,7 @@ private:
   }
 
   /// A norm beyond this is no trace that a step leaves.
-  static constexpr numeric::norm_range near_one{0.5, 2};
+  static constexpr lower::norm_range near_one{0.5, 2};
 
   /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
   static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }

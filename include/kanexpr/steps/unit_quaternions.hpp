@@ -3,7 +3,7 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derive/causes.hpp>
-#include <kanexpr/numeric/unit_quaternion.hpp>
+#include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
 #include <array>
@@ -45,7 +45,7 @@ public:
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
   template <class X>
-  [[gnu::always_inline]] static kanexpr::status normalize(X& x, const numeric::norm_range& from) {
+  [[gnu::always_inline]] static kanexpr::status normalize(X& x, const lower::norm_range& from) {
     return for_each(x, from, std::make_integer_sequence<int, count>{});
   }
 
@@ -53,7 +53,7 @@ public:
   template <class X>
   static Eigen::Matrix<typename X::Scalar, count, 1> residual(const X& x) {
     Eigen::Matrix<typename X::Scalar, count, 1> left;
-    each([&](int k, const auto& places) { left(k) = (numeric::squared_norm(x, places) - 1.0) / 2.0; });
+    each([&](int k, const auto& places) { left(k) = (lower::squared_norm(x, places) - 1.0) / 2.0; });
     return left;
   }
 
@@ -71,7 +71,7 @@ public:
   /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
   template <class Jacobian, class X>
   static void leave_norms_out(Jacobian& by_all, const X& x) {
-    each([&](int, const auto& places) { numeric::leave_norm_out(by_all, x, places); });
+    each([&](int, const auto& places) { lower::leave_norm_out(by_all, x, places); });
   }
 
   /// Operations of giving all of them norm 1.
@@ -117,11 +117,11 @@ private:
       [] { return mechanics::sentence({"the norm of ", called(k).view(), " is far from 1"}); });
 
   template <class X, int... k>
-  [[gnu::always_inline]] static kanexpr::status for_each(X& x, const numeric::norm_range& from,
+  [[gnu::always_inline]] static kanexpr::status for_each(X& x, const lower::norm_range& from,
                                                          std::integer_sequence<int, k...>) {
     kanexpr::status s;
-    static_cast<void>((
-        ... && (numeric::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
+    static_cast<void>(
+        (... && (lower::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
     return s;
   }
 

@@ -18,22 +18,23 @@ struct cost {
 
   constexpr void count(operation op) {
     ++nodes;
-    switch (op) {
-    case operation::constant:
-    case operation::symbol:
-    case operation::negate: break;
-    case operation::add:
-    case operation::subtract: ++additions; break;
-    case operation::multiply: ++multiplications; break;
-    case operation::divide: ++divisions; break;
-    case operation::sin:
-    case operation::cos:
-    case operation::tan:
-    case operation::asin:
-    case operation::acos:
-    case operation::atan:
-    case operation::atan2: ++trigonometric; break;
-    default: ++other; break;
+    switch (form_of(op)) {
+    case form::constant:
+    case form::symbol:
+    case form::negate: break;
+    case form::add:
+    case form::subtract: ++additions; break;
+    case form::multiply: ++multiplications; break;
+    case form::divide: ++divisions; break;
+    case form::function: ++(properties_of(op).is_trigonometric ? trigonometric : other); break;
+    case form::atan2: ++trigonometric; break;
+    case form::power: ++other; break;
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break; // are counted by their order
     }
   }
 
@@ -66,15 +67,14 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
   for (int id = 0; id < g.size(); ++id) {
     const node& n = g[id];
     if (live[id] == 0 || is_leaf(n.op)) continue;
-    switch (n.op) {
-    case operation::pair:
-    case operation::component: break;
-    case operation::factorization: total.count_factorization(order_of(g, id)); break;
-    case operation::solve:
-    case operation::transposed_solve: total.count_substitution(order_of(g, n.a)); break;
-    case operation::regularity: total.count_regularity(order_of(g, n.a)); break;
-    default: total.count(n.op); break;
-    }
+    if (n.op < operation::pair)
+      total.count(n.op);
+    else if (n.op == operation::factorization)
+      total.count_factorization(order_of(g, id));
+    else if (n.op == operation::solve || n.op == operation::transposed_solve)
+      total.count_substitution(order_of(g, n.a));
+    else if (n.op == operation::regularity)
+      total.count_regularity(order_of(g, n.a));
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
     if (sine >= 0 && live[sine] != 0) --total.trigonometric;

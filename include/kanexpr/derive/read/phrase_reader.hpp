@@ -220,7 +220,12 @@ protected:
       break;
     }
     case word::misused: return check_written(*reading_, whom);
-    default: motion(t, stack, whom); break;
+    case word::position:
+    case word::velocity:
+    case word::acceleration:
+    case word::angular_velocity:
+    case word::angular_acceleration:
+    case word::derivative: return motion(t, stack, whom);
     }
   }
 
@@ -234,28 +239,18 @@ protected:
     }
     if (derived_ == nullptr) return declared_motion(t, stack, whom);
     mechanics::motion& k = derived_->moving();
-    switch (t.what) {
-    case word::velocity:
+    if (t.what == word::velocity)
       stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
-      break;
-    case word::acceleration:
+    else if (t.what == word::acceleration)
       stack.push(value::of(mechanics::acceleration_of_point(k, entities().point(t.point, whom))));
-      break;
-    case word::angular_velocity:
+    else if (t.what == word::angular_velocity)
       stack.push(value::of(mechanics::angular_velocity_of_frame(k, entities().frame(t.frame, whom))));
-      break;
-    case word::angular_acceleration:
+    else if (t.what == word::angular_acceleration)
       stack.push(value::of(mechanics::angular_acceleration_of_frame(k, entities().frame(t.frame, whom))));
-      break;
-    case word::derivative:
-      if (t.frame == nullptr)
-        stack.back().scalar = k.rate(k.known(stack.back().scalar));
-      else
-        stack.back().vector =
-            mechanics::derivative_in(k, stack.back().vector, entities().frame(t.frame, whom));
-      break;
-    default: break;
-    }
+    else if (t.frame == nullptr)
+      stack.back().scalar = k.rate(k.known(stack.back().scalar));
+    else
+      stack.back().vector = mechanics::derivative_in(k, stack.back().vector, entities().frame(t.frame, whom));
   }
 
   /// Whether a word is known while a model is read: of velocities, only those are that it declares in the

@@ -30,12 +30,13 @@ public:
 private:
   constexpr void read_lists() {
     for (int i = 0; i < from_.coordinates.size; ++i)
-      if (const symbol_record* s =
-              listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
+      if (const symbol_record* s = listed_symbol(from_.coordinates[i], symbolic::symbol_kind::coordinate,
+                                                 symbol_list::coordinates))
         m_.coordinate(s->called);
     read_rates();
     for (int i = 0; i < from_.speeds.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, symbol_list::speeds))
+      if (const symbol_record* s =
+              listed_symbol(from_.speeds[i], symbolic::symbol_kind::speed, symbol_list::speeds))
         m_.speed(s->called);
     for (int i = 0; i < from_.auxiliary.size; ++i)
       if (const symbol_record* s =
@@ -47,7 +48,8 @@ private:
               listed_symbol(from_.parameters[i], symbolic::symbol_kind::parameter, symbol_list::parameters))
         m_.parameter(s->called);
     for (int i = 0; i < from_.inputs.size; ++i)
-      if (const symbol_record* s = listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
+      if (const symbol_record* s =
+              listed_symbol(from_.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
         place_input(*s);
     for (int i = 0; i < from_.inputs.size && !mistake_; ++i)
       check_derivative(*from_.inputs[i].tokens[0].symbol);

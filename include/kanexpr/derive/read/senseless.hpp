@@ -25,8 +25,24 @@ constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   case word::dot: return b == shape::vector && a != shape::scalar;
   case word::cross:
   case word::outer: return a == shape::vector && b == shape::vector;
-  default: return a == shape::scalar && b == shape::scalar;
+  case word::scalar_function: return a == shape::scalar && b == shape::scalar;
+  case word::number:
+  case word::symbol:
+  case word::basis:
+  case word::negate:
+  case word::magnitude:
+  case word::normalized:
+  case word::position:
+  case word::velocity:
+  case word::acceleration:
+  case word::angular_velocity:
+  case word::angular_acceleration:
+  case word::derivative:
+  case word::partial:
+  case word::in_axes:
+  case word::misused: break; // do not have two operands
   }
+  return false;
 }
 
 constexpr std::string_view a_kind(shape s) {
@@ -50,18 +66,15 @@ constexpr mechanics::problem senseless(const describe::token& t, shape a, shape 
   const auto say = [&](std::string_view does, std::string_view joint, std::string_view hint = "") {
     return mechanics::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});
   };
-  switch (t.what) {
-  case word::add: return say(" adds ", " and ");
-  case word::subtract: return say(" subtracts or equates ", " and ");
-  case word::multiply: return say(" multiplies ", " by ", "; write dot, cross or outer");
-  case word::divide: return say(" divides ", " by ");
-  case word::dot:
+  if (t.what == word::add) return say(" adds ", " and ");
+  if (t.what == word::subtract) return say(" subtracts or equates ", " and ");
+  if (t.what == word::multiply) return say(" multiplies ", " by ", "; write dot, cross or outer");
+  if (t.what == word::divide) return say(" divides ", " by ");
+  if (t.what == word::dot)
     return say(" takes the dot product of ", " and ",
                a == shape::scalar && b == shape::scalar ? "; write *" : "");
-  case word::cross: return say(" takes the cross product of ", " and ");
-  case word::outer: return say(" takes the outer product of ", " and ");
-  default: break;
-  }
+  if (t.what == word::cross) return say(" takes the cross product of ", " and ");
+  if (t.what == word::outer) return say(" takes the outer product of ", " and ");
   if (t.operation == symbolic::operation::atan2) return say(" takes atan2 of ", " and ");
   return say(" raises ", " to the power of ",
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");

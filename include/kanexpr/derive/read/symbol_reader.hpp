@@ -99,8 +99,8 @@ protected:
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
                                                symbol_list list) {
     if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", derivation::called(list), " holds something that is not a symbol", p.size > 1 ? ", with " : "",
-            name_in(p)});
+      fail({"the list of ", derivation::called(list), " holds something that is not a symbol",
+            p.size > 1 ? ", with " : "", name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;

@@ -45,31 +45,25 @@ constexpr mechanics::vector plus(const mechanics::vector& a, const mechanics::ve
 }
 
 constexpr value negative(const mechanics::mechanism& m, const value& a) {
-  switch (a.kind) {
-  case describe::shape::vector: return value::of(-m.one() * a.vector);
-  case describe::shape::dyadic: return value::of(-m.one() * a.dyadic);
-  default: return value::of(-a.scalar);
-  }
+  if (a.kind == describe::shape::vector) return value::of(-m.one() * a.vector);
+  if (a.kind == describe::shape::dyadic) return value::of(-m.one() * a.dyadic);
+  return value::of(-a.scalar);
 }
 
 constexpr value sum(const value& a, const value& b) {
-  switch (a.kind) {
-  case describe::shape::vector: return value::of(plus(a.vector, b.vector));
-  case describe::shape::dyadic: {
+  if (a.kind == describe::shape::vector) return value::of(plus(a.vector, b.vector));
+  if (a.kind == describe::shape::dyadic) {
     mechanics::dyadic d = a.dyadic;
     d.add(b.dyadic);
     return value::of(d);
   }
-  default: return value::of(a.scalar + b.scalar);
-  }
+  return value::of(a.scalar + b.scalar);
 }
 
 constexpr value scaled(expression s, const value& a) {
-  switch (a.kind) {
-  case describe::shape::vector: return value::of(s * a.vector);
-  case describe::shape::dyadic: return value::of(s * a.dyadic);
-  default: return value::of(s * a.scalar);
-  }
+  if (a.kind == describe::shape::vector) return value::of(s * a.vector);
+  if (a.kind == describe::shape::dyadic) return value::of(s * a.dyadic);
+  return value::of(s * a.scalar);
 }
 
 /// Both vectors in the axes of one frame, the one deeper in the tree if they have several.

@@ -66,7 +66,15 @@ constexpr bool is_whole(const phrase& p) {
     case word::derivative:
     case word::partial:
     case word::in_axes: operands = 1; break;
-    default: break;
+    case word::number:
+    case word::symbol:
+    case word::basis:
+    case word::position:
+    case word::velocity:
+    case word::acceleration:
+    case word::angular_velocity:
+    case word::angular_acceleration:
+    case word::misused: break;
     }
     if (depth < operands) return false;
     depth += 1 - operands;
@@ -80,8 +88,11 @@ constexpr std::string_view what_is_given(const frame_record& r) {
   case orientation_word::rotated: return "the angle of frame ";
   case orientation_word::quaternion: return "the quaternion of frame ";
   case orientation_word::direction_cosines: return "a direction cosine of frame ";
-  default: return "an angle of frame ";
+  case orientation_word::inertial:
+  case orientation_word::body_fixed:
+  case orientation_word::space_fixed: break;
   }
+  return "an angle of frame ";
 }
 
 constexpr std::string_view is_a(shape kind) {
@@ -92,8 +103,10 @@ constexpr std::string_view is_a(shape kind) {
   case shape::equation: return " is an equation; ";
   case shape::vanishing: return " is a constraint; ";
   case shape::turning: return " is a list of kinematic differential equations; ";
-  default: return " is not an expression; ";
+  case shape::nothing:
+  case shape::foreign: break;
   }
+  return " is not an expression; ";
 }
 
 } // namespace kanexpr::derivation

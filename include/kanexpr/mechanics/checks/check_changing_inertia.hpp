@@ -142,7 +142,7 @@ private:
       const triad spread = outer(r, moves), back = outer(moves, r);
       add(rate, {mass * (spread.x + back.x), mass * (spread.y + back.y), mass * (spread.z + back.z)});
       add(rate, {{-mass * stretch, 0, 0}, {0, -mass * stretch, 0}, {0, 0, -mass * stretch}});
-      size += symbolic::elementary::abs(mass) * dot(r, r);
+      size += elementary::abs(mass) * dot(r, r);
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
     // rates that are solved for have fewer digits than what they are solved from

@@ -3,7 +3,7 @@
 #include <kanexpr/base/problem.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -34,11 +34,10 @@ struct numeric_axes {
   constexpr bool orthonormal() const {
     for (const auto& axis : entry)
       for (double e : axis)
-        if (symbolic::elementary::abs(e) > 2) return false; // whose square might overflow
+        if (elementary::abs(e) > 2) return false; // whose square might overflow
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
-        if (known[i] && known[j] && symbolic::elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6)
-          return false;
+        if (known[i] && known[j] && elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6) return false;
     return true;
   }
   constexpr bool right_handed() const {
@@ -78,10 +77,10 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
   for (const numbers& e : at_any_angles(m, quaternion, 1)) {
     double square = 0;
     for (int i = 0; i < 4; ++i) {
-      if (symbolic::elementary::abs(e(0, i)) > 2) return false; // whose square might overflow
+      if (elementary::abs(e(0, i)) > 2) return false; // whose square might overflow
       square += e(0, i) * e(0, i);
     }
-    if (!(symbolic::elementary::abs(square - 1) < 1e-6)) return false;
+    if (!(elementary::abs(square - 1) < 1e-6)) return false;
   }
   return true;
 }
@@ -98,7 +97,7 @@ constexpr problem check_direction_cosines(const mechanism& m, const frame& f) {
       const symbolic::number n = g.number_at(f.direction[i].node());
       if (symbolic::is_finite(n)) square += n.value() * n.value();
     }
-    if (!(symbolic::elementary::abs(square - 1) < 1e-6))
+    if (!(elementary::abs(square - 1) < 1e-6))
       return sentence(
           {"the axis of frame ", f.called.view(), " has a length that is too large or too small"});
   }

@@ -3,7 +3,7 @@
 #include <kanexpr/base/problem.hpp>
 #include <kanexpr/mechanics/checks/negative.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 
 /// Inertias that no body has, as far as they are numbers.
 namespace kanexpr::mechanics {
@@ -26,7 +26,7 @@ struct numeric_inertia {
     double most = 0;
     for (const auto& row : at)
       for (double e : row)
-        if (symbolic::elementary::abs(e) > most) most = symbolic::elementary::abs(e);
+        if (elementary::abs(e) > most) most = elementary::abs(e);
     return most;
   }
   constexpr void scale(double by) {
@@ -42,7 +42,7 @@ struct numeric_inertia {
   constexpr double trace() const { return at[0][0] + at[1][1] + at[2][2]; }
   constexpr bool symmetric() const {
     for (int i = 0; i < 3; ++i)
-      if (symbolic::elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
+      if (elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
     return true;
   }
   /// Whether this·factor + shift·E has positive principal values only, by its leading minors.
@@ -81,7 +81,7 @@ struct numeric_way {
       for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
         if (p.frame != axes || !p.value[i].is_constant()) return;
         r[i] = m.g->number_at(p.value[i].node()).value();
-        if (symbolic::elementary::abs(r[i]) > 1e30) return; // whose square might overflow
+        if (elementary::abs(r[i]) > 1e30) return; // whose square might overflow
       }
     known = mass < 1e30;
   }
@@ -97,7 +97,7 @@ constexpr problem check_principal_values(const mechanism& m, const body& b, nume
   const double whole = inertia.trace();
   bool is_given[3]{}, is_planar = false; // of a planar motion one moment matters, and others are left zero
   for (int i = 0; i < 3; ++i) {
-    is_given[i] = symbolic::elementary::abs(inertia.at[i][i]) > 1e-12;
+    is_given[i] = elementary::abs(inertia.at[i][i]) > 1e-12;
     is_planar = is_planar || !is_given[i];
   }
   if (way.known) inertia.move_to_center(way.mass / largest, way.r);

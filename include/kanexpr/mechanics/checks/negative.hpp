@@ -8,20 +8,27 @@ namespace detail {
 
 /// Whether a node is positive wherever parameters are: of sums, products, quotients, powers and the like.
 constexpr bool is_positive(const symbolic::graph& g, int id) {
-  using symbolic::operation;
+  using symbolic::form;
   const symbolic::node& n = g[id];
-  switch (n.op) {
-  case operation::constant: return g.number_at(id).value() > 0;
-  case operation::symbol: return g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
-  case operation::add:
-  case operation::multiply:
-  case operation::divide: return is_positive(g, n.a) && (n.a == n.b || is_positive(g, n.b));
-  case operation::sqrt:
-  case operation::power: return is_positive(g, n.a);
-  case operation::exp:
-  case operation::abs: return true;
-  default: return false;
+  switch (symbolic::form_of(n.op)) {
+  case form::constant: return g.number_at(id).value() > 0;
+  case form::symbol: return g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
+  case form::add:
+  case form::multiply:
+  case form::divide: return is_positive(g, n.a) && (n.a == n.b || is_positive(g, n.b));
+  case form::power: return is_positive(g, n.a);
+  case form::function: return symbolic::properties_of(n.op).never_negative;
+  case form::negate:
+  case form::subtract:
+  case form::atan2:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break;
   }
+  return false;
 }
 
 } // namespace detail

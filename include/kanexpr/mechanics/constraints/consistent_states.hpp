@@ -32,8 +32,8 @@ public:
   /// Whether an expression is nothing there beside its terms.
   constexpr bool vanishes(expression e) const {
     const double value = evaluate_[e.node()];
-    return !symbolic::elementary::detail::is_finite(value) ||
-           symbolic::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
+    return !elementary::detail::is_finite(value) ||
+           elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
   }
 
 private:
@@ -87,7 +87,7 @@ private:
     }
     if (!(step >= 0 && step <= 1e-12)) return false;
     for (const expression& f : places_)
-      if (!symbolic::elementary::detail::is_finite(value(f)) || !vanishes(f)) return false;
+      if (!elementary::detail::is_finite(value(f)) || !vanishes(f)) return false;
     return true;
   }
 
@@ -141,7 +141,7 @@ private:
         for (const expression& e : f.quaternion)
           if (is_free(e)) {
             const double before = entry(e), left = before - along * symbols_[e.node()].value;
-            entry(e) = symbolic::elementary::abs(left) > 1e-12 * symbolic::elementary::abs(before) ? left : 0;
+            entry(e) = elementary::abs(left) > 1e-12 * elementary::abs(before) ? left : 0;
           }
       }
   }
@@ -152,7 +152,7 @@ private:
         if (is_free(e)) square += symbols_[e.node()].value * symbols_[e.node()].value;
       if (!(square > 0)) continue;
       for (const expression& e : f.quaternion)
-        if (is_free(e)) symbols_[e.node()].value /= symbolic::elementary::sqrt(square);
+        if (is_free(e)) symbols_[e.node()].value /= elementary::sqrt(square);
     }
   }
 
@@ -168,7 +168,7 @@ private:
       whole.push(0.0);
       for (int j = 0; j < n; ++j) {
         at(i, j) *= sizes_[unknowns[j].node()];
-        if (symbolic::elementary::abs(at(i, j)) > whole[i]) whole[i] = symbolic::elementary::abs(at(i, j));
+        if (elementary::abs(at(i, j)) > whole[i]) whole[i] = elementary::abs(at(i, j));
       }
     }
     sequence<int> pivot_of(rows.rows, none);
@@ -177,7 +177,7 @@ private:
       double most = 1e-9;
       for (int i = 0; i < rows.rows; ++i)
         for (int j = 0; j < n && pivot_of[i] == none; ++j)
-          if (const double size = symbolic::elementary::abs(at(i, j)); size > most * whole[i])
+          if (const double size = elementary::abs(at(i, j)); size > most * whole[i])
             row = i, column = j, most = size / whole[i];
       if (row == none) break;
       pivot_of[row] = column;
@@ -197,7 +197,7 @@ private:
       const double by = -at(i, n) / at(i, pivot_of[i]);
       const int id = unknowns[pivot_of[i]].node();
       symbols_[id].value += by * sizes_[id];
-      if (symbolic::elementary::abs(by) > largest) largest = symbolic::elementary::abs(by);
+      if (elementary::abs(by) > largest) largest = elementary::abs(by);
     }
     return largest;
   }

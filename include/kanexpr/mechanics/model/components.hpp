@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -63,14 +63,12 @@ private:
     if (n.op == operation::symbol) return bit_of(g_.symbol_at(id).kind);
     const unsigned a = held_[n.a], b = symbolic::is_binary(n.op) ? held_[n.b] : 0;
     bool linear = true;
-    switch (n.op) {
-    case operation::negate:
-    case operation::add:
-    case operation::subtract: break;
-    case operation::multiply: linear = (a & moving) == 0 || (b & moving) == 0; break;
-    case operation::divide: linear = (b & moving) == 0; break;
-    default: linear = ((a | b) & moving) == 0; break;
-    }
+    if (n.op == operation::multiply)
+      linear = (a & moving) == 0 || (b & moving) == 0;
+    else if (n.op == operation::divide)
+      linear = (b & moving) == 0;
+    else if (n.op != operation::negate && n.op != operation::add && n.op != operation::subtract)
+      linear = ((a | b) & moving) == 0;
     return a | b | (linear ? 0 : nonlinear);
   }
 

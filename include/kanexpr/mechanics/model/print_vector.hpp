@@ -1,99 +1,25 @@
 #pragma once
 
+#include <kanexpr/base/engine.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/symbolic/print/latex.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+
+#include <string>
 
 namespace kanexpr::mechanics {
 
 /// How the axes of a frame are called.
 enum class basis_style { xyz, one_two_three, ijk };
 
-namespace printing {
-
-constexpr char axis_letter(basis_style style, int axis) {
-  return (style == basis_style::xyz ? "xyz" : style == basis_style::ijk ? "ijk" : "123")[axis];
-}
-
-class plain : public symbolic::printing::plain {
-public:
-  using symbolic::printing::plain::plain;
-
-  std::string unit(const frame& f, int axis, basis_style style) const {
-    return std::string(f.called.view()) + "." + axis_letter(style, axis);
-  }
-  std::string dyad(const std::string& left, const std::string& right) const {
-    return "(" + left + "|" + right + ")";
-  }
-  std::string scaled(const std::string& measure, const std::string& unit) const {
-    return measure + "*" + unit;
-  }
-};
-
-class typeset : public symbolic::printing::typeset {
-public:
-  using symbolic::printing::typeset::typeset;
-
-  std::string unit(const frame& f, int axis, basis_style style) const {
-    symbolic::printing::split_name name(f.called.view());
-    for (char& c : name.head)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (!name.subscript.empty()) name.subscript += ',';
-    return "\\hat{\\mathbf{" + name.head + "}}_{" + name.subscript + axis_letter(style, axis) + "}";
-  }
-  std::string dyad(const std::string& left, const std::string& right) const {
-    return left + " \\otimes " + right;
-  }
-  std::string scaled(const std::string& measure, const std::string& unit) const {
-    return measure + "\\," + unit;
-  }
-};
-
-template <class Form>
-void add_part(symbolic::printing::sum_text& sum, const Form& form, expression measure,
-              const std::string& unit) {
-  if (measure.is_zero()) return;
-  const auto [negative, text] = form.signed_factor(measure.node());
-  if (text != "0") sum.add(negative, text == "1" ? unit : form.scaled(text, unit));
-}
-
-template <class Form>
-std::string write(const mechanism& m, const vector& v, basis_style style) {
-  const Form form(*m.g);
-  symbolic::printing::sum_text sum;
-  for (const vector::part& p : v.parts)
-    for (int i = 0; i < 3; ++i) add_part(sum, form, p.value[i], form.unit(m.frames[p.frame], i, style));
-  return sum.text();
-}
-
-template <class Form>
-std::string write(const mechanism& m, const dyadic& d, basis_style style) {
-  const Form form(*m.g);
-  symbolic::printing::sum_text sum;
-  for (const dyadic::part& p : d.parts)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        add_part(sum, form, p.value(i, j),
-                 form.dyad(form.unit(m.frames[p.left], i, style), form.unit(m.frames[p.right], j, style)));
-  return sum.text();
-}
-
-} // namespace printing
-
 /// Plain text, such as `u1*L.x + (u2 + u3)*L.y`; dyads as `Ixx*(L.x|L.x)`.
-inline std::string print(const mechanism& m, const vector& v, basis_style style = basis_style::xyz) {
-  return printing::write<printing::plain>(m, v, style);
-}
-inline std::string print(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz) {
-  return printing::write<printing::plain>(m, d, style);
-}
+KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style = basis_style::xyz);
+KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz);
 
 /// LaTeX for math mode, such as `u_1\,\hat{\mathbf{l}}_{x}`.
-inline std::string latex(const mechanism& m, const vector& v, basis_style style = basis_style::xyz) {
-  return printing::write<printing::typeset>(m, v, style);
-}
-inline std::string latex(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz) {
-  return printing::write<printing::typeset>(m, d, style);
-}
+KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style = basis_style::xyz);
+KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz);
 
 } // namespace kanexpr::mechanics
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/mechanics/model/vector_text.hpp>
+#endif

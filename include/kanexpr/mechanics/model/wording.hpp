@@ -10,12 +10,6 @@ constexpr std::string_view called(const mechanism& m, expression symbol) {
   return m.g->symbol_at(symbol.node()).called.view();
 }
 
-constexpr name counted(int n) {
-  name text;
-  text.append(n);
-  return text;
-}
-
 /// "3 configuration constraints".
 constexpr problem several(int n, std::string_view one, std::string_view what = {}) {
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});

@@ -140,7 +140,7 @@ private:
       if (!m_.coordinates.contains(e)) return;
       square += symbols_[e.node()].value * symbols_[e.node()].value;
     }
-    for (const expression& e : quaternion) symbols_[e.node()].value /= symbolic::elementary::sqrt(square);
+    for (const expression& e : quaternion) symbols_[e.node()].value /= elementary::sqrt(square);
   }
 
   /// The equations are linear in the rates, and most hold one.
@@ -168,7 +168,7 @@ private:
   }
   constexpr bool solve_for(const sequence<int>& unknown, const sequence<int>& coupled) {
     const int order = unknown.size();
-    const symbolic::factors place{order};
+    const numeric::factors place{order};
     sequence<double> f(place.size(), 0), x;
     const sequence<double> base = left_over();
     for (int i : coupled) x.push(-base[i]);
@@ -178,9 +178,9 @@ private:
       set_rate(unknown[j], 0);
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
-    symbolic::factorize<symbolic::constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
     if (!(f[place.least_pivot()] > 0)) return false;
-    symbolic::solve_factorized<symbolic::constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
     for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
     return true;
   }
@@ -197,7 +197,7 @@ private:
     for (int f = 0; f < frames_.size(); ++f) {
       turn(f);
       const triple w = frames_[f].turning - frames_[f].by_orientation;
-      if (!symbolic::elementary::detail::is_finite(w.x + w.y + w.z)) return false;
+      if (!elementary::detail::is_finite(w.x + w.y + w.z)) return false;
     }
     return true;
   }
@@ -249,7 +249,7 @@ private:
   }
 
   static constexpr triad about_basis(int axis, double angle) {
-    const double s = symbolic::elementary::sin(angle), c = symbolic::elementary::cos(angle);
+    const double s = elementary::sin(angle), c = elementary::cos(angle);
     if (axis == 0) return {{1, 0, 0}, {0, c, s}, {0, -s, c}};
     if (axis == 1) return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
     return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
@@ -264,7 +264,7 @@ private:
   static constexpr bool is_orthonormal(const triad& t) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
-        if (!(symbolic::elementary::abs(dot(t[i], t[j]) - (i == j ? 1 : 0)) < 1e-9)) return false;
+        if (!(elementary::abs(dot(t[i], t[j]) - (i == j ? 1 : 0)) < 1e-9)) return false;
     return true;
   }
 

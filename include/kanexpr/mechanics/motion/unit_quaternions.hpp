@@ -31,7 +31,7 @@ public:
       e_.push(between(-1 - place));
       square += e_.back() * e_.back();
     }
-    for (double& e : e_) e /= symbolic::elementary::sqrt(square);
+    for (double& e : e_) e /= elementary::sqrt(square);
   }
 
   /// Whether e·ė = 0 follows from them.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/fraction_reader.hpp>
 #include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
@@ -74,11 +75,7 @@ private:
 
 } // namespace algebra
 
-/// A quotient of polynomials in symbols, and in functions taken as symbols, in lowest terms: the numerator
-/// multiplied out, but for what all of its terms share, the denominator in the factors in which it came.
-/// Squares of square roots vanish; other relations between functions are not used (see
-/// trigonometric_normal_form).
-inline rewritten cancel(expression e, std::size_t most_terms = usual_most_terms) {
+KANEXPR_ENGINE rewritten cancel(expression e, std::size_t most_terms) {
   algebra::budget left(most_terms);
   algebra::cancelling_reader reader(e.owner(), left);
   const auto fractions = reader.read({e.node()});

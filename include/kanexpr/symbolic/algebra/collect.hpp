@@ -1,14 +1,11 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/algebra/expansion_reader.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 
 namespace kanexpr::symbolic {
 
-/// A sum gathered by the powers of some symbols or functions, such as u1 or sin(q1): every power of them
-/// occurs once, with one coefficient, which is multiplied out. What stands under a bar or in a function is no
-/// power.
-inline rewritten collect(expression e, const sequence<expression>& by,
-                         std::size_t most_terms = usual_most_terms) {
+KANEXPR_ENGINE rewritten collect(expression e, const sequence<expression>& by, std::size_t most_terms) {
   graph& g = e.owner();
   algebra::budget left(most_terms);
   sequence<int> outputs{e.node()};

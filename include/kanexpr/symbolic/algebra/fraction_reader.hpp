@@ -33,14 +33,11 @@ protected:
 private:
   fraction value(int id, const fraction& a, const fraction& b) {
     const operation op = g_[id].op;
-    switch (op) {
-    case operation::negate: return arithmetic_.negative(a);
-    case operation::add: return arithmetic_.sum(a, b);
-    case operation::subtract: return arithmetic_.sum(a, arithmetic_.negative(b));
-    case operation::multiply: return arithmetic_.product(a, b);
-    case operation::divide: return divided(a, b);
-    default: break;
-    }
+    if (op == operation::negate) return arithmetic_.negative(a);
+    if (op == operation::add) return arithmetic_.sum(a, b);
+    if (op == operation::subtract) return arithmetic_.sum(a, arithmetic_.negative(b));
+    if (op == operation::multiply) return arithmetic_.product(a, b);
+    if (op == operation::divide) return divided(a, b);
     Form& form = static_cast<Form&>(*this);
     if (is_atomic(op)) {
       const polynomial<C> p = atom<C>({g_, id});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/cancel.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
@@ -17,10 +18,7 @@ inline int operations(expression e) {
 
 } // namespace detail
 
-/// The form with the fewest operations among an expression itself, with small linear systems written out; the
-/// same in lowest terms (`cancel`); and in lowest terms after its sines and cosines were brought together
-/// (`trigonometric_normal_form`). Forms with more than `most_terms` terms are left out.
-inline expression simplify(expression e, std::size_t most_terms = 1000) {
+KANEXPR_ENGINE expression simplify(expression e, std::size_t most_terms) {
   graph& g = e.owner();
   const expression written_out(g, expand_solves(g, {e.node()})[0]);
   expression best = written_out;
@@ -31,8 +29,7 @@ inline expression simplify(expression e, std::size_t most_terms = 1000) {
   return best;
 }
 
-/// Every entry by itself.
-inline matrix simplify(matrix m, std::size_t most_terms = 1000) {
+KANEXPR_ENGINE matrix simplify(matrix m, std::size_t most_terms) {
   for (expression& e : m.entries) e = simplify(e, most_terms);
   return m;
 }

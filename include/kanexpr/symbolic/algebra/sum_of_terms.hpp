@@ -79,22 +79,6 @@ inline bool is_all_negative(const real_polynomial& p) {
   return std::ranges::all_of(p.terms, [](const term<rational>& t) { return t.coefficient.is_negative(); });
 }
 
-/// f(-x) is -f(x) for an odd function, f(x) for an even one.
-enum class parity { none, odd, even };
-
-constexpr parity parity_of(operation op) {
-  switch (op) {
-  case operation::sin:
-  case operation::tan:
-  case operation::asin:
-  case operation::atan:
-  case operation::sign: return parity::odd;
-  case operation::cos:
-  case operation::abs: return parity::even;
-  default: return parity::none;
-  }
-}
-
 /// An argument without its sign.
 struct unsigned_argument {
   expression magnitude;
@@ -107,10 +91,11 @@ struct unsigned_argument {
 template <class C>
 polynomial<C> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
   graph& g = x.magnitude.owner();
-  if (parity_of(op) == parity::none)
+  const parity symmetry = is_function(op) ? properties_of(op).symmetry : parity::none;
+  if (symmetry == parity::none)
     return atom<C>({g, build(g, op, x.value().node(), is_binary(op) ? y.value().node() : 0)});
   const polynomial<C> f = atom<C>(apply(op, x.magnitude));
-  return parity_of(op) == parity::odd && x.negative ? -f : f;
+  return symmetry == parity::odd && x.negative ? -f : f;
 }
 
 } // namespace kanexpr::symbolic::algebra

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/angle.hpp>
+#include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/fraction_reader.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
 
@@ -74,12 +75,7 @@ private:
 
 } // namespace algebra
 
-/// Sums of products of symbols with one sine or cosine of a sum of angles each: of two polynomials in symbols
-/// and in sines and cosines of such sums, with fractions up to sixteenths in front of the angles, the forms
-/// are the same node if and only if they are equal. Tangents are quotients of sine and cosine. A quotient
-/// that remains is written over factors, and may have other forms (compare in equality.hpp knows). Other
-/// functions are symbols; decimal numbers are what their bits say.
-inline rewritten trigonometric_normal_form(expression e, std::size_t most_terms = usual_most_terms) {
+KANEXPR_ENGINE rewritten trigonometric_normal_form(expression e, std::size_t most_terms) {
   algebra::budget left(most_terms);
   algebra::trigonometric_reader reader(e.owner(), left);
   const auto fractions = reader.read({e.node()});

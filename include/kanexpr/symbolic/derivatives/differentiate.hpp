@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::symbolic {
@@ -14,32 +15,31 @@ constexpr partials local_partials(graph& g, int id) {
   const node n = g[id];
   const expression f{g, id}, a{g, n.a}, b{g, is_binary(n.op) ? n.b : graph::zero};
   const expression zero{g, graph::zero}, one{g, graph::one};
-  switch (n.op) {
-  case operation::negate: return {-one, zero};
-  case operation::add: return {one, one};
-  case operation::subtract: return {one, -one};
-  case operation::multiply: return {b, a};
-  case operation::divide: return {one / b, -(f / b)};
-  case operation::power: {
+  switch (form_of(n.op)) {
+  case form::negate: return {-one, zero};
+  case form::add: return {one, one};
+  case form::subtract: return {one, -one};
+  case form::multiply: return {b, a};
+  case form::divide: return {one / b, -(f / b)};
+  case form::power: {
     const expression by_base = b * power(a, b - 1);
     return {by_base, b.is_constant() ? zero : f * log(a)};
   }
-  case operation::sqrt: return {one / (2 * f), zero};
-  case operation::sin: return {cos(a), zero};
-  case operation::cos: return {-sin(a), zero};
-  case operation::tan: return {f * f + 1, zero};
-  case operation::asin: return {one / sqrt(1 - a * a), zero};
-  case operation::acos: return {-(one / sqrt(1 - a * a)), zero};
-  case operation::atan: return {one / (a * a + 1), zero};
-  case operation::atan2: {
+  case form::function: return {slope_of(n.op, a, f), zero};
+  case form::atan2: {
     const expression square = a * a + b * b;
     return {b / square, -(a / square)};
   }
-  case operation::exp: return {f, zero};
-  case operation::log: return {one / a, zero};
-  case operation::abs: return {sign(a), zero};
-  default: return {zero, zero}; // leaves; sign, whose derivative is zero wherever it has one; regularity
+  case form::constant:
+  case form::symbol: break;     // have no operands
+  case form::regularity: break; // is never differentiated
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component: break; // have derivatives of their own, below
   }
+  return {zero, zero};
 }
 
 /// Directional derivatives: every symbol has a rate, and an expression's rate follows by the chain rule.

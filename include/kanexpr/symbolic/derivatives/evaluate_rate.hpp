@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -16,32 +17,33 @@ struct rated {
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
-  switch (op) {
-  case operation::negate: return along(-1);
-  case operation::add: return {value, a.rate + b.rate};
-  case operation::subtract: return {value, a.rate - b.rate};
-  case operation::multiply: return {value, a.rate * b.value + a.value * b.rate};
-  case operation::divide: return {value, (a.rate - value * b.rate) / b.value};
-  case operation::power:
+  switch (form_of(op)) {
+  case form::negate: return along(-1);
+  case form::add: return {value, a.rate + b.rate};
+  case form::subtract: return {value, a.rate - b.rate};
+  case form::multiply: return {value, a.rate * b.value + a.value * b.rate};
+  case form::divide: return {value, (a.rate - value * b.rate) / b.value};
+  case form::power:
     return {value,
             (numeric::equal(a.rate, 0.0) ? 0 : b.value * elementary::pow(a.value, b.value - 1) * a.rate) +
                 (numeric::equal(b.rate, 0.0) ? 0 : value * elementary::log(a.value) * b.rate)};
-  case operation::sqrt: return along(value > 0 ? 0.5 / value : elementary::detail::not_a_number);
-  case operation::sin: return along(elementary::cos(a.value));
-  case operation::cos: return along(-elementary::sin(a.value));
-  case operation::tan: return along(1 + value * value);
-  case operation::asin: return along(1 / elementary::sqrt((1 - a.value) * (1 + a.value)));
-  case operation::acos: return along(-1 / elementary::sqrt((1 - a.value) * (1 + a.value)));
-  case operation::atan: return along(1 / (1 + a.value * a.value));
-  case operation::atan2: {
+  case form::function:
+    return along(properties_of(op).is_smooth_at(a.value) ? slope_of(op, a.value, value)
+                                                         : elementary::detail::not_a_number);
+  case form::atan2: {
     const double square = a.value * a.value + b.value * b.value;
     return {value, (b.value * a.rate - a.value * b.rate) / square};
   }
-  case operation::exp: return along(value);
-  case operation::log: return along(1 / a.value);
-  case operation::abs: return along(a.value < 0 ? -1 : 1);
-  default: return {value, 0};
+  case form::constant:
+  case form::symbol:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break; // no operations on two numbers
   }
+  return {value, elementary::detail::not_a_number};
 }
 
 /// Evaluates some outputs and their derivatives in time, without making expressions of these.
@@ -76,9 +78,7 @@ private:
   // A constant expression must not divide by zero.
   static constexpr rated defined(operation op, rated a, rated b) {
     if (!is_finite(a) || !is_finite(b)) return undefined;
-    if ((op == operation::divide && numeric::equal(b.value, 0.0)) || (op == operation::log && !(a.value > 0)))
-      return undefined;
-    if ((op == operation::asin || op == operation::acos) && !(a.value > -1 && a.value < 1)) return undefined;
+    if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
     if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))
       return undefined;
     return rated_value_of(op, a, b);

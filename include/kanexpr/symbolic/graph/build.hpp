@@ -7,22 +7,25 @@ namespace kanexpr::symbolic {
 
 /// Any operation on nodes that exist, simplified.
 constexpr int build(graph& g, operation op, int a, int b) {
-  switch (op) {
-  case operation::negate: return negate(g, a);
-  case operation::add: return add(g, a, b);
-  case operation::subtract: return subtract(g, a, b);
-  case operation::multiply: return multiply(g, a, b);
-  case operation::divide: return divide(g, a, b);
-  case operation::power: return power(g, a, b);
-  case operation::atan2: return atan2(g, a, b);
-  case operation::pair:
-  case operation::factorization: return g.find_or_append({op, a, b});
-  case operation::solve:
-  case operation::transposed_solve: return solution(g, op, a, b);
-  case operation::component: return component(g, a, integer_at(g, b));
-  case operation::regularity: return regularity(g, a, b);
-  default: return apply(g, op, a);
+  switch (form_of(op)) {
+  case form::negate: return negate(g, a);
+  case form::add: return add(g, a, b);
+  case form::subtract: return subtract(g, a, b);
+  case form::multiply: return multiply(g, a, b);
+  case form::divide: return divide(g, a, b);
+  case form::power: return power(g, a, b);
+  case form::atan2: return atan2(g, a, b);
+  case form::pair:
+  case form::factorization: return g.find_or_append({op, a, b});
+  case form::solve:
+  case form::transposed_solve: return solution(g, op, a, b);
+  case form::component: return component(g, a, integer_at(g, b));
+  case form::regularity: return regularity(g, a, b);
+  case form::function: return apply(g, op, a);
+  case form::constant:
+  case form::symbol: break; // have no operands
   }
+  return graph::zero;
 }
 
 } // namespace kanexpr::symbolic

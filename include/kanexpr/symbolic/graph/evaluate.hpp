@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/constant_elimination.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
-#include <kanexpr/symbolic/numbers/elimination.hpp>
 
 #include <utility>
 
@@ -12,42 +12,26 @@ namespace kanexpr::symbolic {
 
 /// One operation on numbers in a constant expression, where the C library cannot go.
 constexpr double value_of(operation op, double a, double b) {
-  switch (op) {
-  case operation::negate: return -a;
-  case operation::add: return a + b;
-  case operation::subtract: return a - b;
-  case operation::multiply: return a * b;
-  case operation::divide: return a / b;
-  case operation::power: return elementary::pow(a, b);
-  case operation::sqrt: return elementary::sqrt(a);
-  case operation::sin: return elementary::sin(a);
-  case operation::cos: return elementary::cos(a);
-  case operation::tan: return elementary::tan(a);
-  case operation::asin: return elementary::asin(a);
-  case operation::acos: return elementary::acos(a);
-  case operation::atan: return elementary::atan(a);
-  case operation::atan2: return elementary::atan2(a, b);
-  case operation::exp: return elementary::exp(a);
-  case operation::log: return elementary::log(a);
-  case operation::abs: return elementary::abs(a);
-  case operation::sign: return elementary::sign(a);
-  default: return a;
+  switch (form_of(op)) {
+  case form::negate: return -a;
+  case form::add: return a + b;
+  case form::subtract: return a - b;
+  case form::multiply: return a * b;
+  case form::divide: return a / b;
+  case form::power: return elementary::pow(a, b);
+  case form::function: return properties_of(op).value(a);
+  case form::atan2: return elementary::atan2(a, b);
+  case form::constant:
+  case form::symbol:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break; // no operations on two numbers
   }
+  return elementary::detail::not_a_number;
 }
-
-/// What elimination needs of numbers in a constant expression. A constant expression must not divide by zero:
-/// a vanishing pivot is left out, and whoever solves looks at the least pivot first.
-struct constant_elimination {
-  static constexpr double magnitude(double x) { return elementary::abs(x); }
-  static constexpr double reciprocal(double x) { return numeric::equal(x, 0.0) ? 0 : 1 / x; }
-  static constexpr double root(double x) { return elementary::sqrt(x); }
-  static constexpr void exchange_if_positive(double d, double& a, double& b) {
-    if (!(d > 0)) return;
-    const double kept = a;
-    a = b;
-    b = kept;
-  }
-};
 
 /// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
 /// not defined there (0/0, the solution of a singular system) is not-a-number, and so is all that depends on
@@ -106,14 +90,14 @@ private:
     if (n.op == operation::component) return more_[place_[n.a] + integer_at(g_, n.b)];
     const int factorization = n.op == operation::factorization ? id : n.a;
     const int order = order_of(g_, factorization), first = more_.size();
-    const factors place{order};
+    const numeric::factors place{order};
     place_[id] = first;
     if (n.op == operation::factorization) {
       bool all = true;
       for (int rows = n.a; g_[rows].op == operation::pair; rows = g_[rows].b) all = gather(g_[rows].a) && all;
       more_.resize(first + place.size(), 0);
       if (all)
-        factorize<constant_elimination>(order, &more_[first]);
+        numeric::factorize<numeric::constant_elimination>(order, &more_[first]);
       else
         more_[first + place.least_pivot()] = undefined;
       return 0;
@@ -126,18 +110,19 @@ private:
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
-      solve_factorized<constant_elimination>(order, f, &more_[first]);
+      numeric::solve_factorized<numeric::constant_elimination>(order, f, &more_[first]);
     } else {
-      solve_transposed_factorized<constant_elimination>(order, f, &more_[first]);
+      numeric::solve_transposed_factorized<numeric::constant_elimination>(order, f, &more_[first]);
     }
     return 0;
   }
 
   constexpr double regularity(int order, const double* f, int squares) {
-    if (numeric::equal(f[factors{order}.least_pivot()], 0.0)) return 0;
-    if (order > largest_written_out) return regularity_of<constant_elimination>(order, f, &more_[squares]);
+    if (numeric::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
+    if (order > largest_written_out)
+      return numeric::regularity_of<numeric::constant_elimination>(order, f, &more_[squares]);
     double inverse = 1;
-    for (int i = 0; i < order; ++i) inverse *= f[factors{order}.at(i, i)];
+    for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
     return 1 / elementary::abs(inverse);
   }
 

@@ -49,23 +49,13 @@ public:
   constexpr expression& operator*=(expression b) { return *this = *this * b; }
 
 private:
-  // without initializers, which the compiler would run for each that there is room for; {} is zero of no graph
+  // without initializers, which the compiler would run for each that there is room for; {} is zero of no
+  // graph
   graph* graph_;
   int node_;
 };
 
 constexpr expression apply(operation op, expression a) { return {a.owner(), apply(a.owner(), op, a.node())}; }
-constexpr expression sqrt(expression a) { return apply(operation::sqrt, a); }
-constexpr expression sin(expression a) { return apply(operation::sin, a); }
-constexpr expression cos(expression a) { return apply(operation::cos, a); }
-constexpr expression tan(expression a) { return apply(operation::tan, a); }
-constexpr expression asin(expression a) { return apply(operation::asin, a); }
-constexpr expression acos(expression a) { return apply(operation::acos, a); }
-constexpr expression atan(expression a) { return apply(operation::atan, a); }
-constexpr expression exp(expression a) { return apply(operation::exp, a); }
-constexpr expression log(expression a) { return apply(operation::log, a); }
-constexpr expression abs(expression a) { return apply(operation::abs, a); }
-constexpr expression sign(expression a) { return apply(operation::sign, a); }
 constexpr expression atan2(expression y, expression x) {
   return {y.owner(), atan2(y.owner(), y.node(), x.node())};
 }

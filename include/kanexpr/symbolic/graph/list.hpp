@@ -27,6 +27,9 @@ constexpr int integer_at(const graph& g, int constant) {
   return static_cast<int>(g.number_at(constant).numerator);
 }
 
+/// Systems up to this order are written out with cofactors when they are lowered.
+inline constexpr int largest_written_out = 3;
+
 constexpr int order_of(const graph& g, int factorization) { return integer_at(g, g[factorization].b); }
 
 /// The entries of a factorized matrix, by rows.

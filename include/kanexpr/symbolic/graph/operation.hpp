@@ -1,5 +1,9 @@
 #pragma once
 
+#include <kanexpr/numeric/elementary.hpp>
+
+#include <limits>
+
 namespace kanexpr::symbolic {
 
 /// What a node of the graph does with its operands.
@@ -12,6 +16,7 @@ enum class operation : unsigned char {
   multiply,
   divide,
   power, ///< general exponents only; integer powers are products, halves are square roots
+  // functions of one argument, and atan2; what is known of them stands in `functions`
   sqrt,
   sin,
   cos,
@@ -46,25 +51,205 @@ constexpr bool is_numbered(operation op) {
 
 constexpr bool is_commutative(operation op) { return op == operation::add || op == operation::multiply; }
 
+/// A function of one argument.
+constexpr bool is_function(operation op) {
+  return op >= operation::sqrt && op <= operation::sign && op != operation::atan2;
+}
+
+/// Operations with all functions of one argument taken as one: what does the same with each of these looks at
+/// the form, so that a new one does not concern it.
+enum class form : unsigned char {
+  constant,
+  symbol,
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,
+  function,
+  atan2,
+  pair,
+  factorization,
+  solve,
+  transposed_solve,
+  component,
+  regularity,
+};
+
+constexpr form form_of(operation op) {
+  if (op <= operation::power) return static_cast<form>(op);
+  if (op < operation::pair) return op == operation::atan2 ? form::atan2 : form::function;
+  constexpr int before = static_cast<int>(operation::pair) - static_cast<int>(form::pair);
+  return static_cast<form>(static_cast<int>(op) - before);
+}
+static_assert(form_of(operation::power) == form::power && form_of(operation::regularity) == form::regularity);
+
+/// f(-x) is -f(x) for an odd function, f(x) for an even one.
+enum class parity { none, odd, even };
+
+/// Which unit a function gives to what it is of.
+enum class unit_rule {
+  numbers, ///< a plain number, of plain numbers
+  kept,    ///< the same
+  root,    ///< the square root of it
+  dropped, ///< none, of whatever has one
+};
+
+/// What has to be known of a function of one argument beside its derivative (functions.hpp). Where nothing is
+/// said, what is assumed is safe for every function.
+struct function_properties {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr int nowhere = -1;
+
+  operation op;
+  const char* name;        ///< by which people know it, as C++ has it
+  double (*value)(double); ///< in constant expressions
+  const char* latex = "";  ///< a command; empty: the name as an operator
+  parity symmetry = parity::none;
+  double smooth_from = -infinity, smooth_to = infinity; ///< where it has a derivative, ends left out
+  int exact_at = nowhere;                               ///< the integer at which its value is an integer
+  unit_rule unit = unit_rule::numbers;
+  bool is_trigonometric = false; ///< counted so; others as `other`
+  bool never_negative = false;
+  bool stays_finite = false;    ///< wherever its argument is finite
+  bool passes_infinity = false; ///< it is not finite where its argument is not
+
+  constexpr bool is_smooth_at(double x) const { return x > smooth_from && x < smooth_to; }
+};
+
+/// In the order of their operations.
+inline constexpr function_properties functions[] = {
+    {.op = operation::sqrt,
+     .name = "sqrt",
+     .value = elementary::sqrt,
+     .latex = "\\sqrt",
+     .smooth_from = 0,
+     .unit = unit_rule::root,
+     .never_negative = true,
+     .passes_infinity = true},
+    {.op = operation::sin,
+     .name = "sin",
+     .value = elementary::sin,
+     .latex = "\\sin",
+     .symmetry = parity::odd,
+     .exact_at = 0,
+     .is_trigonometric = true,
+     .stays_finite = true,
+     .passes_infinity = true},
+    {.op = operation::cos,
+     .name = "cos",
+     .value = elementary::cos,
+     .latex = "\\cos",
+     .symmetry = parity::even,
+     .exact_at = 0,
+     .is_trigonometric = true,
+     .stays_finite = true,
+     .passes_infinity = true},
+    {.op = operation::tan,
+     .name = "tan",
+     .value = elementary::tan,
+     .latex = "\\tan",
+     .symmetry = parity::odd,
+     .exact_at = 0,
+     .is_trigonometric = true,
+     .stays_finite = true, // as large as rounding lets it be
+     .passes_infinity = true},
+    {.op = operation::asin,
+     .name = "asin",
+     .value = elementary::asin,
+     .latex = "\\arcsin",
+     .symmetry = parity::odd,
+     .smooth_from = -1,
+     .smooth_to = 1,
+     .exact_at = 0,
+     .is_trigonometric = true},
+    {.op = operation::acos,
+     .name = "acos",
+     .value = elementary::acos,
+     .latex = "\\arccos",
+     .smooth_from = -1,
+     .smooth_to = 1,
+     .exact_at = 1,
+     .is_trigonometric = true},
+    {.op = operation::atan,
+     .name = "atan",
+     .value = elementary::atan,
+     .latex = "\\arctan",
+     .symmetry = parity::odd,
+     .exact_at = 0,
+     .is_trigonometric = true,
+     .stays_finite = true},
+    {.op = operation::exp,
+     .name = "exp",
+     .value = elementary::exp,
+     .latex = "\\exp",
+     .exact_at = 0,
+     .never_negative = true},
+    {.op = operation::log,
+     .name = "log",
+     .value = elementary::log,
+     .latex = "\\ln",
+     .smooth_from = 0,
+     .exact_at = 1},
+    {.op = operation::abs,
+     .name = "abs",
+     .value = elementary::abs,
+     .symmetry = parity::even,
+     .unit = unit_rule::kept,
+     .never_negative = true,
+     .stays_finite = true,
+     .passes_infinity = true},
+    {.op = operation::sign,
+     .name = "sign",
+     .value = elementary::sign,
+     .symmetry = parity::odd,
+     .unit = unit_rule::dropped,
+     .stays_finite = true},
+};
+
+namespace detail {
+
+constexpr int place_of_function(operation op) {
+  return static_cast<int>(op) - static_cast<int>(operation::sqrt) - (op > operation::atan2 ? 1 : 0);
+}
+
+constexpr bool every_function_has_its_place() {
+  int place = 0;
+  for (const function_properties& f : functions)
+    if (!is_function(f.op) || place_of_function(f.op) != place++) return false;
+  return place == place_of_function(operation::sign) + 1;
+}
+static_assert(every_function_has_its_place());
+
+} // namespace detail
+
+/// Of a function of one argument.
+constexpr const function_properties& properties_of(operation op) {
+  return functions[detail::place_of_function(op)];
+}
+
 /// The word by which people know the function; empty for arithmetic.
 constexpr const char* function_name(operation op) {
-  switch (op) {
-  case operation::sqrt: return "sqrt";
-  case operation::sin: return "sin";
-  case operation::cos: return "cos";
-  case operation::tan: return "tan";
-  case operation::asin: return "asin";
-  case operation::acos: return "acos";
-  case operation::atan: return "atan";
-  case operation::atan2: return "atan2";
-  case operation::exp: return "exp";
-  case operation::log: return "log";
-  case operation::abs: return "abs";
-  case operation::sign: return "sign";
-  case operation::component: return "solve";
-  case operation::regularity: return "regularity";
-  default: return "";
+  switch (form_of(op)) {
+  case form::function: return properties_of(op).name;
+  case form::atan2: return "atan2";
+  case form::component: return "solve";
+  case form::regularity: return "regularity";
+  case form::constant:
+  case form::symbol:
+  case form::negate:
+  case form::add:
+  case form::subtract:
+  case form::multiply:
+  case form::divide:
+  case form::power:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve: return "";
   }
+  return "";
 }
 
 } // namespace kanexpr::symbolic

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/same_product.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
 
 /// Building expressions in their simplest local form.
 ///
@@ -171,43 +171,32 @@ constexpr number beside_argument(double value, double argument) {
                   : value);
 }
 
+/// The exact root of a fraction that has one, else a double.
+constexpr number root_of(const number& n) {
+  const number folded = real(elementary::sqrt(n.value()));
+  if (!n.exact() || folded.exact()) return folded;
+  const number above = real(elementary::sqrt(static_cast<double>(n.numerator)));
+  const number below = real(elementary::sqrt(static_cast<double>(n.denominator)));
+  return above.exact() && below.exact() ? above / below : folded;
+}
+
+/// A function of a constant.
+constexpr number function_of(operation op, const number& n) {
+  if (op == operation::sqrt) return root_of(n);
+  if (op == operation::abs) return n.negative() ? -n : n;
+  const double x = n.value(), f = properties_of(op).value(x);
+  return op == operation::sin || op == operation::cos ? beside_argument(f, x) : real(f);
+}
+
 /// A function of one argument.
 constexpr int apply(graph& g, operation op, int a) {
   const node x = g[a];
-  if (x.op == operation::constant) {
-    const double value = g.number_at(a).value();
-    switch (op) {
-    case operation::sqrt: {
-      const double root = elementary::sqrt(value);
-      const number n = g.number_at(a), folded = real(root);
-      if (!n.exact() || folded.exact()) return g.constant(folded);
-      const number above = real(elementary::sqrt(static_cast<double>(n.numerator)));
-      const number below = real(elementary::sqrt(static_cast<double>(n.denominator)));
-      return g.constant(above.exact() && below.exact() ? above / below : folded);
-    }
-    case operation::sin: return g.constant(beside_argument(elementary::sin(value), value));
-    case operation::cos: return g.constant(beside_argument(elementary::cos(value), value));
-    case operation::tan: return g.constant(real(elementary::tan(value)));
-    case operation::asin: return g.constant(real(elementary::asin(value)));
-    case operation::acos: return g.constant(real(elementary::acos(value)));
-    case operation::atan: return g.constant(real(elementary::atan(value)));
-    case operation::exp: return g.constant(real(elementary::exp(value)));
-    case operation::log: return g.constant(real(elementary::log(value)));
-    case operation::abs: return g.constant(g.number_at(a).negative() ? -g.number_at(a) : g.number_at(a));
-    case operation::sign: return g.constant(real(elementary::sign(value)));
-    default: break;
-    }
-  }
+  if (x.op == operation::constant) return g.constant(function_of(op, g.number_at(a)));
   if (x.op == operation::negate) {
-    switch (op) {
-    case operation::cos:
-    case operation::abs: return apply(g, op, x.a);
-    case operation::sin:
-    case operation::tan:
-    case operation::asin:
-    case operation::atan:
-    case operation::sign: return negate(g, apply(g, op, x.a));
-    default: break;
+    switch (properties_of(op).symmetry) {
+    case parity::even: return apply(g, op, x.a);
+    case parity::odd: return negate(g, apply(g, op, x.a));
+    case parity::none: break;
     }
   }
   if (op == operation::abs && x.op == operation::abs) return a;

@@ -2,7 +2,6 @@
 
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/rules.hpp>
-#include <kanexpr/symbolic/numbers/elimination.hpp>
 #include <kanexpr/symbolic/numbers/inverse.hpp>
 
 /// Building the solutions of linear systems. What has one unknown is a division, what is made of numbers a

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,18 +37,15 @@ struct bounded {
 
 /// Whether an operation has no value at operands that are defined, or none that is sure.
 inline bool is_singular(operation op, const bounded& a, const bounded& b) {
-  switch (op) {
-  case operation::divide: return b.vanishes();
-  case operation::log: return a.vanishes();
-  case operation::sqrt: return a.value < 0 && a.vanishes();
-  case operation::asin:
-  case operation::acos: return std::abs(a.value) > 1 && std::abs(a.value) - 1 <= 4 * a.error;
-  case operation::tan:
+  if (op == operation::divide) return b.vanishes();
+  if (op == operation::log) return a.vanishes();
+  if (op == operation::sqrt) return a.value < 0 && a.vanishes();
+  if (op == operation::asin || op == operation::acos)
+    return std::abs(a.value) > 1 && std::abs(a.value) - 1 <= 4 * a.error;
+  if (op == operation::tan)
     return a.error > 0 && std::abs(elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
-  case operation::atan2: return a.vanishes() && b.vanishes();
-  case operation::power: return a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
-  default: return false;
-  }
+  if (op == operation::atan2) return a.vanishes() && b.vanishes();
+  return op == operation::power && a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
 }
 
 namespace detail {
@@ -57,33 +55,47 @@ inline double past_branch(double error, double slope) {
   return numeric::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
 }
 
+/// How far an error of the argument moves a function of one argument.
+inline double carried_error(operation op, const bounded& a, double value) {
+  if (numeric::equal(a.error, 0.0)) return 0;
+  const double x = a.value;
+  if (op == operation::abs) return a.error;
+  if (op == operation::sign) return !numeric::equal(x, 0.0) && a.vanishes() ? 1 : 0;
+  if (op == operation::sqrt) return past_branch(a.error, value);
+  if (op == operation::asin || op == operation::acos)
+    return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
+  double steepest = 0;
+  for (const double at : {x - a.error, x, x + a.error}) {
+    if (!properties_of(op).is_smooth_at(at)) return std::numeric_limits<double>::infinity();
+    steepest = (std::max)(steepest, std::abs(slope_of(op, at, properties_of(op).value(at))));
+  }
+  return steepest * a.error;
+}
+
 /// How far errors of the operands move the value of an operation.
 inline double carried_error(operation op, const bounded& a, const bounded& b, double value) {
   const double x = std::abs(a.value), y = std::abs(b.value);
-  switch (op) {
-  case operation::add:
-  case operation::subtract: return a.error + b.error;
-  case operation::multiply: return x * b.error + y * a.error + a.error * b.error;
-  case operation::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
-  case operation::sqrt: return past_branch(a.error, std::abs(value));
-  case operation::asin:
-  case operation::acos: return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
-  case operation::atan: return a.error / (1 + x * x);
-  case operation::atan2: return (y * a.error + x * b.error) / (x * x + y * y);
-  case operation::sin:
-  case operation::cos: {
-    const double slope = op == operation::sin ? elementary::cos(a.value) : elementary::sin(a.value);
-    return numeric::equal(a.error, 0.0) ? 0 : (std::abs(slope) + a.error) * a.error;
-  }
-  case operation::tan: return (1 + value * value) * a.error;
-  case operation::exp: return std::abs(value) * a.error;
-  case operation::log: return a.error / (x - a.error);
-  case operation::power:
+  switch (form_of(op)) {
+  case form::negate: return a.error;
+  case form::add:
+  case form::subtract: return a.error + b.error;
+  case form::multiply: return x * b.error + y * a.error + a.error * b.error;
+  case form::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
+  case form::function: return carried_error(op, a, value);
+  case form::atan2: return (y * a.error + x * b.error) / (x * x + y * y);
+  case form::power:
     if (numeric::equal(x, 0.0)) return numeric::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
     return std::abs(value) * (y * a.error / x + std::abs(std::log(x)) * b.error);
-  case operation::sign: return !numeric::equal(a.value, 0.0) && a.vanishes() ? 1 : 0;
-  default: return a.error;
+  case form::constant:
+  case form::symbol:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break; // no operations on two numbers
   }
+  return std::numeric_limits<double>::infinity();
 }
 
 } // namespace detail

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/limits/generic_values.hpp>
 
 namespace kanexpr::symbolic::taylor {
@@ -47,12 +47,9 @@ namespace detail {
 
 /// The caller has made sure that it is arithmetic and does not divide by zero.
 inline number arithmetic(operation op, const number& a, const number& b) {
-  switch (op) {
-  case operation::add: return a + b;
-  case operation::subtract: return a - b;
-  case operation::multiply: return a * b;
-  default: return a / b;
-  }
+  if (op == operation::add) return a + b;
+  if (op == operation::subtract) return a - b;
+  return op == operation::multiply ? a * b : a / b;
 }
 
 /// A quotient of expressions with one number in front, so that those of a direction meet and cancel.

@@ -9,16 +9,6 @@ namespace kanexpr::symbolic::taylor {
 
 namespace detail {
 
-/// An exact square root of an exact number, else a double.
-inline number root_of(const number& n) {
-  const auto root = [](double x) { return real(elementary::sqrt(x)); };
-  const number whole = root(n.value());
-  if (!n.exact() || whole.exact()) return whole;
-  const number above = root(static_cast<double>(n.numerator)),
-               below = root(static_cast<double>(n.denominator));
-  return above.exact() && below.exact() ? above / below : whole;
-}
-
 inline number function_of(operation op, const number& n) {
   if (op == operation::sqrt) return root_of(n);
   if (op == operation::abs) return n.negative() ? -n : n;
@@ -27,14 +17,10 @@ inline number function_of(operation op, const number& n) {
 
 /// Whether a function of an exact number is exact.
 inline bool stays_exact(operation op, const number& n, const number& f) {
-  switch (op) {
-  case operation::abs:
-  case operation::sign: return true;
-  case operation::sqrt: return f.exact() && f * f == n;
-  case operation::log:
-  case operation::acos: return n == exactly(1);
-  default: return n.numerator == 0;
-  }
+  if (op == operation::abs || op == operation::sign) return true;
+  if (op == operation::sqrt) return f.exact() && f * f == n;
+  const int at = properties_of(op).exact_at;
+  return at != function_properties::nowhere && n == exactly(at);
 }
 
 inline number integer_power(const number& base, std::int64_t exponent) {

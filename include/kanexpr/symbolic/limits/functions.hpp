@@ -30,15 +30,6 @@ inline obstacle unbounded(const series& s) {
   return s.end() <= 0 ? obstacle::truncated : obstacle::none;
 }
 
-inline expansion exp(const series& s) {
-  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
-  const std::optional<coefficient> first = apply(operation::exp, s[0]);
-  if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
-  std::vector<coefficient> e{*first};
-  for (int k = 1; k < s.last(); ++k) e.push_back(detail::weighted(s, k, e) / coefficient(k));
-  return series(0, std::move(e), s.last(), s.most());
-}
-
 /// The sine, or the cosine.
 inline expansion sine(const series& s, operation wanted) {
   if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;

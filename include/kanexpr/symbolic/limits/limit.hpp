@@ -1,9 +1,11 @@
 #pragma once
 
-#include <kanexpr/symbolic/limits/conditions.hpp>
-#include <kanexpr/symbolic/limits/directions.hpp>
+#include <kanexpr/base/engine.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/limits/replacement.hpp>
 
-#include <memory>
+#include <string>
+#include <vector>
 
 /// Values at an operating point, with limits where they are 0/0.
 namespace kanexpr::symbolic {
@@ -21,122 +23,6 @@ struct point_values {
   std::vector<singularity> singular; ///< empty: all values were found
 };
 
-namespace taylor {
-
-struct limit {
-  expression value{};
-  std::string condition{}; ///< empty: the value was found
-};
-
-/// Limits of expressions that have no value by substitution. The point is approached along straight lines,
-/// from several sides; where that makes a difference there is no limit.
-class limits {
-public:
-  limits(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs)
-      : g_(g), point_(point), plain_(plain), say_(g, point), ways_(g, point, outputs) {
-    if (!outputs.empty()) search(those_with_values(outputs));
-  }
-
-  const limit& operator[](int id) const { return found_.at(id); }
-
-private:
-  using lines = std::vector<std::unique_ptr<line>>;
-  static constexpr int most_terms = 16;
-
-  /// Without those that have no value anywhere.
-  sequence<int> those_with_values(const sequence<int>& outputs) {
-    const appraisal generic(g_, outputs, {});
-    sequence<int> others;
-    for (int id : outputs)
-      if (generic.is_singular(id))
-        fail(id, say_.everywhere(generic, id));
-      else
-        others.push(id);
-    return others;
-  }
-
-  /// Terms are added until they decide.
-  void search(sequence<int> open) {
-    for (int most = 2; !open.empty() && most <= most_terms; most *= 2) {
-      lines all;
-      all.push_back(line_along(0, open, most));
-      sequence<int> candidates, undecided;
-      for (int id : open) (is_truncated(*all[0], id) && most < most_terms ? undecided : candidates).push(id);
-      for (int way = 1; way < ways_.size() && !candidates.empty(); ++way)
-        all.push_back(line_along(way, candidates, most));
-      for (int id : candidates)
-        if (!decide(all, id, most == most_terms)) undecided.push(id);
-      open = undecided;
-    }
-  }
-
-  std::unique_ptr<line> line_along(int way, const sequence<int>& outputs, int most) const {
-    return std::make_unique<line>(
-        g_, point_, plain_, outputs, [&](int symbol) { return ways_.step(way, symbol); }, most);
-  }
-
-  static bool has_pole(const line& l, int id) { return l[id]->has_terms() && l[id]->order() < 0; }
-  static bool is_truncated(const line& l, int id) {
-    return l[id] ? !has_pole(l, id) && l[id]->end() <= 0 : l[id].trouble() == obstacle::truncated;
-  }
-  /// A line along which a denominator happens to vanish decides nothing.
-  static bool decides(const line& l, int id) {
-    const obstacle trouble = l[id].trouble();
-    return trouble != obstacle::zero_divisor && trouble != obstacle::singular_system && !is_truncated(l, id);
-  }
-  static bool differ(const line& a, const line& b, int id) { return !((*a[id])[0] - (*b[id])[0]).is_zero(); }
-
-  /// Finds a limit, or why there is none; neither where more terms may change it.
-  bool decide(const lines& all, int id, bool is_last) {
-    const line* first = nullptr;
-    bool is_open = false;
-    for (const std::unique_ptr<line>& each : all) {
-      const std::string condition = decides(*each, id) ? objection(first, *each, id) : "";
-      if (!condition.empty()) return fail(id, condition);
-      if (first == nullptr && decides(*each, id)) first = each.get();
-      const bool is_special = ways_.has_equal_steps() && each == all.back();
-      is_open = is_open || (is_truncated(*each, id) && !is_special);
-    }
-    if (is_open && !is_last) return false;
-    if (first == nullptr) return fail(id, say_.without_series(*all.front(), id));
-    const bool is_simple = ways_.has_equal_steps() && decides(*all.back(), id);
-    found_[id] = {(*(is_simple ? *all.back() : *first)[id])[0].in(g_), {}};
-    return true;
-  }
-
-  /// Why there is no limit, by a line that decides and another before it, or nothing.
-  std::string objection(const line* first, const line& other, int id) const {
-    if (!other[id]) return say_.without_series(other, id);
-    if (has_pole(other, id)) return say_.pole(other, id);
-    if (first == nullptr || !differ(*first, other, id)) return {};
-    return say_.direction(first_that_differs(*first, other, id));
-  }
-
-  int first_that_differs(const line& a, const line& b, int id) const {
-    const sequence<char> live = live_nodes(g_, {id});
-    const auto is_finite = [](const line& l, int each) {
-      return l.holds(each) && l[each] && !has_pole(l, each) && l[each]->end() > 0;
-    };
-    for (int each = 0; each < id; ++each)
-      if (live[each] != 0 && is_finite(a, each) && is_finite(b, each) && differ(a, b, each)) return each;
-    return id;
-  }
-
-  bool fail(int id, const std::string& condition) {
-    found_[id] = {constant(g_, real(std::numeric_limits<double>::quiet_NaN())), condition};
-    return true;
-  }
-
-  graph& g_;
-  const appraisal& point_;
-  substitution& plain_;
-  conditions say_;
-  directions ways_;
-  std::map<int, limit> found_{};
-};
-
-} // namespace taylor
-
 /// The values of expressions where symbols are replaced, all at once, by numbers or by expressions of symbols
 /// that stay. What has no value there by substitution has its limit, found by series along straight lines;
 /// where it depends on the direction, or is not finite, the entry is singular.
@@ -144,27 +30,10 @@ private:
 /// A denominator counts as zero where it vanishes at generic values of the symbols that stay, and a number
 /// where it is zero within a running bound on what rounding did to it (bounded.hpp). Functions without a
 /// power series, such as sqrt(q) and log(q) at q = 0, have no limit here even where one side has.
-inline point_values limits_at(graph& g, const matrix& m, const std::vector<replacement>& point) {
-  const sequence<int> outputs = nodes_of(m.entries);
-  const taylor::appraisal at(g, outputs, point);
-  substitution plain(g);
-  for (const replacement& each : point) plain.replace(each.symbol, each.by);
-  sequence<int> without_value;
-  for (int id : outputs)
-    if (at.is_singular(id) && !without_value.contains(id)) without_value.push(id);
-  const taylor::limits limits(g, at, plain, without_value);
-  point_values found{m, {}};
-  for (int i = 0; i < outputs.size(); ++i) {
-    expression& value = found.values.entries[i];
-    if (!at.is_singular(outputs[i])) {
-      value = plain.in(value);
-      continue;
-    }
-    const taylor::limit& limit = limits[outputs[i]];
-    value = limit.value;
-    if (!limit.condition.empty()) found.singular.push_back({i / m.columns, i % m.columns, limit.condition});
-  }
-  return found;
-}
+KANEXPR_ENGINE point_values limits_at(graph& g, const matrix& m, const std::vector<replacement>& point);
 
 } // namespace kanexpr::symbolic
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/symbolic/limits/limits.hpp>
+#endif

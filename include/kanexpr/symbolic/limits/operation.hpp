@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/limits/inverses.hpp>
 
 namespace kanexpr::symbolic::taylor {
@@ -7,45 +8,90 @@ namespace kanexpr::symbolic::taylor {
 /// Whether the first term decides what an operation gives, and vanishes for some values of the symbols.
 inline bool is_piecewise(operation op, const series& a, const series& b) {
   const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanish_partly(); };
-  switch (op) {
-  case operation::divide: return is_unsure(b);
-  case operation::atan2: return is_unsure(a) || is_unsure(b);
-  case operation::power:
-  case operation::sqrt:
-  case operation::log:
-  case operation::abs:
-  case operation::sign: return is_unsure(a);
-  default: return false;
+  if (op == operation::divide) return is_unsure(b);
+  if (op == operation::atan2) return is_unsure(a) || is_unsure(b);
+  return (op == operation::power || op == operation::sqrt || op == operation::log || op == operation::abs ||
+          op == operation::sign) &&
+         is_unsure(a);
+}
+
+inline expansion apply(operation op, const series& a, const series& b);
+
+/// The derivative of a function of one argument at s, where it is f.
+inline expansion slope_of(operation op, const series& s, const series& f) {
+  graph g;
+  const expression x = variable(g, {symbol_kind::parameter, "x", 0}),
+                   y = variable(g, {symbol_kind::parameter, "f", 1});
+  const int slope = symbolic::slope_of(op, x, y).node();
+  std::vector<expansion> at;
+  for (int id = 0; id <= slope; ++id) {
+    const node& n = g[id];
+    if (n.op == operation::constant)
+      at.emplace_back(series(coefficient(g.number_at(id))));
+    else if (n.op == operation::symbol)
+      at.emplace_back(id == x.node() ? s : f);
+    else {
+      const expansion &a = at[static_cast<std::size_t>(n.a)], &b = at[static_cast<std::size_t>(n.b)];
+      at.push_back(!a ? a : !b ? b : apply(n.op, *a, *b));
+    }
   }
+  return at[static_cast<std::size_t>(slope)];
+}
+
+/// A function that is smooth at s_0, by f' = slope(s, f) s': what is known of f to some order gives one more.
+inline expansion smooth(operation op, const series& s) {
+  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  const std::optional<coefficient> first = apply(op, s[0]);
+  if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
+  series f(0, {*first}, 1, s.most());
+  for (int k = 1; k < s.last(); ++k) {
+    const expansion slope = slope_of(op, s, f);
+    if (!slope) return slope;
+    f = integral(*slope * derivative(s), *first);
+  }
+  return f;
+}
+
+/// A function of one argument: those that need more than their derivative, because they have poles, ends or
+/// corners, by themselves.
+inline expansion function_of(operation op, const series& s) {
+  if (op == operation::sqrt) return sqrt(s);
+  if (op == operation::sin || op == operation::cos) return sine(s, op);
+  if (op == operation::tan) return tan(s);
+  if (op == operation::asin || op == operation::acos) return arcsine(s, op);
+  if (op == operation::atan) return atan(s);
+  if (op == operation::log) return log(s);
+  if (op == operation::abs) return magnitude(s);
+  if (op == operation::sign) return sign(s);
+  return smooth(op, s);
 }
 
 /// One operation that is no linear system.
 inline expansion apply(operation op, const series& a, const series& b) {
   if (is_piecewise(op, a, b)) return obstacle::piecewise;
-  switch (op) {
-  case operation::negate: return -a;
-  case operation::add: return a + b;
-  case operation::subtract: return a - b;
-  case operation::multiply: return a * b;
-  case operation::divide: return quotient(a, b);
-  case operation::power: {
+  switch (form_of(op)) {
+  case form::negate: return -a;
+  case form::add: return a + b;
+  case form::subtract: return a - b;
+  case form::multiply: return a * b;
+  case form::divide: return quotient(a, b);
+  case form::power: {
     if (b.is_constant()) return power(a, b[0]);
     const expansion logarithm = log(a);
-    return logarithm ? exp(b * *logarithm) : logarithm;
+    return logarithm ? smooth(operation::exp, b * *logarithm) : logarithm;
   }
-  case operation::sqrt: return sqrt(a);
-  case operation::sin:
-  case operation::cos: return sine(a, op);
-  case operation::tan: return tan(a);
-  case operation::asin:
-  case operation::acos: return arcsine(a, op);
-  case operation::atan: return atan(a);
-  case operation::atan2: return atan2(a, b);
-  case operation::exp: return exp(a);
-  case operation::log: return log(a);
-  case operation::abs: return magnitude(a);
-  default: return sign(a);
+  case form::function: return function_of(op, a);
+  case form::atan2: return atan2(a, b);
+  case form::constant:
+  case form::symbol:
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::regularity: break; // who expands a graph knows these
   }
+  return obstacle::truncated;
 }
 
 } // namespace kanexpr::symbolic::taylor

@@ -1,89 +1,21 @@
 #pragma once
 
-#include <kanexpr/symbolic/print/writer.hpp>
+#include <kanexpr/base/engine.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+
+#include <string>
 
 namespace kanexpr::symbolic {
 
-namespace printing {
-
-class plain : public writer<plain> {
-public:
-  using writer::writer;
-
-  std::string product(const side& s) const {
-    std::string text = s.shows_number() ? number_of(s.coefficient) : "";
-    for (const factor& f : s.factors) text += (text.empty() ? "" : "*") + text_of(f);
-    return text;
-  }
-  std::string quotient(const side& above, const side& below) const {
-    const std::string divisor = product(below);
-    return product(above) + "/" + (below.size() > 1 ? in_parentheses(divisor) : divisor);
-  }
-  std::string function(int id) const {
-    const node& n = at(id);
-    if (n.op == operation::component) {
-      const node& solution = at(n.a);
-      return "solve(" + matrix_of(solution.a, solution.op == operation::transposed_solve) + ", " +
-             list(elements(solution.b)) + ")[" + std::to_string(integer_at(owner(), n.b) + 1) + "]";
-    }
-    if (n.op == operation::regularity)
-      return "regularity(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
-    std::string text = function_name(n.op) + ("(" + write(n.a));
-    if (is_binary(n.op)) text += ", " + write(n.b);
-    return text + ")";
-  }
-  std::string name_of(const symbol& s) const {
-    const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
-    return std::string(s.called.view()) + (is_rate ? "'" : "");
-  }
-  std::string number_of(const number& n) const { return decimal(n); }
-  std::string exponent(int id) const { return operand(id); }
-  std::string power(const std::string& base, const std::string& exponent) const {
-    return base + "^" + exponent;
-  }
-  std::string raised(int base, const std::string& exponent) const { return power(operand(base), exponent); }
-  std::string in_parentheses(const std::string& text) const { return "(" + text + ")"; }
-
-private:
-  std::string list(const std::vector<int>& nodes) const {
-    std::string text;
-    for (int id : nodes) text += (text.empty() ? "" : ", ") + write(id);
-    return "[" + text + "]";
-  }
-  std::string matrix_of(int factorization, bool transposed) const {
-    std::string text;
-    for (const std::vector<int>& row : rows_of(factorization, transposed))
-      text += (text.empty() ? "" : ", ") + list(row);
-    return "[" + text + "]";
-  }
-};
-
-} // namespace printing
-
 /// Plain text, such as `m*r^2/4 - sin(q1)^2`.
-inline std::string print(const graph& g, int id) { return printing::plain(g).write(id); }
-inline std::string print(expression e) { return print(e.owner(), e.node()); }
+KANEXPR_ENGINE std::string print(const graph& g, int id);
+KANEXPR_ENGINE std::string print(expression e);
 
 /// One row a line, columns aligned.
-inline std::string print(const matrix& m) {
-  std::vector<std::string> entries;
-  std::vector<std::size_t> widths(static_cast<std::size_t>(m.columns));
-  for (const expression& e : m.entries) {
-    std::size_t& width = widths[entries.size() % widths.size()];
-    entries.push_back(print(e));
-    width = (std::max)(width, entries.back().size());
-  }
-  std::string text;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::size_t column = i % widths.size();
-    if (column == 0) text += i == 0 ? "[" : "\n[";
-    text += entries[i];
-    const bool is_last = column + 1 == widths.size();
-    if (!is_last) text += ", ";
-    text.append(widths[column] - entries[i].size(), ' ');
-    if (is_last) text += "]";
-  }
-  return text;
-}
+KANEXPR_ENGINE std::string print(const matrix& m);
 
 } // namespace kanexpr::symbolic
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/symbolic/print/plain.hpp>
+#endif

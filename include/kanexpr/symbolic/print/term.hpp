@@ -54,7 +54,9 @@ inline side denominator(const term& t) {
 }
 
 /// What is written as one word with arguments, and the lists among those.
-inline bool is_function(operation op) { return *function_name(op) != '\0' || op >= operation::pair; }
+inline bool is_written_as_function(operation op) {
+  return *function_name(op) != '\0' || op >= operation::pair;
+}
 
 /// Breaks a node into weighted parts, which `expand` names; each node is met once, with all of its weight,
 /// since users come after their operands. Returns the parts that cannot be broken, by node.
@@ -113,7 +115,7 @@ private:
   int rank(int id) const {
     const operation op = graph_[id].op;
     if (op == operation::symbol) return graph_.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
-    return op == operation::power ? 2 : is_function(op) ? 3 : 4;
+    return op == operation::power ? 2 : is_written_as_function(op) ? 3 : 4;
   }
 
   std::strong_ordering compare(int a, int b) {
@@ -167,25 +169,20 @@ inline term term_reader::product_of(int root) {
   const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
     if (exponent > largest_exponent || exponent < -largest_exponent) return false;
     const node& n = graph_[id];
-    switch (n.op) {
-    case operation::constant:
+    if (n.op == operation::constant) {
       if (id == graph::zero && exponent < 0) return false;
       product.coefficient = product.coefficient * integer_power(graph_.number_at(id), exponent);
       return true;
-    case operation::negate:
+    }
+    if (n.op == operation::negate) {
       if (exponent % 2 != 0) product.coefficient = -product.coefficient;
       put(n.a, exponent);
       return true;
-    case operation::multiply:
-      put(n.a, exponent);
-      put(n.b, exponent);
-      return true;
-    case operation::divide:
-      put(n.a, exponent);
-      put(n.b, -exponent);
-      return true;
-    default: return false;
     }
+    if (n.op != operation::multiply && n.op != operation::divide) return false;
+    put(n.a, exponent);
+    put(n.b, n.op == operation::multiply ? exponent : -exponent);
+    return true;
   };
   for (const auto& [base, exponent] : gather(root, std::int64_t{1}, expand))
     if (exponent != 0) product.factors.push_back({base, exponent});

@@ -75,7 +75,7 @@ protected:
       const bool whole = !value.negative() && (!value.exact() || value.integer());
       if (whole) return form().number_of(value);
     }
-    if (is_function(n.op)) return form().function(id);
+    if (is_written_as_function(n.op)) return form().function(id);
     return form().in_parentheses(write(id));
   }
 

@@ -70,27 +70,35 @@ private:
     const node& n = nodes_[id];
     const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
     int found = (a | b) & may_fail;
-    switch (n.op) {
-    case operation::constant:
+    switch (form_of(n.op)) {
+    case form::constant:
       if (!g_.number_at(id).negative()) facts_of_[id] |= never_negative;
       return;
-    case operation::multiply:
+    case form::multiply:
       if (n.a == n.b || (a & b & never_negative) != 0) found |= never_negative;
       break;
-    case operation::add: found |= a & b & never_negative; break;
-    case operation::divide:
+    case form::add: found |= a & b & never_negative; break;
+    case form::divide:
       if (!g_.is_constant(n.b) && (b & sure) == 0) found |= begins;
       break;
-    case operation::sqrt: // rounding can make the argument negative
-      found |= (a & never_negative) != 0 ? never_negative : never_negative | begins;
+    case form::function: {
+      const function_properties& f = properties_of(n.op);
+      if (f.never_negative) found |= never_negative;
+      if (n.op == operation::sqrt ? (a & never_negative) == 0 : !f.stays_finite) // rounding makes less than 0
+        found |= begins;
       break;
-    case operation::abs: found |= never_negative; break;
-    case operation::power:
-    case operation::asin:
-    case operation::acos:
-    case operation::exp:
-    case operation::log: found |= begins; break;
-    default: break; // a tangent is as large as rounding lets it be
+    }
+    case form::power: found |= begins; break;
+    case form::symbol:
+    case form::negate:
+    case form::subtract:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
     if (n.op >= operation::pair) found |= may_fail; // and its status is another
@@ -100,18 +108,25 @@ private:
 
   /// Marks the operands that, not being finite, leave the result no finite number.
   static constexpr void pass_on(const node& n, char* is_told) {
-    switch (n.op) {
-    case operation::add:
-    case operation::subtract:
-    case operation::multiply: is_told[n.b] = is_told[n.a] = 1; break;
-    case operation::divide:
-    case operation::negate:
-    case operation::sqrt:
-    case operation::sin:
-    case operation::cos:
-    case operation::tan:
-    case operation::abs: is_told[n.a] = 1; break;
-    default: break; // 1/∞ is 0, and so is exp(-∞)
+    switch (form_of(n.op)) {
+    case form::add:
+    case form::subtract:
+    case form::multiply: is_told[n.b] = is_told[n.a] = 1; break;
+    case form::divide: // 1/∞ is 0
+    case form::negate: is_told[n.a] = 1; break;
+    case form::function:
+      if (properties_of(n.op).passes_infinity) is_told[n.a] = 1;
+      break;
+    case form::constant:
+    case form::symbol:
+    case form::power:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break; // may be finite all the same
     }
   }
 

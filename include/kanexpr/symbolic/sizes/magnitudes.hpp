@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -30,29 +31,36 @@ private:
   constexpr double size_of(int id, const evaluation& value) {
     const node& n = g_[id];
     const double v = elementary::abs(value[id]);
-    switch (n.op) {
-    case operation::pair:
-    case operation::factorization: return 0;
-    case operation::solve:
-    case operation::transposed_solve: return solve(id, value), 0.0;
-    case operation::component: return solutions_[first_of(n.a) + integer_at(g_, n.b)];
-    case operation::negate:
-    case operation::abs: return size_[n.a];
-    case operation::add:
-    case operation::subtract: return size_[n.a] + size_[n.b];
-    case operation::multiply:
+    switch (form_of(n.op)) {
+    case form::pair:
+    case form::factorization: return 0;
+    case form::solve:
+    case form::transposed_solve: return solve(id, value), 0.0;
+    case form::component: return solutions_[first_of(n.a) + integer_at(g_, n.b)];
+    case form::negate: return size_[n.a];
+    case form::add:
+    case form::subtract: return size_[n.a] + size_[n.b];
+    case form::multiply:
       return size_[n.a] * elementary::abs(value[n.b]) + elementary::abs(value[n.a]) * size_[n.b];
-    case operation::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
-    case operation::sqrt: return over(size_[n.a], v);
-    case operation::cos: return v + size_[n.a] * (size_[n.a] < 1 ? size_[n.a] : 1);
-    case operation::constant:
-    case operation::symbol:
-    case operation::regularity: return v;
-    case operation::exp: return v * (1 + size_[n.a]);
-    case operation::power: return v * (1 + over(size_[n.a], value[n.a]));
-    case operation::log: return v + over(size_[n.a], value[n.a]);
-    default: return v + size_[n.a];
+    case form::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
+    case form::power: return v * (1 + over(size_[n.a], value[n.a]));
+    case form::function: return size_of_function(n.op, size_[n.a], value[n.a], value[id]);
+    case form::constant:
+    case form::symbol:
+    case form::regularity: return v;
+    case form::atan2: return v + size_[n.a];
     }
+    return v;
+  }
+
+  /// f(x) and what its slope makes of the terms of x; that of a sine counts as 1 everywhere.
+  static constexpr double size_of_function(operation op, double terms, double x, double f) {
+    const double v = elementary::abs(f);
+    if (op == operation::abs) return terms;
+    if (op == operation::sqrt) return over(terms, v);
+    if (op == operation::cos) return v + terms * (terms < 1 ? terms : 1);
+    if (properties_of(op).is_trigonometric || op == operation::sign) return v + terms;
+    return v + (properties_of(op).is_smooth_at(x) ? elementary::abs(slope_of(op, x, f)) * terms : 0);
   }
 
   static constexpr double over(double a, double b) {
@@ -67,13 +75,13 @@ private:
     const auto entry = [&](int i, int j) {
       return entries[n.op == operation::solve ? i * order + j : j * order + i];
     };
-    const factors place{order};
+    const numeric::factors place{order};
     sequence<double> f(place.size(), 0.0), x(order, 0.0), terms(order, 0.0);
     for (int i = 0; i < order; ++i)
       for (int j = 0; j < order; ++j) f[place.at(i, j)] = value[entry(i, j)];
-    factorize<constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
     for (int i = 0; i < order; ++i) x[i] = value[right[i]];
-    solve_factorized<constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
     for (int i = 0; i < order; ++i) {
       terms[i] = size_[right[i]];
       for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
@@ -84,7 +92,7 @@ private:
     for (int j = 0; j < order; ++j) {
       sequence<double> unit(order, 0.0);
       unit[j] = 1;
-      solve_factorized<constant_elimination>(order, &f[0], &unit[0]);
+      numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &unit[0]);
       for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
     }
   }

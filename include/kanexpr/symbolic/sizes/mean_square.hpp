@@ -67,16 +67,12 @@ private:
 
   constexpr int square(int id) {
     const node n = g_[id];
-    switch (n.op) {
-    case operation::negate: return squares_[n.a];
-    case operation::add:
-    case operation::subtract: return add(g_, squares_[n.a], squares_[n.b]);
-    case operation::multiply: return multiply(g_, squares_[n.a], squares_[n.b]);
-    case operation::divide: return divide(g_, squares_[n.a], multiply(g_, n.b, n.b));
-    case operation::sin:
-    case operation::cos: return g_.constant(exactly(1, 2));
-    default: return multiply(g_, id, id);
-    }
+    if (n.op == operation::negate) return squares_[n.a];
+    if (n.op == operation::add || n.op == operation::subtract) return add(g_, squares_[n.a], squares_[n.b]);
+    if (n.op == operation::multiply) return multiply(g_, squares_[n.a], squares_[n.b]);
+    if (n.op == operation::divide) return divide(g_, squares_[n.a], multiply(g_, n.b, n.b));
+    if (n.op == operation::sin || n.op == operation::cos) return g_.constant(exactly(1, 2));
+    return multiply(g_, id, id);
   }
 
   graph& g_;

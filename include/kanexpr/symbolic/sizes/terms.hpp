@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -22,14 +22,10 @@ private:
   constexpr expression form(const expression& e) {
     const node n = g_[e.node()]; // the graph grows
     const expression a(g_, n.a), b(g_, is_binary(n.op) && n.op < operation::pair ? n.b : n.a);
-    switch (n.op) {
-    case operation::negate: return of(a);
-    case operation::add:
-    case operation::subtract: return of(a) + of(b);
-    case operation::multiply: return product(a, b);
-    case operation::divide: return of(a) / abs(b);
-    default: return abs(e);
-    }
+    if (n.op == operation::negate) return of(a);
+    if (n.op == operation::add || n.op == operation::subtract) return of(a) + of(b);
+    if (n.op == operation::multiply) return product(a, b);
+    return n.op == operation::divide ? of(a) / abs(b) : abs(e);
   }
 
   /// To first order, so that what is left of sums that nearly vanish does not grow from product to product.

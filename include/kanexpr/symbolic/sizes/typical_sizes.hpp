@@ -62,17 +62,32 @@ private:
     if (n.op == operation::constant) return of_size(elementary::abs(g_.number_at(id).value()));
     if (n.op >= operation::pair) return {};
     const estimate_of& a = known_[n.a];
-    switch (n.op) {
-    case operation::negate:
-    case operation::abs: return a;
-    case operation::add:
-    case operation::subtract: return sum(a, known_[n.b]);
-    case operation::multiply: return product(a, known_[n.b], 1);
-    case operation::divide: return product(a, known_[n.b], -1);
-    case operation::sqrt: return {elementary::sqrt(a.factor), a.unknown, a.power / 2};
-    case operation::power: return {};
-    default: return of_size(1);
+    switch (form_of(n.op)) {
+    case form::negate: return a;
+    case form::add:
+    case form::subtract: return sum(a, known_[n.b]);
+    case form::multiply: return product(a, known_[n.b], 1);
+    case form::divide: return product(a, known_[n.b], -1);
+    case form::atan2: return of_size(1);
+    case form::function:
+      switch (properties_of(n.op).unit) {
+      case unit_rule::kept: return a;
+      case unit_rule::root: return {elementary::sqrt(a.factor), a.unknown, a.power / 2};
+      case unit_rule::numbers:
+      case unit_rule::dropped: return of_size(1);
+      }
+      break;
+    case form::constant:
+    case form::symbol:
+    case form::power:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break; // of these nothing is known
     }
+    return {};
   }
 
   constexpr estimate_of product(const estimate_of& a, const estimate_of& b, double sign) const {
@@ -103,24 +118,37 @@ private:
     const auto want = [&](int operand, double as_large) {
       if (!known_[operand].is_known() && numeric::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
     };
-    switch (n.op) {
-    case operation::negate:
-    case operation::abs: return want(n.a, size);
-    case operation::add:
-    case operation::subtract: return want(n.a, size), want(n.b, size);
-    case operation::multiply:
+    switch (form_of(n.op)) {
+    case form::negate: return want(n.a, size);
+    case form::add:
+    case form::subtract: return want(n.a, size), want(n.b, size);
+    case form::multiply:
       if (known_[n.a].is_known() && !numeric::equal(known_[n.a].factor, 0.0))
         want(n.b, size / known_[n.a].factor);
       if (known_[n.b].is_known() && !numeric::equal(known_[n.b].factor, 0.0))
         want(n.a, size / known_[n.b].factor);
       return;
-    case operation::divide:
+    case form::divide:
       if (known_[n.b].is_known()) want(n.a, size * known_[n.b].factor);
       return;
-    case operation::sqrt: return want(n.a, size * size);
-    case operation::power:
-    case operation::atan2: return;
-    default: return want(n.a, 1);
+    case form::function:
+      switch (properties_of(n.op).unit) {
+      case unit_rule::kept: return want(n.a, size);
+      case unit_rule::root: return want(n.a, size * size);
+      case unit_rule::numbers:
+      case unit_rule::dropped: return want(n.a, 1);
+      }
+      return;
+    case form::constant:
+    case form::symbol:
+    case form::power:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: return;
     }
   }
   constexpr void take(const estimate_of& open, double size) {

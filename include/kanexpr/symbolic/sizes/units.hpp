@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/numbers/elementary.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -83,26 +83,35 @@ private:
 
   constexpr unit unit_of(int id) {
     const node& n = g_[id];
-    switch (n.op) {
-    case operation::negate:
-    case operation::abs: return of(n.a);
-    case operation::add:
-    case operation::subtract: return equate(of(n.a), of(n.b)), of(n.a);
-    case operation::multiply: return product(of(n.a), of(n.b), 1);
-    case operation::divide: return product(of(n.a), of(n.b), -1);
-    case operation::sqrt: return product({}, of(n.a), 0.5);
-    case operation::atan2: return equate(of(n.a), of(n.b)), unit();
-    case operation::sin:
-    case operation::cos:
-    case operation::tan:
-    case operation::asin:
-    case operation::acos:
-    case operation::atan:
-    case operation::exp:
-    case operation::log: return equate(of(n.a), {}), unit();
-    case operation::sign: return {};
-    default: return unit_of_base(id);
+    switch (form_of(n.op)) {
+    case form::negate: return of(n.a);
+    case form::add:
+    case form::subtract: return equate(of(n.a), of(n.b)), of(n.a);
+    case form::multiply: return product(of(n.a), of(n.b), 1);
+    case form::divide: return product(of(n.a), of(n.b), -1);
+    case form::atan2: return equate(of(n.a), of(n.b)), unit();
+    case form::function: return unit_of_function(n);
+    case form::constant:
+    case form::symbol:
+    case form::power:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::regularity: break; // of these nothing is known
     }
+    return unit_of_base(id);
+  }
+
+  constexpr unit unit_of_function(const node& n) {
+    switch (properties_of(n.op).unit) {
+    case unit_rule::numbers: return equate(of(n.a), {}), unit();
+    case unit_rule::kept: return of(n.a);
+    case unit_rule::root: return product({}, of(n.a), 0.5);
+    case unit_rule::dropped: break;
+    }
+    return {};
   }
 
   const graph& g_;

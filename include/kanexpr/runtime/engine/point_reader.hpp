@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/derive/derived_system.hpp>
-#include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/derive/read/reader.hpp>
+#include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
-#include <kanexpr/symbolic/limits/limit.hpp>
+#include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace kanexpr::runtime {
 /// point speaks of, such as the speed of a vehicle, becomes one more parameter.
 class point_reader {
 public:
-  explicit point_reader(derivation::derived_system& system) : system_(system), m_(system.model()) {}
+  explicit point_reader(derived& system) : system_(system), m_(system.mechanism()) {}
 
   std::vector<symbolic::replacement> read(const linearization_point& point) {
     std::vector<symbolic::replacement> found;
@@ -61,8 +61,10 @@ private:
     case symbol_kind::coordinate_rate:
       return find(m_.coordinates, name, is_by_lagrange() ? m_.speeds : m_.coordinate_rates);
     case symbol_kind::speed_rate: return find(m_.speeds, name, m_.speed_rates);
-    default: return std::nullopt;
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier: break; // belong to no point
     }
+    return std::nullopt;
   }
 
   std::optional<symbolic::expression> symbol_of(std::string_view name) const {
@@ -104,7 +106,7 @@ private:
     return system_.reader().evaluate(whole, "the operating point").scalar;
   }
 
-  derivation::derived_system& system_;
+  derived& system_;
   const mechanics::mechanism& m_;
   std::vector<std::string> problems_{};
 };

@@ -2,7 +2,9 @@
 
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
 
 #include <cmath>

@@ -7,12 +7,12 @@
 #include <limits>
 
 /// Quaternions within a vector, by the places of their entries.
-namespace kanexpr::numeric {
+namespace kanexpr::lower {
 
 template <class X, class Places>
 [[gnu::always_inline]] inline typename X::Scalar squared_norm(const X& x, const Places& places) {
   using T = typename X::Scalar;
-  T sum = lower::scalar_math<T>::from(0);
+  T sum = scalar_math<T>::from(0);
   for (const int place : places) sum = T(sum + T(x(place) * x(place)));
   return sum;
 }
@@ -26,7 +26,7 @@ struct norm_range {
 template <class X, class Places>
 [[gnu::always_inline]] inline bool normalize(X& x, const Places& places, const norm_range& from) {
   using T = typename X::Scalar;
-  using math = lower::scalar_math<T>;
+  using math = scalar_math<T>;
   const T square = squared_norm(x, places);
   if (!math::exceeds(square, from.least * from.least) || !math::exceeds(T(-square), -(from.most * from.most)))
     return false;
@@ -46,4 +46,4 @@ void leave_norm_out(Jacobian& by_all, const X& x, const Places& places) {
   }
 }
 
-} // namespace kanexpr::numeric
+} // namespace kanexpr::lower

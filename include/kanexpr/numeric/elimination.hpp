@@ -3,10 +3,7 @@
 /// Gaussian elimination with row exchanges, without a branch on a value: rows are compared and exchanged by
 /// selection. What is done in which order is the same wherever a system is solved; lower/eliminate.hpp
 /// unrolls it.
-namespace kanexpr::symbolic {
-
-/// Systems up to this order are written out with cofactors when they are lowered.
-inline constexpr int largest_written_out = 3;
+namespace kanexpr::numeric {
 
 /// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
 /// diagonal and the reciprocals of the pivots on it, then by how much the lower row was larger wherever two
@@ -108,4 +105,4 @@ constexpr T regularity_of(int order, const T* f, T* squares) {
   return least; // where a pivot is zero, what comes behind it is not a number
 }
 
-} // namespace kanexpr::symbolic
+} // namespace kanexpr::numeric

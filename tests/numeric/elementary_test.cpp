@@ -1,4 +1,4 @@
-#include "kanexpr/symbolic/numbers/elementary.hpp"
+#include "kanexpr/numeric/elementary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 namespace {
 
-namespace elementary = kanexpr::symbolic::elementary;
+namespace elementary = kanexpr::elementary;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,25 @@
+# kanexpr::engine: what works while a program runs, compiled once. Who links kanexpr::kanexpr alone compiles it in
+# every file that uses it.
+
+# kanexpr_add_engine(<name>): the engine compiled with the flags of the directory.
+#
+# The sources lie with the headers that they compile, and are installed with them, for those who build without CMake.
+function(kanexpr_add_engine name)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/engine/*.cpp)
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC kanexpr)
+  target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_ENGINE)
+  # Its results are the same to the last bit wherever it is compiled.
+  target_compile_options(${name} PRIVATE -ffp-contract=off)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+kanexpr_add_engine(kanexpr_engine)
+add_library(kanexpr::engine ALIAS kanexpr_engine)
+set_target_properties(kanexpr_engine PROPERTIES EXPORT_NAME engine)
+if(KANEXPR_BUILD_ENGINE)
+  install(TARGETS kanexpr_engine EXPORT kanexpr-engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT kanexpr-engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+else() # of a project that this one is a part of, too
+  set_target_properties(kanexpr_engine PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()

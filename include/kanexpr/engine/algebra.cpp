@@ -1,0 +1,4 @@
+#include <kanexpr/symbolic/algebra/collect.hpp>
+#include <kanexpr/symbolic/algebra/compare.hpp>
+#include <kanexpr/symbolic/algebra/expand.hpp>
+#include <kanexpr/symbolic/algebra/simplify.hpp>

@@ -1,0 +1,1 @@
+#include <kanexpr/runtime/engine/assemble.hpp>

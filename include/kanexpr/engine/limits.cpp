@@ -1,0 +1,1 @@
+#include <kanexpr/symbolic/limits/limits.hpp>

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/print_vector.hpp>
+#include <kanexpr/symbolic/print/plain.hpp>
+#include <kanexpr/symbolic/print/typeset.hpp>
+
+namespace kanexpr::mechanics {
+
+namespace printing {
+
+constexpr char axis_letter(basis_style style, int axis) {
+  return (style == basis_style::xyz ? "xyz" : style == basis_style::ijk ? "ijk" : "123")[axis];
+}
+
+class plain : public symbolic::printing::plain {
+public:
+  using symbolic::printing::plain::plain;
+
+  std::string unit(const frame& f, int axis, basis_style style) const {
+    return std::string(f.called.view()) + "." + axis_letter(style, axis);
+  }
+  std::string dyad(const std::string& left, const std::string& right) const {
+    return "(" + left + "|" + right + ")";
+  }
+  std::string scaled(const std::string& measure, const std::string& unit) const {
+    return measure + "*" + unit;
+  }
+};
+
+class typeset : public symbolic::printing::typeset {
+public:
+  using symbolic::printing::typeset::typeset;
+
+  std::string unit(const frame& f, int axis, basis_style style) const {
+    symbolic::printing::split_name name(f.called.view());
+    for (char& c : name.head)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (!name.subscript.empty()) name.subscript += ',';
+    return "\\hat{\\mathbf{" + name.head + "}}_{" + name.subscript + axis_letter(style, axis) + "}";
+  }
+  std::string dyad(const std::string& left, const std::string& right) const {
+    return left + " \\otimes " + right;
+  }
+  std::string scaled(const std::string& measure, const std::string& unit) const {
+    return measure + "\\," + unit;
+  }
+};
+
+template <class Form>
+void add_part(symbolic::printing::sum_text& sum, const Form& form, expression measure,
+              const std::string& unit) {
+  if (measure.is_zero()) return;
+  const auto [negative, text] = form.signed_factor(measure.node());
+  if (text != "0") sum.add(negative, text == "1" ? unit : form.scaled(text, unit));
+}
+
+template <class Form>
+std::string write(const mechanism& m, const vector& v, basis_style style) {
+  const Form form(*m.g);
+  symbolic::printing::sum_text sum;
+  for (const vector::part& p : v.parts)
+    for (int i = 0; i < 3; ++i) add_part(sum, form, p.value[i], form.unit(m.frames[p.frame], i, style));
+  return sum.text();
+}
+
+template <class Form>
+std::string write(const mechanism& m, const dyadic& d, basis_style style) {
+  const Form form(*m.g);
+  symbolic::printing::sum_text sum;
+  for (const dyadic::part& p : d.parts)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        add_part(sum, form, p.value(i, j),
+                 form.dyad(form.unit(m.frames[p.left], i, style), form.unit(m.frames[p.right], j, style)));
+  return sum.text();
+}
+
+} // namespace printing
+
+KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style) {
+  return printing::write<printing::plain>(m, v, style);
+}
+KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style) {
+  return printing::write<printing::plain>(m, d, style);
+}
+
+KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style) {
+  return printing::write<printing::typeset>(m, v, style);
+}
+KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style) {
+  return printing::write<printing::typeset>(m, d, style);
+}
+
+} // namespace kanexpr::mechanics

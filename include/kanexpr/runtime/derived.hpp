@@ -1,0 +1,39 @@
+#pragma once
+
+#include <kanexpr/base/problem.hpp>
+
+namespace kanexpr {
+
+namespace symbolic {
+class graph;
+}
+namespace mechanics {
+struct mechanism;
+class equations;
+} // namespace mechanics
+namespace derivation {
+class reader;
+}
+
+namespace runtime {
+
+/// A system that was derived while the program runs, wherever it comes from. It stays where it was made:
+/// expressions refer to it.
+class derived {
+public:
+  derived() = default;
+  derived(const derived&) = delete;
+  derived& operator=(const derived&) = delete;
+  virtual ~derived() = default;
+
+  virtual const mechanics::problem& mistake() const = 0;
+  virtual symbolic::graph& graph() = 0;
+  virtual const mechanics::mechanism& mechanism() const = 0;
+  virtual derivation::reader& reader() = 0;
+  /// Null where a mistake came before them.
+  virtual mechanics::equations* equations() = 0;
+};
+
+} // namespace runtime
+
+} // namespace kanexpr

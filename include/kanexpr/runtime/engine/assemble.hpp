@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/lower/unit_quaternion.hpp>
+#include <kanexpr/runtime/assemble.hpp>
+
+namespace kanexpr::runtime {
+
+/// The constraints of a system that was derived while the program runs, for the numerical methods that
+/// satisfy them.
+class constraints_at {
+public:
+  using coordinate_vector = Eigen::VectorXd;
+
+  constraints_at(model& m, double t, std::span<const double> p, std::span<const double> r)
+      : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
+        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p), r_(r),
+        residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
+        terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
+        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
+        velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
+        velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
+        speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
+
+  int coordinates() const { return coordinates_.size(); }
+  int place_of_coordinate(int i) const { return coordinates_[i]; }
+
+  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) {
+    return residual_(t_, at_norm_one(x), p_, r_);
+  }
+  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) {
+    const Eigen::VectorXd at = at_norm_one(x);
+    Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
+    for (const symbolic::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
+    for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
+    return by_dependent;
+  }
+  Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
+  Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
+  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
+  /// What the norms of quaternions are off.
+  Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd left(quaternions_.size());
+    for (int i = 0; i < quaternions_.size(); ++i)
+      left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
+    return left;
+  }
+  mechanics::problem quaternion_called(int k) const {
+    return mechanics::sentence(
+        {"the quaternion ",
+         mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
+  }
+  kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
+    for (int k = 0; k < quaternions_.size(); ++k)
+      if (!lower::normalize(x, quaternions_[k], lower::norm_range{})) {
+        far_from_one_ = mechanics::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
+        return kanexpr::status(far_from_one_.view());
+      }
+    return {};
+  }
+  kanexpr::status solve_speeds(Eigen::VectorXd& x) {
+    const Eigen::VectorXd u = speeds_solved_(t_, x, p_, r_);
+    if (speeds_solved_.status())
+      for (int i = 0; i < speeds_.size(); ++i) x(first_speed_ + speeds_[i]) = u(i);
+    return speeds_solved_.status();
+  }
+
+private:
+  Eigen::VectorXd at_norm_one(Eigen::VectorXd x) {
+    normalize_quaternions(x);
+    return x;
+  }
+
+  symbolic::sequence<int> coordinates_, speeds_;
+  symbolic::sequence<symbolic::sequence<int>> quaternions_;
+  const mechanics::mechanism& mechanism_;
+  mechanics::problem far_from_one_;
+  int first_speed_;
+  double t_;
+  std::span<const double> p_;
+  std::span<const double> r_;
+  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
+};
+
+KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const double> p,
+                                 std::span<const double> r, double t, const assembly_options& options) {
+  constraints_at constraints(m, t, p, r);
+  Eigen::Map<Eigen::VectorXd> given(x.data(), static_cast<Eigen::Index>(x.size()));
+  Eigen::VectorXd placed = given;
+  const assembly report = numeric::assemble(constraints, placed, options);
+  given = placed;
+  return report;
+}
+
+KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
+                                             std::span<const double> r, double t, double tolerance) {
+  constraints_at constraints(m, t, p, r);
+  const Eigen::VectorXd state =
+      Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  return numeric::check_consistency(constraints, state, tolerance);
+}
+
+} // namespace kanexpr::runtime

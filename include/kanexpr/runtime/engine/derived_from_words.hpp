@@ -1,0 +1,30 @@
+#pragma once
+
+#include <kanexpr/derive/request.hpp>
+#include <kanexpr/derive/stages.hpp>
+#include <kanexpr/runtime/derived.hpp>
+
+#include <span>
+
+namespace kanexpr::runtime {
+
+/// Derived from the words of a model.
+class derived_from_words final : public derived {
+public:
+  derived_from_words(const describe::system_record& from, std::span<const derivation::request> also)
+      : system_(from) {
+    for (const derivation::request& each : also) derivation::visit(each, system_.reader());
+    derivation::go_on(system_, derivation::stage::constrained);
+  }
+
+  const mechanics::problem& mistake() const override { return system_.mistake(); }
+  symbolic::graph& graph() override { return system_.graph(); }
+  const mechanics::mechanism& mechanism() const override { return system_.model(); }
+  derivation::reader& reader() override { return system_.reader(); }
+  mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
+
+private:
+  derivation::derived_system system_;
+};
+
+} // namespace kanexpr::runtime

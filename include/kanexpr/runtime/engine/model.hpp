@@ -1,0 +1,85 @@
+#pragma once
+
+#include <kanexpr/runtime/engine/derived_from_words.hpp>
+#include <kanexpr/runtime/model.hpp>
+
+namespace kanexpr {
+
+namespace runtime {
+
+inline std::string enumerated(derived& system, const symbolic::sequence<symbolic::expression>& symbols,
+                              const mechanics::partition& (mechanics::equations::*which)() const) {
+  if (system.mistake()) return {};
+  const symbolic::sequence<int>& dependent = (system.equations()->*which)().dependent;
+  return std::string(mechanics::enumerated(system.mechanism(), symbols, dependent).view());
+}
+
+} // namespace runtime
+
+KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const derivation::request> also)
+    : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
+
+KANEXPR_ENGINE std::string model::mistake() const { return std::string(system_->mistake().view()); }
+
+KANEXPR_ENGINE std::string model::names_of_dependent_coordinates() {
+  return runtime::enumerated(*system_, mechanism().coordinates, &mechanics::equations::coordinates);
+}
+KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
+  return runtime::enumerated(*system_, mechanism().speeds, &mechanics::equations::speeds);
+}
+
+KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
+  if (system_->mistake()) return {};
+  return equations().get(wanted);
+}
+
+KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
+  if (system_->mistake()) return {};
+  return derivation::form(wanted, system_->reader(), equations());
+}
+
+KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
+  symbolic::matrix all(graph(), 0, 1);
+  for (const derivation::request& each : measured)
+    for (const symbolic::expression& e :
+         derivation::form_with_rates(each, system_->reader(), equations()).entries)
+      all.entries.push(e);
+  all.rows = all.entries.size();
+  return all;
+}
+
+KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
+  return system_->reader().evaluate(words, "an expression").vector;
+}
+
+KANEXPR_ENGINE symbolic::expression model::imposed(symbolic::expression e) { return equations().imposed(e); }
+KANEXPR_ENGINE mechanics::vector model::imposed(const mechanics::vector& v) {
+  mechanics::vector out;
+  for (const mechanics::vector::part& p : v.parts)
+    out.add(p.frame, {imposed(p.value.x), imposed(p.value.y), imposed(p.value.z)});
+  return out;
+}
+
+KANEXPR_ENGINE runtime::linearization model::linearize(const linearization_point& at,
+                                                       const linearization_point& second,
+                                                       const linearization_point& third) {
+  return {system_, at.with(second).with(third)};
+}
+
+KANEXPR_ENGINE std::string model::print(const mechanics::vector& v, mechanics::basis_style style) const {
+  return mechanics::print(mechanism(), v, style);
+}
+KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::basis_style style) const {
+  return mechanics::latex(mechanism(), v, style);
+}
+
+KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
+
+KANEXPR_ENGINE symbolic::sequence<mechanics::guard> model::guards_of(const symbolic::matrix& result) {
+  if (system_->equations() == nullptr) return {};
+  symbolic::sequence<int> outputs;
+  for (const symbolic::expression& e : result.entries) outputs.push(e.node());
+  return equations().guards_of(outputs);
+}
+
+} // namespace kanexpr

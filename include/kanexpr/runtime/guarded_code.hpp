@@ -1,0 +1,86 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/lower/regular.hpp>
+#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+
+namespace kanexpr::runtime {
+
+/// The code for a result, and whether what it rests on can be solved at a state. It takes no memory when it
+/// is evaluated.
+template <class Scalar>
+class guarded_code {
+public:
+  /// `guards`: what may be singular on the way to the results.
+  guarded_code(symbolic::graph& g, const symbolic::matrix& wanted,
+               const symbolic::sequence<mechanics::guard>& guards);
+
+  /// The entries of the result, row by row.
+  template <class Arguments>
+  const Scalar* evaluate(const Arguments& value_of) {
+    code_.evaluate(value_of, found_.begin());
+    return found_.begin();
+  }
+
+  symbolic::cost cost() const;
+  /// Whether all could be solved in the last evaluation.
+  kanexpr::status status() const;
+
+private:
+  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted,
+                                       const symbolic::sequence<mechanics::guard>& guards);
+
+  interpreter<Scalar> code_;
+  symbolic::sequence<Scalar> found_; ///< the result, then how regular what it rests on is
+  symbolic::sequence<mechanics::problem> causes_{};
+  symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
+};
+
+template <class Scalar>
+guarded_code<Scalar>::guarded_code(symbolic::graph& g, const symbolic::matrix& wanted,
+                                   const symbolic::sequence<mechanics::guard>& guards)
+    : code_(lower::tape_of(g, nodes(wanted, guards))),
+      found_(code_.size(), lower::scalar_math<Scalar>::from(0)) {
+  for (const mechanics::guard& each : guards) {
+    causes_.push(each.cause);
+    is_of_finiteness_.push(each.of_finiteness);
+  }
+}
+
+template <class Scalar>
+symbolic::sequence<int> guarded_code<Scalar>::nodes(const symbolic::matrix& wanted,
+                                                    const symbolic::sequence<mechanics::guard>& guards) {
+  symbolic::sequence<int> ids = symbolic::nodes_of(wanted.entries);
+  for (const mechanics::guard& each : guards) {
+    ids.push(each.measure.node());
+    ids.push(each.scale.node());
+  }
+  return ids;
+}
+
+template <class Scalar>
+symbolic::cost guarded_code<Scalar>::cost() const {
+  return lower::cost_of(code_.code());
+}
+
+template <class Scalar>
+kanexpr::status guarded_code<Scalar>::status() const {
+  const int results = code_.size() - 2 * causes_.size();
+  for (int i = 0; i < causes_.size(); ++i) {
+    const Scalar &measure = found_[results + 2 * i], &scale = found_[results + 2 * i + 1];
+    constexpr double least = mechanics::least_regularity<Scalar>();
+    if (is_of_finiteness_[i] ? !lower::passes<true>(measure, scale, least)
+                             : !lower::passes<false>(measure, scale, least))
+      return kanexpr::status(causes_[i].view());
+  }
+  return {};
+}
+
+#if defined KANEXPR_COMPILED_ENGINE
+extern template class guarded_code<double>;
+extern template class guarded_code<float>;
+#endif
+
+} // namespace kanexpr::runtime

@@ -1,0 +1,220 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+/// Functions of one argument: of an expression, of the numbers of a program, and their derivatives. What is
+/// plain data stands in operation.hpp.
+namespace kanexpr::symbolic {
+
+constexpr expression sqrt(expression a) { return apply(operation::sqrt, a); }
+constexpr expression sin(expression a) { return apply(operation::sin, a); }
+constexpr expression cos(expression a) { return apply(operation::cos, a); }
+constexpr expression tan(expression a) { return apply(operation::tan, a); }
+constexpr expression asin(expression a) { return apply(operation::asin, a); }
+constexpr expression acos(expression a) { return apply(operation::acos, a); }
+constexpr expression atan(expression a) { return apply(operation::atan, a); }
+constexpr expression exp(expression a) { return apply(operation::exp, a); }
+constexpr expression log(expression a) { return apply(operation::log, a); }
+constexpr expression abs(expression a) { return apply(operation::abs, a); }
+constexpr expression sign(expression a) { return apply(operation::sign, a); }
+
+/// `of` is the function for any scalar type, `slope` its derivative at x, where it is f: of expressions and
+/// of numbers in the compiler.
+template <operation op>
+struct scalar_function;
+
+template <>
+struct scalar_function<operation::sqrt> {
+  template <class T>
+  static T of(const T& x) {
+    using std::sqrt;
+    return sqrt(x);
+  }
+  template <class T>
+  static constexpr T slope(const T&, const T& f) {
+    return 1 / (2 * f);
+  }
+};
+
+template <>
+struct scalar_function<operation::sin> {
+  template <class T>
+  static T of(const T& x) {
+    using std::sin;
+    return sin(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::cos;
+    return cos(x);
+  }
+};
+
+template <>
+struct scalar_function<operation::cos> {
+  template <class T>
+  static T of(const T& x) {
+    using std::cos;
+    return cos(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::sin;
+    return -sin(x);
+  }
+};
+
+template <>
+struct scalar_function<operation::tan> {
+  template <class T>
+  static T of(const T& x) {
+    using std::tan;
+    return tan(x);
+  }
+  template <class T>
+  static constexpr T slope(const T&, const T& f) {
+    return f * f + 1;
+  }
+};
+
+template <>
+struct scalar_function<operation::asin> {
+  template <class T>
+  static T of(const T& x) {
+    using std::asin;
+    return asin(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::sqrt;
+    return 1 / sqrt(1 - x * x);
+  }
+};
+
+template <>
+struct scalar_function<operation::acos> {
+  template <class T>
+  static T of(const T& x) {
+    using std::acos;
+    return acos(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::sqrt;
+    return -(1 / sqrt(1 - x * x));
+  }
+};
+
+template <>
+struct scalar_function<operation::atan> {
+  template <class T>
+  static T of(const T& x) {
+    using std::atan;
+    return atan(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    return 1 / (x * x + 1);
+  }
+};
+
+template <>
+struct scalar_function<operation::exp> {
+  template <class T>
+  static T of(const T& x) {
+    using std::exp;
+    return exp(x);
+  }
+  template <class T>
+  static constexpr T slope(const T&, const T& f) {
+    return f;
+  }
+};
+
+template <>
+struct scalar_function<operation::log> {
+  template <class T>
+  static T of(const T& x) {
+    using std::log;
+    return log(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    return 1 / x;
+  }
+};
+
+template <>
+struct scalar_function<operation::abs> {
+  template <class T>
+  static T of(const T& x) {
+    using std::abs;
+    return abs(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::sign;
+    return sign(x);
+  }
+};
+
+template <>
+struct scalar_function<operation::sign> {
+  template <class T>
+  static T of(const T& x) {
+    if constexpr (std::is_arithmetic_v<T>)
+      return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;
+    else
+      return T((T(0) < x) - (x < T(0)));
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    return x - x;
+  }
+};
+
+/// Calls `use.template operator()<op>()`, for a function of one argument, with `op` as a constant.
+template <class Use>
+constexpr decltype(auto) with_function(operation op, const Use& use) {
+  switch (op) {
+  case operation::sqrt: return use.template operator()<operation::sqrt>();
+  case operation::sin: return use.template operator()<operation::sin>();
+  case operation::cos: return use.template operator()<operation::cos>();
+  case operation::tan: return use.template operator()<operation::tan>();
+  case operation::asin: return use.template operator()<operation::asin>();
+  case operation::acos: return use.template operator()<operation::acos>();
+  case operation::atan: return use.template operator()<operation::atan>();
+  case operation::exp: return use.template operator()<operation::exp>();
+  case operation::log: return use.template operator()<operation::log>();
+  case operation::abs: return use.template operator()<operation::abs>();
+  case operation::sign: return use.template operator()<operation::sign>();
+  case operation::constant:
+  case operation::symbol:
+  case operation::negate:
+  case operation::add:
+  case operation::subtract:
+  case operation::multiply:
+  case operation::divide:
+  case operation::power:
+  case operation::atan2:
+  case operation::pair:
+  case operation::factorization:
+  case operation::solve:
+  case operation::transposed_solve:
+  case operation::component:
+  case operation::regularity: break;
+  }
+  __builtin_unreachable();
+}
+
+/// The derivative of a function of one argument at x, where it is f.
+template <class T>
+constexpr T slope_of(operation op, const T& x, const T& f) {
+  return with_function(op, [&]<operation function>() { return scalar_function<function>::slope(x, f); });
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,126 @@
+// Reads which header includes which, and finds what the order of the rooms does not allow.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace rooms {
+
+/// The text of every header, by its path as it is included: "kanexpr/base/status.hpp".
+using headers = std::map<std::string, std::string>;
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+inline headers headers_in(const std::filesystem::path& include) {
+  headers found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(include))
+    if (entry.path().extension() == ".hpp")
+      found.emplace(entry.path().lexically_relative(include).generic_string(), text_of(entry.path()));
+  return found;
+}
+
+inline std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex each(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), each), end; i != end; ++i) found.push_back(i->str(1));
+  return found;
+}
+
+/// What a text includes of kanexpr and in quotation marks.
+inline std::vector<std::string> includes_of(const std::string& text) {
+  std::vector<std::string> found;
+  for (const std::string& line : matches(text, "#\\s*include\\s*([<\"][^>\"]+)"))
+    if (line[0] == '"' || line.starts_with("<kanexpr/")) found.push_back(line.substr(1));
+  return found;
+}
+
+/// The rooms of kanexpr, from the lowest, with the folders and files that stand below the rest of a room.
+class order {
+public:
+  /// From the rows of a table: | `room/` | `folder`, `file.hpp`, … |
+  explicit order(const std::string& markdown) {
+    const std::regex row("\\| `([a-z]+)/` \\|([^\\n]*)\\|");
+    for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
+      const std::string room = i->str(1);
+      for (const std::string& within : matches(i->str(2), "`([a-z_.]+)`"))
+        places_.push_back("kanexpr/" + room + "/" + within);
+      places_.push_back("kanexpr/" + room);
+    }
+  }
+
+  bool empty() const { return places_.empty(); }
+
+  /// How high a header stands; nothing if no row has its folder. What is in no room is above all of them.
+  std::optional<std::size_t> height(const std::string& header) const {
+    const std::string folder = header.substr(0, header.rfind('/'));
+    if (folder == "kanexpr") return places_.size();
+    for (const std::string& place : {header, folder})
+      if (const auto found = std::ranges::find(places_, place); found != places_.end())
+        return static_cast<std::size_t>(found - places_.begin());
+    return std::nullopt;
+  }
+
+private:
+  std::vector<std::string> places_;
+};
+
+/// Headers of folders of which the order knows nothing.
+inline std::vector<std::string> homeless(const headers& all, const order& rooms) {
+  std::vector<std::string> found;
+  for (const auto& [header, text] : all)
+    if (!rooms.height(header))
+      found.push_back(header + " is in a folder that the order of the rooms does not have");
+  return found;
+}
+
+inline std::vector<std::string> dangling(const headers& all) {
+  std::vector<std::string> found;
+  for (const auto& [header, text] : all)
+    for (const std::string& included : includes_of(text))
+      if (!all.contains(included)) found.push_back(header + " includes " + included + ", which is not there");
+  return found;
+}
+
+inline std::vector<std::string> upward(const headers& all, const order& rooms) {
+  std::vector<std::string> found;
+  for (const auto& [header, text] : all)
+    for (const std::string& included : includes_of(text))
+      if (rooms.height(included) > rooms.height(header))
+        found.push_back(header + " includes " + included + ", which stands above it");
+  return found;
+}
+
+/// Of each circle the two files at which it closes.
+inline std::vector<std::string> circles(const headers& all) {
+  std::vector<std::string> found;
+  std::set<std::string> done, open;
+  const auto visit = [&](const auto& self, const std::string& header) -> void {
+    open.insert(header);
+    for (const std::string& included : includes_of(all.at(header))) {
+      if (!all.contains(included)) continue;
+      if (open.contains(included))
+        found.push_back(header + " includes " + included + ", which includes it in turn");
+      else if (!done.contains(included))
+        self(self, included);
+    }
+    open.erase(header);
+    done.insert(header);
+  };
+  for (const auto& [header, text] : all)
+    if (!done.contains(header)) visit(visit, header);
+  return found;
+}
+
+} // namespace rooms
