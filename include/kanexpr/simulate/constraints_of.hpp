@@ -42,7 +42,7 @@ public:
     if (left.size() != 0) of_.velocities(t_, x.data(), r_.data(), left.data(), by_speeds.data());
     return left;
   }
-  status normalize_quaternions(vector& x) const { return norms_.normalize(x, numeric::norm_range{}); }
+  status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
 
   /// Gives the state its dependent speeds, if they can be solved for.
   status solve_speeds(vector& x) const {
@@ -57,7 +57,7 @@ public:
 private:
   void evaluate(const vector& x) {
     vector at = x;
-    if (norms_.are_bound()) norms_.normalize(at, numeric::norm_range{});
+    if (norms_.are_bound()) norms_.normalize(at, lower::norm_range{});
     of_.configuration(t_, at.data(), r_.data(), left_.data(), by_all_.data());
     if (norms_.are_bound()) norms_.leave_out(by_all_, at);
   }

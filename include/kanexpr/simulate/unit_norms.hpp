@@ -26,9 +26,9 @@ public:
   bool are_bound() const { return are_bound_; }
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
-  status normalize(Eigen::VectorXd& x, const numeric::norm_range& from) const {
+  status normalize(Eigen::VectorXd& x, const lower::norm_range& from) const {
     for (std::size_t k = 0; k < places_.size(); ++k)
-      if (!numeric::normalize(x, places_[k], from)) return status(far_from_one_[k].view());
+      if (!lower::normalize(x, places_[k], from)) return status(far_from_one_[k].view());
     return {};
   }
 
@@ -42,7 +42,7 @@ public:
 
   /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
   void leave_out(Eigen::MatrixXd& by_all, const Eigen::VectorXd& x) const {
-    for (const std::vector<int>& places : places_) numeric::leave_norm_out(by_all, x, places);
+    for (const std::vector<int>& places : places_) lower::leave_norm_out(by_all, x, places);
   }
 
 private:
