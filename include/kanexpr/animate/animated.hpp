@@ -1,11 +1,14 @@
 #pragma once
 
-#include <kanexpr/animate/camera.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 
 #include <algorithm>
 #include <iterator>
+
+#ifndef KANEXPR_COMPILED_PAGES
+#include <kanexpr/animate/camera.hpp>
+#endif
 
 namespace kanexpr {
 

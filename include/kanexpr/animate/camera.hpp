@@ -77,6 +77,6 @@ private:
   footage film_{};
 };
 
-inline animation film(const scene& shown) { return camera(shown).film(); }
+KANEXPR_PAGES animation film(const scene& shown) { return camera(shown).film(); }
 
 } // namespace kanexpr::animate
