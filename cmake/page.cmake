@@ -52,6 +52,7 @@ if(KANEXPR_NPM)
 endif()
 install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+kanexpr_add_engine_of(animate PAGES)
 
 # The package leaves the target out where the page is not there.
 cmake_path(GET kanexpr_page PARENT_PATH kanexpr_page_dir)

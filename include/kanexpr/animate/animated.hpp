@@ -1,11 +1,14 @@
 #pragma once
 
-#include <kanexpr/animate/camera.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 
 #include <algorithm>
 #include <iterator>
+
+#ifndef KANEXPR_COMPILED_PAGES
+#include <kanexpr/animate/camera.hpp>
+#endif
 
 namespace kanexpr {
 
@@ -33,11 +36,12 @@ public:
     return evaluate(s, all);
   }
   bool take_between(double t, double* all) const override {
-    if constexpr (requires { *trajectory_.at(t); })
+    if constexpr (numbers_in::rate_count != 0 && requires { *trajectory_.at(t); })
       if (const auto between = trajectory_.at(t)) {
         evaluate(*between, all);
         return true;
       }
+    static_cast<void>(t), static_cast<void>(all);
     return false;
   }
 

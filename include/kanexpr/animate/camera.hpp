@@ -8,7 +8,8 @@ namespace kanexpr::animate {
 /// Evaluates a picture along a motion.
 class camera {
 public:
-  explicit camera(const scene& shown) : scene_(shown), x_(shown.known.coordinates + shown.known.speeds) {}
+  explicit camera(const scene& shown)
+      : scene_(shown), x_(static_cast<std::size_t>(shown.known.coordinates + shown.known.speeds)) {}
 
   animation film() {
     name_columns();
@@ -76,6 +77,6 @@ private:
   footage film_{};
 };
 
-inline animation film(const scene& shown) { return camera(shown).film(); }
+KANEXPR_PAGES animation film(const scene& shown) { return camera(shown).film(); }
 
 } // namespace kanexpr::animate

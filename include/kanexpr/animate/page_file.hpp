@@ -35,7 +35,7 @@ inline outcome fill(std::string& page, const std::string& title, const std::stri
   return {};
 }
 
-inline outcome write_page(const std::string& path, const animation& a, const page_options& options) {
+KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, const page_options& options) {
   if (!a) return outcome(a.cause());
   std::ifstream file(options.empty_page, std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(file), {}};

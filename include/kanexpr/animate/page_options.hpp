@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/base/outcome.hpp>
 
 #ifndef KANEXPR_PAGE // where the target kanexpr::animate puts the page without a motion
@@ -18,7 +19,7 @@ struct page_options {
 namespace animate {
 
 /// Writes an animation as a page.
-outcome write_page(const std::string& path, const animation& a, const page_options& options);
+KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, const page_options& options);
 
 } // namespace animate
 

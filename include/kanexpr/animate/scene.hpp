@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/animate/word_record.hpp>
 #include <kanexpr/base/status.hpp>
 
@@ -28,6 +29,6 @@ protected:
       : known(of), words(shown), numbers(all), first_rate(first), rates(integrated) {}
 };
 
-animation film(const scene& shown);
+KANEXPR_PAGES animation film(const scene& shown);
 
 } // namespace kanexpr::animate

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/animate/animated.hpp>
-#include <kanexpr/animate/page_file.hpp>
 #include <kanexpr/animate/page_options.hpp>
+
+#ifndef KANEXPR_COMPILED_PAGES
+#include <kanexpr/animate/page_file.hpp>
+#endif
 
 namespace kanexpr {
 

@@ -120,7 +120,7 @@ private:
             class R = input_values<System, T>>
   static auto at(const Time& t, const X& x, const P& p = {}, const R& r = {}) noexcept {
     using v = vectors<System, T>;
-    check<T, X, P, R>();
+    check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function>(),
                   "the library of this model does not hold this result for numbers of this type");
     return linked_instance<T, Function>::evaluate(
@@ -130,7 +130,7 @@ private:
   template <class T, class Time, class X, class P, class R, class A>
   static auto at(const Time& t, const X& x, const P& p, const R& r, const A& a) noexcept {
     using v = vectors<System, T>;
-    check<T, X, P, R>();
+    check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function, true>(),
                   "the library of this model does not hold this result for numbers of this type");
     return linked_instance_at_rates<T, Function>::evaluate(
@@ -139,7 +139,7 @@ private:
   }
 
   template <class T, class X, class P, class R>
-  static void check() {
+  static void check_fit() {
     static_assert(fitting<System, symbols_of::state, entries_of<X>()>::possible);
     static_assert(fitting<System, symbols_of::parameters, entries_of<P>()>::possible);
     static_assert(fitting<System, symbols_of::inputs, entries_of<R>()>::possible);

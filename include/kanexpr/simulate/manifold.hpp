@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
+#include <kanexpr/numeric/assembly.hpp>
 
 #include <Eigen/Core>
 

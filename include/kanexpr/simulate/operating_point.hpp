@@ -4,12 +4,15 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim.hpp>
-#include <kanexpr/simulate/trim_search.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#ifndef KANEXPR_COMPILED_SIMULATIONS
+#include <kanexpr/simulate/trim_search.hpp>
+#endif
 
 namespace kanexpr {
 

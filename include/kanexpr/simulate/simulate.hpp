@@ -1,10 +1,13 @@
 #pragma once
 
 #include <kanexpr/simulate/compiled_system.hpp>
-#include <kanexpr/simulate/constraint_manifold.hpp>
-#include <kanexpr/simulate/integration.hpp>
 #include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/simulation.hpp>
+
+#ifndef KANEXPR_COMPILED_SIMULATIONS
+#include <kanexpr/simulate/constraint_manifold.hpp>
+#include <kanexpr/simulate/integration.hpp>
+#endif
 
 namespace kanexpr {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
 #include <kanexpr/simulate/table.hpp>
@@ -110,7 +111,7 @@ public:
     if (empty() || !(t >= front().t && t <= back().t)) return std::nullopt;
     const auto after = std::ranges::upper_bound(samples_, t, {}, &sample::t);
     const sample& a = *std::prev(after);
-    if (a.t == t || after == samples_.end()) return a;
+    if (numeric::equal(a.t, t) || after == samples_.end()) return a;
     const sample& b = *after;
     const double part = (t - a.t) / (b.t - a.t);
     sample found{t, a.x, a.r + part * (b.r - a.r)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/simulate/compiled_simulations.hpp>
 
 #include <Eigen/Core>
 
@@ -49,6 +50,6 @@ struct finding {
 };
 
 /// Searches from a guess of [x; p; r].
-finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess);
+KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess);
 
 } // namespace kanexpr::trim

@@ -115,7 +115,7 @@ private:
   finding found_{};
 };
 
-inline finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess) {
+KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess) {
   const conditions of(system.known, system.told, system.name, asked);
   finding found;
   if (of.problem()) {

@@ -1,0 +1,10 @@
+#pragma once
+
+/// What of pages does not depend on a picture is compiled by every file that uses it, or the library
+/// kanexpr::animate_engine holds it: then KANEXPR_COMPILED_PAGES is defined wherever the headers are
+/// included.
+#if defined KANEXPR_COMPILED_PAGES
+#define KANEXPR_PAGES
+#else
+#define KANEXPR_PAGES inline
+#endif

@@ -1,0 +1,2 @@
+#include <kanexpr/animate/camera.hpp>
+#include <kanexpr/animate/page_file.hpp>

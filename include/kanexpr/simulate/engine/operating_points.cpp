@@ -1,0 +1,1 @@
+#include <kanexpr/simulate/trim_search.hpp>
