@@ -1,6 +1,6 @@
 // A bicycle that nobody steers falls over at some speeds and stays up by itself at others. The compiler
 // derives its nonlinear equations by Kane's method and linearizes them; the program looks at the eigenvalues.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>
 #include <models/bicycle.hpp>
@@ -80,13 +80,11 @@ int main(int count, char** names) {
   tabulate(stdout, 10);
   const double weave_speed = critical_speed([](double v) { return modes_at(v).weave[0].real(); });
   const double capsize_speed = critical_speed([](double v) { return modes_at(v).capsize; });
-  report check("bicycle_stability", 1e-12);
   const auto [weave, capsize, castering] = modes_at(5);
-  check("weave, capsize, castering at 5 m/s",
-        Eigen::Vector4d{weave[0].real(), weave[0].imag(), capsize, castering},
-        Eigen::Vector4d{-0.7753418821958419, 4.464867713788225, -0.3228664290040871, -14.078389692798247});
-  check("stable from", weave_speed, 4.292382536341104);
-  check("stable up to", capsize_speed, 6.024262015388359);
+  print("weave, capsize, castering at 5 m/s",
+        Eigen::Vector4d{weave[0].real(), weave[0].imag(), capsize, castering});
+  print("stable from", weave_speed);
+  print("stable up to", capsize_speed);
 
   if (count > 1) {
     std::FILE* data = std::fopen(names[1], "w");
@@ -95,5 +93,4 @@ int main(int count, char** names) {
     std::fprintf(data, "\n\n%.4f %.4f\n", weave_speed, capsize_speed);
     std::fclose(data);
   }
-  return check.exit_code();
 }

@@ -1,5 +1,5 @@
 // Two bars with friction and a motor in each joint.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <models/double_pendulum.hpp>
 
@@ -29,13 +29,9 @@ int main() {
   inputs[T1] = -0.027389;
   inputs[T2] = -0.303054;
 
-  report check("double_pendulum", 1e-12);
-  check("mass matrix", eom::mass_matrix(x, p),
-        Eigen::Matrix2d{{0.7320000000000001, -0.10861167338885658},
-                        {-0.10861167338885658, 0.09349999999999999}});
-  check("forcing", eom::forcing(x, p, inputs), Eigen::Vector2d{7.111307107100544, -2.957062457500641});
-  check("udot", eom::udot(x, p, inputs), Eigen::Vector2d{6.068190517641627, -24.577391774729332});
-  check("kinetic energy", eom::kinetic_energy(x, p), 2.2583563989761926);
-  check("potential energy", eom::potential_energy(x, p), -7.421057428191635);
-  return check.exit_code();
+  print("mass matrix", eom::mass_matrix(x, p));
+  print("forcing", eom::forcing(x, p, inputs));
+  print("udot", eom::udot(x, p, inputs));
+  print("kinetic energy", eom::kinetic_energy(x, p));
+  print("potential energy", eom::potential_energy(x, p));
 }

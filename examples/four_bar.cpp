@@ -1,5 +1,5 @@
 // A four-bar linkage: put together from a rough guess, then moved by its motor.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>
 #include <models/four_bar.hpp>
@@ -36,12 +36,10 @@ int main() {
   const auto assembled = kanexpr::assemble<System>(x, p, r);
   if (!assembled) return 1;
 
-  report check("four_bar", 1e-11);
-  check("angles", x.q(), Eigen::Vector3d{-2.266942, 3.1693712817507778, -1.6715279750318761});
-  check("speeds", x.u(), Eigen::Vector3d{-1.959448, 1.2451960519310379, 0.6869014155862296});
+  print("angles", x.q());
+  print("speeds", x.u());
   const auto udot = eom::udot(x, p, r);
   if (!udot.status) return 1;
-  check("udot", udot, Eigen::Vector3d{36.061981034855634, -22.96804441671319, -13.814365349082301});
-  check("kinetic energy", eom::kinetic_energy(x, p, r), 0.15182840449925902);
-  return check.exit_code();
+  print("udot", udot);
+  print("kinetic energy", eom::kinetic_energy(x, p, r));
 }

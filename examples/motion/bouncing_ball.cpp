@@ -1,12 +1,11 @@
 // A ball that is thrown over the ground bounces until it hardly leaves it: an event changes the state, and in
 // the end stops the simulation.
 #include "output.hpp"
-#include "report.hpp"
 
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/progress.hpp>
 
-#include <cmath>
+#include <cstdio>
 
 namespace {
 
@@ -43,27 +42,15 @@ after_event bounce(moment<System>& now) {
 int main(int count, char** words) {
   const output files("A bouncing ball", "A ball that loses a fifth of its speed at each bounce.", count,
                      words);
-  const double height = 1.2, strength = 9.81;
-  const auto run = simulate<System>({{x, 0}, {h, height}, {vx, 0.7}, {vh, 0}},
-                                    {{m, 0.3}, {R, 0.1}, {g, strength}}, {0, 20},
-                                    {.relative_tolerance = 1e-11,
-                                     .absolute_tolerance = 1e-13,
-                                     .output_every = 0.01,
-                                     .events = {when<System, h>("bounce", crossing::falling, bounce)},
-                                     .progress = progress_bar()});
+  const auto run =
+      simulate<System>({{x, 0}, {h, 1.2}, {vx, 0.7}, {vh, 0}}, {{m, 0.3}, {R, 0.1}, {g, 9.81}}, {0, 20},
+                       {.relative_tolerance = 1e-11,
+                        .absolute_tolerance = 1e-13,
+                        .output_every = 0.01,
+                        .events = {when<System, h>("bounce", crossing::falling, bounce)},
+                        .progress = progress_bar()});
   if (!run) return std::fprintf(stderr, "%s\n", run.cause().c_str()), 1;
 
-  // It falls √(2h/g) first, and between two bounces twice that times a power of the restitution.
-  report check("bouncing_ball", 1e-10);
-  const double fall = std::sqrt(2 * height / strength);
-  const auto bounces = static_cast<Eigen::Index>(run.events.size());
-  Eigen::VectorXd found(bounces), known(bounces);
-  for (Eigen::Index k = 0; k < bounces; ++k) {
-    found(k) = run.events[static_cast<std::size_t>(k)].t;
-    known(k) = fall * (1 + 2 * (restitution - std::pow(restitution, k + 1)) / (1 - restitution));
-  }
-  check("times of the bounces", found, known);
-  check("number of the bounces", static_cast<double>(bounces),
-        std::ceil(std::log(least_speed / (strength * fall)) / std::log(restitution)));
-  return files.leave<picture_of_ball>(run.trajectory) ? check.exit_code() : 1;
+  for (const auto& bounce : run.events) std::printf("bounces at %.6f s\n", bounce.t);
+  return files.leave<picture_of_ball>(run.trajectory) ? 0 : 1;
 }

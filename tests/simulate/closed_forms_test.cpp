@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <models/pivot_body.hpp>
+#include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
 #include <models/spinning_top.hpp>
 
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace {
 
@@ -101,6 +103,44 @@ TEST(closed_form, body_without_torque) {
   }
   const auto momenta = run.trajectory.along(equations_of_motion<System>::angular_momentum);
   for (const auto& each : momenta) EXPECT_LT((each - momenta[0]).norm(), 1e-8 * momenta[0].norm());
+}
+
+// A fast top whose axis is at rest when it is let go. With y = cos θ₀ − cos θ of the greatest lean,
+// y² + (p − 2 cos θ₀) y − sin² θ₀ = 0 (Goldstein, Classical Mechanics, 5.7).
+TEST(closed_form, nutation_of_a_spinning_top) {
+  using namespace spinning_top;
+  const double mass = 0.4, length = 0.08, strength = 9.81, about = 6e-4, across = 6e-4;
+  const double tilt = 0.5, spin = 180;
+  std::vector<double> most;
+  const auto keep = [&](moment<System>& now) { most.push_back(now.x[q2]); };
+  const auto run = simulate<System>({{q1, 0}, {q2, tilt}, {q3, 0}, {u1, 0}, {u2, 0}, {u3, spin}},
+                                    {{m, mass}, {l, length}, {g, strength}, {A, across}, {C, about}}, {0, 3},
+                                    {.relative_tolerance = 1e-12,
+                                     .absolute_tolerance = 1e-13,
+                                     .events = {when<System, u1>("leans most", crossing::falling, keep)}});
+  ASSERT_TRUE(run) << run.cause();
+  ASSERT_GE(most.size(), 10u);
+  const double about_tip = across + mass * length * length;
+  const double p = std::pow(about * spin, 2) / (2 * about_tip * mass * strength * length);
+  const double b = p / 2 - std::cos(tilt);
+  const double greatest = std::acos(std::cos(tilt) + b - std::hypot(b, std::sin(tilt)));
+  for (const double lean : most) EXPECT_NEAR(lean, greatest, 1e-9 * greatest);
+}
+
+TEST(closed_form, disc_is_back_after_a_turn_in_its_circle) {
+  using namespace rolling_disc;
+  const double radius = 0.3, strength = 9.81, lean = 0.35, turning = 1.9,
+               about_lean = turning * std::cos(lean);
+  // The moments about the contact, along the ground and across the disc's path, are in balance.
+  const double spin = (about_lean * about_lean * std::tan(lean) / 4 - strength / radius * std::sin(lean)) /
+                      (1.5 * about_lean);
+  const auto run = simulate<System>({{q1, 0}, {q2, lean}, {q3, 0}, {u1, 0}, {u2, spin}, {u3, about_lean}},
+                                    {{r, radius}, {m, 2}, {g, strength}}, {0, 2 * std::numbers::pi / turning},
+                                    {.relative_tolerance = 1e-11, .absolute_tolerance = 1e-13});
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_NEAR(run.state[q1], 2 * std::numbers::pi, 1e-8);
+  EXPECT_NEAR(run.state[q2], lean, 1e-8);
+  EXPECT_NEAR(run.state[u2], spin, 1e-8 * std::abs(spin));
 }
 
 } // namespace

@@ -34,4 +34,26 @@ TEST(rattleback, friction_takes_its_energy) {
     check::energy_rate_is_power_of<system>(hand, any_motion(hand, random), p, {});
 }
 
+// One step of the classical Runge-Kutta method.
+eom::state after(const eom::state& x, const eom::parameters& p, double step) {
+  const auto rate = [&](const eom::state& at) { return eom::state(eom::rhs(at, p)); };
+  const eom::state k1 = rate(x), k2 = rate(eom::state(x + step / 2 * k1)),
+                   k3 = rate(eom::state(x + step / 2 * k2)), k4 = rate(eom::state(x + step * k3));
+  return eom::state(x + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
+}
+
+TEST(rattleback, turns_round_and_keeps_its_energy_without_friction) {
+  using namespace rattleback;
+  const auto p = check::parameters_by_name<system>(stone(0));
+  eom::state x;
+  x.setZero();
+  x[q2] = x[q3] = 0.0087;
+  x[u3] = -5;
+  const auto energy = [&] { return eom::kinetic_energy(x, p) + eom::potential_energy(x, p); };
+  const double at_first = energy();
+  for (int i = 0; i < 50000; ++i) x = after(x, p, 1e-4);
+  EXPECT_GT(x[u3], 0);
+  EXPECT_NEAR(energy(), at_first, 1e-6 * std::abs(at_first));
+}
+
 } // namespace

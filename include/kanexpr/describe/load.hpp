@@ -9,6 +9,7 @@ template <class Point, auto... vector>
 struct force : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::force,
+      .word = "the force",
       .fits = describe::arguments_of("force<Point, vector>", sizeof...(vector), 1),
       .point = &describe::point_of<Point>,
       .value = describe::given_phrases<vector...>[0]};
@@ -19,6 +20,7 @@ template <class Frame, auto... vector>
 struct torque : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torque,
+      .word = "the torque",
       .fits = describe::arguments_of("torque<Frame, vector>", sizeof...(vector), 1),
       .frame = &describe::frame_of<Frame>,
       .value = describe::given_phrases<vector...>[0]};
@@ -29,6 +31,7 @@ template <class Point, class Other, auto... vector>
 struct force_between : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::force,
+      .word = "the force",
       .fits = describe::arguments_of("force_between<Point, Other, vector>", sizeof...(vector), 1),
       .point = &describe::point_of<Point>,
       .other_point = &describe::point_of<Other>,
@@ -41,6 +44,7 @@ template <class Frame, class Other, auto... vector>
 struct torque_between : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torque,
+      .word = "the torque",
       .fits = describe::arguments_of("torque_between<Frame, Other, vector>", sizeof...(vector), 1),
       .frame = &describe::frame_of<Frame>,
       .other_frame = &describe::frame_of<Other>,
@@ -52,6 +56,7 @@ template <auto... acceleration>
 struct gravity : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::gravity,
+      .word = "gravity",
       .fits = describe::arguments_of("gravity<vector>", sizeof...(acceleration), 1),
       .value = describe::given_phrases<acceleration...>[0]};
 };
@@ -61,8 +66,10 @@ template <auto... energy>
 struct potential_energy : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::potential_energy,
+      .word = "the potential energy",
       .fits = describe::arguments_of("potential_energy<scalar>", sizeof...(energy), 1),
-      .value = describe::given_phrases<energy...>[0]};
+      .value = describe::given_phrases<energy...>[0],
+      .known_by = describe::given_phrases<energy...>[0]};
 };
 
 /// A straight massless spring between two points, which pulls them to each other with
@@ -72,6 +79,7 @@ template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::spring,
+      .word = "the spring",
       .fits = describe::arguments_of("spring<Point, Other, stiffness, natural length>",
                                      sizeof...(stiffness_and_length), 1, 2),
       .point = &describe::point_of<Point>,
@@ -86,6 +94,7 @@ template <class Point, class Other, auto... damping>
 struct damper : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::damper,
+      .word = "the damper",
       .fits = describe::arguments_of("damper<Point, Other, damping>", sizeof...(damping), 1),
       .point = &describe::point_of<Point>,
       .other_point = &describe::point_of<Other>,
@@ -98,11 +107,13 @@ template <auto... angle_stiffness_and_rest>
 struct torsional_spring : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torsional_spring,
+      .word = "the torsional spring",
       .fits = describe::arguments_of("torsional_spring<angle, stiffness, rest>",
                                      sizeof...(angle_stiffness_and_rest), 2, 3),
       .value = describe::given_phrases<angle_stiffness_and_rest...>[1],
       .angle = describe::given_phrases<angle_stiffness_and_rest...>[0],
-      .rest = describe::given_phrases<angle_stiffness_and_rest...>[2]};
+      .rest = describe::given_phrases<angle_stiffness_and_rest...>[2],
+      .known_by = describe::given_phrases<angle_stiffness_and_rest...>[0]};
 };
 
 /// A torque −damping·ω on whatever is fixed in a frame that turns with ω in another, and the opposite on
@@ -111,6 +122,7 @@ template <class Frame, class Other, auto... damping>
 struct torsional_damper : describe::load_words {
   static constexpr describe::load_record load{
       .what = describe::load_word::torsional_damper,
+      .word = "the torsional damper",
       .fits = describe::arguments_of("torsional_damper<Frame, Other, damping>", sizeof...(damping), 1),
       .frame = &describe::frame_of<Frame>,
       .other_frame = &describe::frame_of<Other>,

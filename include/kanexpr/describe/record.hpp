@@ -143,6 +143,7 @@ enum class load_word : unsigned char {
 
 struct load_record {
   load_word what{};
+  std::string_view word{}; ///< "the force": for sentences, which go on with what it acts on
   arguments fits{};
   const point_record* point = nullptr;
   const point_record* other_point = nullptr; ///< of two points, or none
@@ -151,6 +152,7 @@ struct load_record {
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
   phrase angle{};                            ///< of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
+  phrase known_by{};                         ///< what it is known by, if not by points or frames
   std::string_view called{};
   std::string_view instead{}; ///< what it is, if it is not a load
   misfit beside = misfit::none;

@@ -106,7 +106,8 @@ private:
       return;
     }
     const int at = point(r.point, "a force");
-    const mechanics::vector v = vector_of(r.value, {"the force at ", r.point->called}, r.point->called);
+    const problem word = mechanics::sentence({r.word, " at "});
+    const mechanics::vector v = vector_of(r.value, {word.view(), r.point->called}, r.point->called);
     if (!mistake_) mechanics::add_force(m_, at, v);
   }
 
@@ -119,7 +120,8 @@ private:
       return;
     }
     const int on = frame(r.frame, "a torque");
-    const mechanics::vector v = vector_of(r.value, {"the torque on ", r.frame->called}, r.frame->called);
+    const problem word = mechanics::sentence({r.word, " on "});
+    const mechanics::vector v = vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
     if (!mistake_) mechanics::add_torque(m_, on, v);
   }
 
