@@ -133,7 +133,7 @@ TEST(series, know_how_far_they_are_known) {
   EXPECT_EQ(log(power_of(1)).trouble(), obstacle::zero_logarithm);
   EXPECT_EQ(sqrt(power_of(3)).trouble(), obstacle::fractional_order);
   EXPECT_EQ(sqrt(-power_of(2)).trouble(), obstacle::not_real);
-  EXPECT_EQ(exp(power_of(-1)).trouble(), obstacle::infinite_argument);
+  EXPECT_EQ(smooth(operation::exp, power_of(-1)).trouble(), obstacle::infinite_argument);
 }
 
 class coefficients : public testing::Test, protected symbols {

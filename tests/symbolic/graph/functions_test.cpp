@@ -1,0 +1,76 @@
+// What the table says of each function, against its values.
+#include <kanexpr/symbolic/graph/functions.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace kanexpr::symbolic;
+
+constexpr double some[] = {-1e300, -750, -2.5, -0.7, -0.3, 0, 1e-9, 0.3, 0.7, 1, 2.5, 750, 1e300};
+
+template <class Check>
+void each_function_at_some_numbers(const Check& check) {
+  for (const function_properties& f : functions)
+    for (const double x : some) {
+      SCOPED_TRACE(std::string(f.name) + " of " + std::to_string(x));
+      check(f, x, f.value(x));
+    }
+}
+
+TEST(functions, are_odd_or_even_as_they_say) {
+  each_function_at_some_numbers([](const function_properties& f, double x, double value) {
+    if (std::isnan(value)) return;
+    if (f.symmetry != parity::none) {
+      EXPECT_EQ(f.value(-x), f.symmetry == parity::odd ? -value : value);
+    }
+  });
+}
+
+TEST(functions, stay_where_they_say) {
+  each_function_at_some_numbers([](const function_properties& f, double, double value) {
+    EXPECT_TRUE(!f.stays_finite || std::isfinite(value));
+    EXPECT_FALSE(f.never_negative && value < 0);
+  });
+}
+
+TEST(functions, are_exact_where_they_say) {
+  for (const function_properties& f : functions) {
+    if (f.exact_at == function_properties::nowhere) continue;
+    EXPECT_EQ(f.value(f.exact_at), std::round(f.value(f.exact_at))) << f.name;
+  }
+}
+
+TEST(functions, have_their_slope_where_they_are_smooth) {
+  each_function_at_some_numbers([](const function_properties& f, double x, double value) {
+    if (std::abs(x) > 100 || std::abs(x) < 1e-3 || !f.is_smooth_at(x) || !f.is_smooth_at(x - 1e-3)) return;
+    const double step = 1e-5, slope = slope_of(f.op, x, value);
+    const double secant = (f.value(x + step) - f.value(x - step)) / (2 * step);
+    EXPECT_NEAR(slope, secant, 1e-8 * (1 + std::abs(slope)));
+  });
+}
+
+TEST(functions, are_the_same_in_the_program) {
+  each_function_at_some_numbers([](const function_properties& f, double x, double value) {
+    const double there = with_function(f.op, [&]<operation op>() { return scalar_function<op>::of(x); });
+    EXPECT_EQ(std::isnan(there), std::isnan(value));
+    if (std::isnan(value) || there == value) return; // infinite, too
+    EXPECT_NEAR(there, value, 1e-15 * std::abs(value));
+  });
+}
+
+TEST(functions, are_forms_of_their_own) {
+  for (const function_properties& f : functions) {
+    EXPECT_EQ(form_of(f.op), form::function);
+    EXPECT_STREQ(function_name(f.op), f.name);
+    EXPECT_EQ(properties_of(f.op).op, f.op);
+  }
+  EXPECT_EQ(form_of(operation::atan2), form::atan2);
+  EXPECT_EQ(form_of(operation::negate), form::negate);
+  EXPECT_EQ(form_of(operation::component), form::component);
+}
+
+} // namespace
