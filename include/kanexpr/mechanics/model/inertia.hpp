@@ -14,10 +14,8 @@ struct symmetric {
   }
 
   constexpr symmetric() = default;
-  constexpr explicit symmetric(graph& g) {
-    const expression zero{g, graph::zero};
-    xx = yy = zz = xy = yz = zx = zero;
-  }
+  constexpr explicit symmetric(graph& g) : symmetric(expression{g, graph::zero}) {}
+  constexpr explicit symmetric(expression all) : xx(all), yy(all), zz(all), xy(all), yz(all), zx(all) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.xx);
