@@ -110,7 +110,7 @@ private:
 
   graph& g_;
   const general_form& form_;
-  partition of_q_, of_u_; ///< what follows, and what is varied by itself
+  partition of_q_{}, of_u_{}; ///< what follows, and what is varied by itself
   sequence<expression> symbols_{};
   symbolic::matrix coordinates_{}, speeds_{};
   sequence<symbolic::solved_block> blocks_{};
