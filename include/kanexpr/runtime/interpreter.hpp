@@ -29,7 +29,7 @@ public:
 private:
   void run();
   void run(int begin, int end);
-  void run(const lower::instruction& step, T* out);
+  static void run(const lower::instruction& step, const T* values, T* out);
   void eliminate(const lower::elimination& e);
 
   lower::tape code_;
@@ -60,8 +60,9 @@ void interpreter<T>::run() {
 
 template <class T>
 void interpreter<T>::run(int begin, int end) {
+  const T* const values = slots_.begin();
   T* out = slots_.begin() + code_.first_step() + begin;
-  for (int i = begin; i < end; ++i) run(code_.steps[i], out++);
+  for (int i = begin; i < end; ++i) run(code_.steps[i], values, out++);
 }
 
 template <class T>
@@ -83,10 +84,10 @@ void interpreter<T>::eliminate(const lower::elimination& e) {
 }
 
 template <class T>
-void interpreter<T>::run(const lower::instruction& step, T* out) {
+void interpreter<T>::run(const lower::instruction& step, const T* values, T* out) {
   using symbolic::operation;
-  const T& a = slots_[step.a];
-  const T& b = slots_[step.b];
+  const T& a = values[step.a];
+  const T& b = values[step.b];
   if (step.paired) {
     if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
     return;
