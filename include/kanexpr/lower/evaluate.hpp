@@ -66,7 +66,7 @@ private:
 
   template <int count>
   using up_to = std::make_integer_sequence<int, count>;
-  static constexpr int at_least_one(int n) { return n > 0 ? n : 1; }
+  static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   // clang++ would load an index from the tape
   static consteval int a(int step) { return tape.a[step]; }
