@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rooms {
@@ -38,9 +39,13 @@ inline std::vector<std::string> matches(const std::string& text, const std::stri
   return found;
 }
 
-/// What a text includes of kanexpr and in quotation marks.
-inline std::vector<std::string> includes_of(const std::string& text) {
+/// What a text includes of kanexpr and in quotation marks. Not at its end what defines what it declares, where no
+/// library does.
+inline std::vector<std::string> includes_of(std::string text) {
   std::vector<std::string> found;
+  constexpr std::string_view unless_compiled = "\n#ifndef KANEXPR_COMPILED_", behind = "\n#endif";
+  for (std::size_t at; (at = text.find(unless_compiled)) != std::string::npos;)
+    text.erase(at, text.find(behind, at) + behind.size() - at);
   for (const std::string& line : matches(text, "#\\s*include\\s*([<\"][^>\"]+)"))
     if (line[0] == '"' || line.starts_with("<kanexpr/")) found.push_back(line.substr(1));
   return found;
@@ -57,6 +62,7 @@ public:
       for (const std::string& within : matches(i->str(2), "`([a-z_.]+)`"))
         places_.push_back("kanexpr/" + room + "/" + within);
       places_.push_back("kanexpr/" + room);
+      places_.push_back("kanexpr/" + room + "/engine"); // defines what the room declares
     }
   }
 
