@@ -79,7 +79,8 @@ constexpr stage stage_for(std::span<const request> all) {
 
 /// The same out of a stage that is there already; a request that mentions entities which the system itself
 /// does not use is a derivation of its own.
-constexpr cut_code cut(const system_record& from, const image& aside, std::string_view called,
+template <std::same_as<image> Image>
+constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        std::span<const request> all) {
   derived_system known(from, aside);
   bool has_all = true;

@@ -5,6 +5,7 @@
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
+#include <concepts>
 #include <optional>
 
 namespace kanexpr::derivation {
@@ -25,8 +26,10 @@ public:
       : mechanism_(graph_), reader_(from, mechanism_) {
     reader_.read();
   }
-  /// Goes on where a derivation of the same record was set aside.
-  constexpr derived_system(const system_record& from, const image& aside)
+  /// Goes on where a derivation of the same record was set aside. A template, as `write` is, so that files
+  /// which derive nothing do not form what it needs.
+  template <std::same_as<image> Image>
+  constexpr derived_system(const system_record& from, const Image& aside)
       : mechanism_(graph_), reader_(from, mechanism_) {
     equations_.emplace(mechanism_, mechanics::equations::set_aside{});
     reader_.know(*equations_);
@@ -53,7 +56,8 @@ public:
   }
 
   /// Sets the derivation aside. Only without a mistake, and after `derive`.
-  constexpr void write(image& into) const {
+  template <std::same_as<image> Image>
+  constexpr void write(Image& into) const {
     image_writer write(into, graph_);
     each_part(*this, write);
   }

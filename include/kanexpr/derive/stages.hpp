@@ -27,7 +27,8 @@ struct staged {
   bool follows_from_unparsed = false; ///< the compiler has told an error about it already
   image aside{};
 
-  constexpr void take(const derived_system& system, std::string_view called) {
+  template <std::same_as<derived_system> System>
+  constexpr void take(const System& system, std::string_view called) {
     mistake = system.mistake();
     if (mistake) return;
     system.write(aside);

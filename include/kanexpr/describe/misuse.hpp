@@ -33,11 +33,14 @@ enum class misuse : unsigned char {
 };
 
 inline constexpr mechanics::problem which_functions_there_are = [] {
-  mechanics::problem p =
-      mechanics::sentence({" is written with a function that models do not have; those they have are "});
-  for (const symbolic::function_properties& f : symbolic::functions)
-    p = mechanics::sentence({p.view(), f.name, ", "});
-  return mechanics::sentence({p.view(), "atan2 and pow"});
+  mechanics::problem p; // written letter by letter, since each file that includes this header forms it
+  const auto append = [&](std::string_view text) {
+    for (char letter : text) p.letters[p.length++] = letter;
+  };
+  append(" is written with a function that models do not have; those they have are ");
+  for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
+  append("atan2 and pow");
+  return p;
 }();
 
 /// How a sentence about a part of a model goes on that holds it.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <iterator>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -146,11 +145,12 @@ inline constexpr result_row results[]{
 
 /// The rows stand in the order of the quantities.
 static_assert([] {
-  for (std::size_t i = 0; i < std::size(results); ++i)
-    if (static_cast<std::size_t>(results[i].is) != i) return false;
+  int next = 0;
+  for (const result_row& row : results)
+    if (static_cast<int>(row.is) != next++) return false;
   return true;
 }());
 
-constexpr const result_row& row_of(quantity wanted) { return results[static_cast<std::size_t>(wanted)]; }
+constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 
 } // namespace kanexpr::mechanics

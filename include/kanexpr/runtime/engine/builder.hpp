@@ -323,9 +323,9 @@ KANEXPR_ENGINE void builder::dependent(expression e) {
   symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
   const int at = q >= 0 ? q : u;
   if (at < 0)
-    inspect_.fail({"something is said to be dependent that is neither a coordinate nor a speed"});
+    inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
   else if (places.contains(at))
-    inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is said to be dependent twice"});
+    inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is made dependent twice"});
   else
     places.push(at);
 }
@@ -350,9 +350,9 @@ KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
   const mechanics::point& at = m_.points[place(p)];
   if (at.parent == mechanics::none)
     return inspect_.fail(
-        {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is said to move"});
+        {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is given a motion"});
   if (at.fixed_in != mechanics::none || at.moves_by_declaration())
-    return inspect_.fail({"how point ", name_of(p), " moves is said twice"});
+    return inspect_.fail({"point ", name_of(p), " is given two motions"});
   return true;
 }
 
@@ -362,7 +362,7 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
   if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
   if (!mechanics::is_sequence(letters)) {
     inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
-                   ", which is none: three axes, no two neighbours alike"});
+                   ", which is invalid: take three axes, no two neighbours alike"});
     return {};
   }
   return frame_id{mechanics::add_frame_by_sequence(m_, called, place(parent), letters, angles, space_fixed)};
