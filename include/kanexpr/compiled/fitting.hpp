@@ -63,8 +63,9 @@ constexpr std::string_view plural_of(symbols_of which) {
   switch (which) {
   case symbols_of::parameters: return "parameters";
   case symbols_of::inputs: return "inputs";
-  default: return "state";
+  case symbols_of::state: break;
   }
+  return "state";
 }
 
 /// One vector of a system in the place of another, or another system's, even where the sizes agree.

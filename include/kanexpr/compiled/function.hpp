@@ -115,8 +115,13 @@ struct function {
         return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
       case symbol_kind::parameter: return p[i];
       case symbol_kind::input: return r[i];
-      default: return t;
+      case symbol_kind::time: return t;
+      case symbol_kind::speed_rate: // are no arguments of a constant call
+      case symbol_kind::coordinate_rate:
+      case symbol_kind::auxiliary_speed:
+      case symbol_kind::multiplier: break;
       }
+      return t;
     });
     constexpr derivation::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
     lower::constant_matrix<size.rows, size.columns> result;

@@ -21,10 +21,10 @@ constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
   case symbols_of::parameters:
     return {s.first_of(symbol_kind::parameter), s.parameters, "parameter", "parameter"};
   case symbols_of::inputs: return {s.first_of(symbol_kind::input), s.inputs, "input", "input"};
-  default:
-    return {0, s.coordinates + s.speeds, "state",
-            s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
+  case symbols_of::state: break;
   }
+  return {0, s.coordinates + s.speeds, "state",
+          s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
 }
 
 /// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",

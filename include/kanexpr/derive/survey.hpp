@@ -61,8 +61,14 @@ struct survey {
     case symbolic::symbol_kind::speed: return coordinates;
     case symbolic::symbol_kind::parameter: return coordinates + speeds;
     case symbolic::symbol_kind::input: return coordinates + speeds + parameters;
-    default: return 0;
+    case symbolic::symbol_kind::coordinate:
+    case symbolic::symbol_kind::coordinate_rate: // by the names of coordinates
+    case symbolic::symbol_kind::time:
+    case symbolic::symbol_kind::speed_rate:
+    case symbolic::symbol_kind::auxiliary_speed:
+    case symbolic::symbol_kind::multiplier: break;
     }
+    return 0;
   }
   constexpr int count_of(symbolic::symbol_kind kind) const {
     switch (kind) {
@@ -71,8 +77,12 @@ struct survey {
     case symbolic::symbol_kind::speed: return speeds;
     case symbolic::symbol_kind::parameter: return parameters;
     case symbolic::symbol_kind::input: return inputs;
-    default: return 0;
+    case symbolic::symbol_kind::time:
+    case symbolic::symbol_kind::speed_rate:
+    case symbolic::symbol_kind::auxiliary_speed:
+    case symbolic::symbol_kind::multiplier: break;
     }
+    return 0;
   }
   /// Place of a symbol among those of its kind, or -1. Rates of coordinates are told by the coordinates'
   /// names.

@@ -129,16 +129,15 @@ public:
     if (!is_constrained_) constrain();
     if (!mistake_) mass(); // which may be a mistake
     if (mistake_) return {};
-    switch (wanted) {
-    case quantity::state_matrix: return linearized().explicit_form().state;
-    case quantity::input_matrix: return linearized().explicit_form().input;
-    case quantity::state_jacobian: return linearized_freely().of_all_rates().state;
-    case quantity::input_jacobian: return linearized_freely().of_all_rates().input;
-    case quantity::implicit_mass_matrix: return imposed_forces(linearized_in_full().implicit_form().mass);
-    case quantity::implicit_state_matrix: return imposed_forces(linearized_in_full().implicit_form().state);
-    case quantity::implicit_input_matrix: return imposed_forces(linearized_in_full().implicit_form().input);
-    default: return get(wanted);
-    }
+    using enum quantity;
+    if (wanted == state_matrix) return linearized().explicit_form().state;
+    if (wanted == input_matrix) return linearized().explicit_form().input;
+    if (wanted == state_jacobian) return linearized_freely().of_all_rates().state;
+    if (wanted == input_jacobian) return linearized_freely().of_all_rates().input;
+    if (wanted == implicit_mass_matrix) return imposed_forces(linearized_in_full().implicit_form().mass);
+    if (wanted == implicit_state_matrix) return imposed_forces(linearized_in_full().implicit_form().state);
+    if (wanted == implicit_input_matrix) return imposed_forces(linearized_in_full().implicit_form().input);
+    return get(wanted);
   }
 
   /// The equations of the independent speeds, linearized.
@@ -224,18 +223,9 @@ public:
 private:
   /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
   constexpr problem check_bodies(quantity wanted) const {
-    switch (wanted) {
-    case quantity::kinetic_energy:
-    case quantity::potential_energy:
-    case quantity::linear_momentum:
-    case quantity::angular_momentum:
-    case quantity::center_of_mass:
-      if (m_->has_lagrangian)
-        return sentence({"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes "
-                         "their place"});
-      return {};
-    default: return {};
-    }
+    if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
+    return sentence(
+        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
   }
 
   constexpr system_form form() {

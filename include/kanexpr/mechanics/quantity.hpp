@@ -76,6 +76,7 @@ struct result_row {
   std::string_view called{}; ///< by who asks for it
   extent_by rows{}, columns{};
   stage needs{};
+  bool is_of_bodies = false; ///< and not known where a model gives its Lagrangian as a whole
 };
 
 inline constexpr result_row results[]{
@@ -94,12 +95,15 @@ inline constexpr result_row results[]{
     {quantity::inertia_forces, "inertia_forces", extent_by::independent_speeds, extent_by::one,
      stage::equations},
     {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations},
-    {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained},
-    {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar,
-     stage::constrained},
-    {quantity::linear_momentum, "linear_momentum", extent_by::three, extent_by::one, stage::constrained},
-    {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained},
-    {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained},
+    {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
+     true},
+    {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
+     true},
+    {quantity::linear_momentum, "linear_momentum", extent_by::three, extent_by::one, stage::constrained,
+     true},
+    {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained,
+     true},
+    {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained, true},
     {quantity::configuration_residual, "configuration_residual", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
     {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,

@@ -99,7 +99,7 @@ enum class unit_rule {
 /// What has to be known of a function of one argument beside its derivative (functions.hpp). Where nothing is
 /// said, what is assumed is safe for every function.
 struct function_properties {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double everywhere = (std::numeric_limits<double>::max)(); ///< no infinity, for -ffast-math
   static constexpr int nowhere = -1;
 
   operation op;
@@ -107,8 +107,8 @@ struct function_properties {
   double (*value)(double); ///< in constant expressions
   const char* latex = "";  ///< a command; empty: the name as an operator
   parity symmetry = parity::none;
-  double smooth_from = -infinity, smooth_to = infinity; ///< where it has a derivative, ends left out
-  int exact_at = nowhere;                               ///< the integer at which its value is an integer
+  double smooth_from = -everywhere, smooth_to = everywhere; ///< where it has a derivative, ends left out
+  int exact_at = nowhere;                                   ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted so; others as `other`
   bool never_negative = false;
