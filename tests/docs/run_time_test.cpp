@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace {
@@ -74,6 +75,27 @@ TEST(builder, makes_a_sleigh) {
 #include <docs/guide/builder/sleigh.cpp>
   EXPECT_EQ(constrained.mistake(), "");
   EXPECT_EQ(constrained.mass_matrix().rows, 2);
+}
+
+TEST(builder, closes_a_loop) {
+  runtime::builder b("N");
+  const auto q1 = b.coordinate("q1"), q2 = b.coordinate("q2"), s = b.coordinate("s");
+  const auto u1 = b.speed("u1"), u2 = b.speed("u2"), v = b.speed("v"), zero = b.number(0);
+  const auto crank = b.number(0.1), rod = b.number(0.3);
+  b.kinematic_equation(b.dot(q1) - u1);
+  b.kinematic_equation(b.dot(q2) - u2);
+  b.kinematic_equation(b.dot(s) - v);
+  const auto ground = b.inertial_frame();
+  b.particle("Slider", b.offset("S", b.origin("O"), b.along(ground, s, zero, zero)), b.number(3));
+  b.dependent(q2);
+  b.dependent(s);
+#include <docs/guide/builder/loop.cpp>
+  EXPECT_EQ(b.check().view(), "");
+  Eigen::VectorXd x(6);
+  x << 0.7, -0.2, 0.3, 5, 0, 0;
+  model closed = derive(b);
+  ASSERT_TRUE(assemble(closed, x, Eigen::VectorXd(), Eigen::VectorXd()));
+  EXPECT_NEAR(x(2), 0.1 * std::cos(0.7) + std::sqrt(0.09 - std::pow(0.1 * std::sin(0.7), 2)), 1e-14);
 }
 
 } // namespace
