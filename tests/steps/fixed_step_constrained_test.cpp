@@ -158,6 +158,16 @@ TEST(assemble, names_what_was_never_set) {
   EXPECT_FALSE(none);
   EXPECT_EQ(none.cause(), "parameter m1 has no value");
   EXPECT_EQ(kanexpr::check_consistency<four_bars::System>(b.x, {}, b.r).cause(), "parameter m1 has no value");
+  four_bars::eom::state x{{four_bar::u1, 5}};
+  EXPECT_EQ(kanexpr::assemble<four_bars::System>(x, b.p).cause(), "coordinate q1 has no value");
+}
+
+TEST(assemble, does_not_blame_an_input_that_no_constraint_holds) {
+  four_bars b = closed();
+  EXPECT_TRUE(kanexpr::check_consistency<four_bars::System>(b.x, b.p));
+  b.x[four_bar::q1] += 0.1;
+  const auto off = kanexpr::check_consistency<four_bars::System>(b.x, b.p);
+  EXPECT_TRUE(std::string(off.cause()).starts_with("configuration constraint ")) << off.cause();
 }
 
 TEST(fixed_step, takes_no_memory_with_constraints) {

@@ -94,6 +94,13 @@ public:
     }
   }
 
+  /// Where the constraints have no finite value: what of the state, the parameters or the inputs has none.
+  mechanics::problem gap_before(const state<System>& x) const {
+    if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
+    const mechanics::problem found = gap_among<System, symbols_of::state>(x);
+    return found ? found : gap_among<System>(p_, r_);
+  }
+
 private:
   static decltype(auto) at_norm_one(const state<System>& x) {
     if constexpr (quaternions::are_bound) {
@@ -130,7 +137,7 @@ assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t =
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
   assembly report = numeric::assemble(constraints, x, options);
   if (report) return report;
-  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  if (const mechanics::problem found = constraints.gap_before(x)) report.reason = found;
   return report;
 }
 
@@ -142,7 +149,7 @@ consistency check_consistency(const state<System>& x, const P& p = {}, const R& 
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
   consistency report = numeric::check_consistency(constraints, x, tolerance);
   if (report) return report;
-  if (const mechanics::problem found = compiled::gap_among<System>(p, r)) report.reason = found;
+  if (const mechanics::problem found = constraints.gap_before(x)) report.reason = found;
   return report;
 }
 
