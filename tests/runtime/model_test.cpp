@@ -50,3 +50,15 @@ TEST(model, refuses_what_it_does_not_know) {
   derived.vector<velocity_of<elsewhere>>();
   EXPECT_EQ(derived.mistake(), "point elsewhere of an expression is not part of the system that was derived");
 }
+
+struct WithoutBodies : kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>> {};
+
+TEST(model, of_a_system_with_a_mistake_has_results_without_entries) {
+  auto derived = derive<WithoutBodies>();
+  EXPECT_NE(derived.mistake(), "");
+  EXPECT_EQ(derived.mass_matrix().entries.size(), 0);
+  EXPECT_EQ(derived.get<q1 * u1>().entries.size(), 0);
+  EXPECT_EQ(derived.measured_by<q1 * u1>().entries.size(), 0);
+  EXPECT_EQ(symbolic::print(derived.imposed(derived.mechanism().one())), "1");
+  EXPECT_TRUE(derived.imposed(mechanics::vector()).parts.empty());
+}

@@ -65,7 +65,10 @@ struct vectors {
 
 /// The code of a function for one type of scalars, which stands once in a program. `extern template` of it
 /// leaves it to the file that instantiates it.
-template <class T, class Function>
+///
+/// Eigen aligns vectors by the vector instructions of a file. The alignment is a part of the name, so that
+/// files which lay vectors out differently do not link.
+template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance {
   using vectors = compiled::vectors<typename stated<Function>::System, T>;
   using results = typename stated<Function>::template results<T>;
@@ -76,7 +79,7 @@ struct instance {
 };
 
 /// The same of a function that is given the rates of the speeds.
-template <class T, class Function>
+template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance_at_rates {
   using vectors = compiled::vectors<typename stated<Function>::System, T>;
   using results = typename stated<Function>::template results<T>;

@@ -8,19 +8,21 @@
 /// `template struct kanexpr::compiled::library_of<System>;`
 namespace kanexpr::compiled {
 
-template <class T, class Function>
-typename linked_instance<T, Function>::results
-linked_instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
-                                       const typename vectors::parameters& p,
-                                       const typename vectors::inputs& r) noexcept {
+template <class T, class Function, int alignment>
+typename linked_instance<T, Function, alignment>::results
+linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
+                                                  const typename vectors::parameters& p,
+                                                  const typename vectors::inputs& r) noexcept {
   results all{};
   put(all, Function{}(t, x, p, r));
   return all;
 }
-template <class T, class Function>
-typename linked_instance_at_rates<T, Function>::results linked_instance_at_rates<T, Function>::evaluate(
-    const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
-    const typename vectors::inputs& r, const typename vectors::rates& a) noexcept {
+template <class T, class Function, int alignment>
+typename linked_instance_at_rates<T, Function, alignment>::results
+linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
+                                                           const typename vectors::parameters& p,
+                                                           const typename vectors::inputs& r,
+                                                           const typename vectors::rates& a) noexcept {
   results all{};
   put(all, Function{}(t, x, p, r, a));
   return all;

@@ -81,17 +81,17 @@ constexpr bool is_in_library() {
 }
 
 /// The code of a function in the library of its model; declared here only.
-template <class T, class Function>
-struct linked_instance : instance<T, Function> {
-  using typename instance<T, Function>::vectors;
-  using typename instance<T, Function>::results;
+template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+struct linked_instance : instance<T, Function, alignment> {
+  using typename instance<T, Function, alignment>::vectors;
+  using typename instance<T, Function, alignment>::results;
   static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
                           const typename vectors::inputs& r) noexcept;
 };
-template <class T, class Function>
-struct linked_instance_at_rates : instance_at_rates<T, Function> {
-  using typename instance_at_rates<T, Function>::vectors;
-  using typename instance_at_rates<T, Function>::results;
+template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+struct linked_instance_at_rates : instance_at_rates<T, Function, alignment> {
+  using typename instance_at_rates<T, Function, alignment>::vectors;
+  using typename instance_at_rates<T, Function, alignment>::results;
   static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
                           const typename vectors::inputs& r, const typename vectors::rates& a) noexcept;
 };

@@ -30,20 +30,22 @@ void put(std::tuple<T...>& results, const std::tuple<Found...>& found) {
   }(std::index_sequence_for<T...>{});
 }
 
-template <class T, class Function>
-typename instance<T, Function>::results
-instance<T, Function>::evaluate(const T& t, const typename vectors::state& x,
-                                const typename vectors::parameters& p,
-                                const typename vectors::inputs& r) noexcept {
+template <class T, class Function, int alignment>
+typename instance<T, Function, alignment>::results
+instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
+                                           const typename vectors::parameters& p,
+                                           const typename vectors::inputs& r) noexcept {
   results all{};
   put(all, Function{}(t, x, p, r));
   return all;
 }
 
-template <class T, class Function>
-typename instance_at_rates<T, Function>::results instance_at_rates<T, Function>::evaluate(
-    const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
-    const typename vectors::inputs& r, const typename vectors::rates& a) noexcept {
+template <class T, class Function, int alignment>
+typename instance_at_rates<T, Function, alignment>::results
+instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
+                                                    const typename vectors::parameters& p,
+                                                    const typename vectors::inputs& r,
+                                                    const typename vectors::rates& a) noexcept {
   results all{};
   put(all, Function{}(t, x, p, r, a));
   return all;

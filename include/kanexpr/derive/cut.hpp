@@ -51,10 +51,28 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
   return found;
 }
 
+/// A symbol that an expression adds to those of the system: no vector of numbers has a place for it.
+constexpr problem check_symbols(std::string_view system, const survey& known, const mechanism& m) {
+  struct list {
+    std::string_view kind;
+    const sequence<expression>& symbols;
+    int known;
+  };
+  for (const list& l :
+       {list{"parameter", m.parameters, known.parameters}, list{"input", m.inputs, known.inputs}})
+    if (l.symbols.size() > l.known)
+      return sentence({l.kind, " ", m.g->symbol_at(l.symbols[l.known].node()).called.view(),
+                       ", which an expression holds, is not among those of ", system,
+                       "; list them all: ", l.kind, "s<...>"});
+  return {};
+}
+
 /// Cuts the code for some results out of a derivation.
-constexpr cut_code cut(derived_system& system, std::string_view called, std::span<const request> all) {
+constexpr cut_code cut(derived_system& system, std::string_view called, const survey& of_system,
+                       std::span<const request> all) {
   const cut_nodes found = nodes_for(system, all);
   if (system.mistake()) return cut_code(system.mistake());
+  if (const problem added = check_symbols(called, of_system, system.model())) return cut_code(added);
   cut_code code;
   for (const mechanics::guard& g : found.guards) {
     if (!code.causes.has_room_for(g.cause))
@@ -81,18 +99,18 @@ constexpr stage stage_for(std::span<const request> all) {
 /// does not use is a derivation of its own.
 template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
-                       std::span<const request> all) {
+                       const survey& of_system, std::span<const request> all) {
   derived_system known(from, aside);
   bool has_all = true;
   for (const request& each : all) has_all = has_all && has_all_of(each, known.reader());
   if (has_all) {
     for (const request& each : all) visit(each, known.reader());
-    return cut(known, called, all);
+    return cut(known, called, of_system, all);
   }
   derived_system own(from);
   for (const request& each : all) visit(each, own.reader());
-  own.derive();
-  if (!own.mistake()) return cut(own, called, all);
+  go_on(own, stage::constrained);
+  if (!own.mistake()) return cut(own, called, of_system, all);
   cut_code refused(own.mistake());
   refused.follows_from_unparsed = own.reader().follows_from_unparsed();
   return refused;
@@ -102,16 +120,17 @@ constexpr cut_code cut(const system_record& from, const Image& aside, std::strin
 template <class System, auto... wanted>
 constexpr cut_code code_for() {
   constexpr request all[]{requested<wanted>::value...};
+  constexpr const survey& known = stages_of<System>::constrained.known;
   if constexpr (static_cast<bool>(stages_of<System>::constrained.mistake)) {
     return {};
   } else if constexpr (stage_for(all) == stage::constrained) {
-    return cut(System::record, stages_of<System>::constrained.aside, type_name<System>(), all);
+    return cut(System::record, stages_of<System>::constrained.aside, type_name<System>(), known, all);
   } else if constexpr (static_cast<bool>(stages_of<System>::equations.mistake)) {
     return cut_code(stages_of<System>::equations.mistake);
   } else if constexpr (stage_for(all) == stage::equations) {
-    return cut(System::record, stages_of<System>::equations.aside, type_name<System>(), all);
+    return cut(System::record, stages_of<System>::equations.aside, type_name<System>(), known, all);
   } else {
-    return cut(System::record, stages_of<System>::linearized.aside, type_name<System>(), all);
+    return cut(System::record, stages_of<System>::linearized.aside, type_name<System>(), known, all);
   }
 }
 

@@ -54,8 +54,10 @@ constexpr surveyed_stage survey_of() {
     s.known.take(system);
     s.follows_from_unparsed = system.reader().follows_from_unparsed();
     s.take(system, type_name<System>());
-    if (s.known.symbols() > survey::room && !s.mistake)
-      s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
+    if (s.known.symbols() > survey::room) {
+      if (!s.mistake) s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
+      s.known = {}; // which has no names of them
+    }
   }
   s.known.mistake = s.mistake;
   return s;

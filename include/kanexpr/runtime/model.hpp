@@ -65,7 +65,8 @@ public:
   }
   symbolic::matrix measured_by(std::span<const derivation::request> measured);
 
-  /// A vector or scalar with the dependent speeds as the constraints give them.
+  /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
+  /// a mistake.
   symbolic::expression imposed(symbolic::expression e);
   mechanics::vector imposed(const mechanics::vector& v);
 

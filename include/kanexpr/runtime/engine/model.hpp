@@ -39,6 +39,7 @@ KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
+  if (system_->mistake()) return {};
   symbolic::matrix all(graph(), 0, 1);
   for (const derivation::request& each : measured)
     for (const symbolic::expression& e :
@@ -52,7 +53,9 @@ KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
   return system_->reader().evaluate(words, "an expression").vector;
 }
 
-KANEXPR_ENGINE symbolic::expression model::imposed(symbolic::expression e) { return equations().imposed(e); }
+KANEXPR_ENGINE symbolic::expression model::imposed(symbolic::expression e) {
+  return system_->mistake() ? e : equations().imposed(e);
+}
 KANEXPR_ENGINE mechanics::vector model::imposed(const mechanics::vector& v) {
   mechanics::vector out;
   for (const mechanics::vector::part& p : v.parts)

@@ -1,0 +1,13 @@
+// expect: has more than 512 symbols
+#include "pendulum.hpp"
+
+#include <utility>
+
+template <class Numbers>
+struct pulled_often;
+template <int... i>
+struct pulled_often<std::integer_sequence<int, i...>>
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                  loads<weight, force<P, parameter<"k", i>{} * input<"F", i>{} * N::x>...>> {};
+
+int main() { use<pulled_often<std::make_integer_sequence<int, 255>>>(); }
