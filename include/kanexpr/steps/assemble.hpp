@@ -6,6 +6,7 @@
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace kanexpr {
@@ -94,10 +95,14 @@ public:
     }
   }
 
-  /// Where the constraints have no finite value: what of the state, the parameters or the inputs has none.
+  /// Where the constraints have no finite value: what of the parameters, the inputs or the list that gave the
+  /// state has none.
   mechanics::problem gap_before(const state<System>& x) const {
     if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
-    const mechanics::problem found = gap_among<System, symbols_of::state>(x);
+    const bool is_of_list =
+        std::any_of(x.begin(), x.end(), [](double entry) { return gap_in(entry) >= gap::never_set; });
+    const mechanics::problem found =
+        is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::problem{};
     return found ? found : gap_among<System>(p_, r_);
   }
 
