@@ -39,8 +39,8 @@ inline std::vector<std::string> matches(const std::string& text, const std::stri
   return found;
 }
 
-/// What a text includes of kanexpr and in quotation marks. Not at its end what defines what it declares, where no
-/// library does.
+/// What a text includes of kanexpr and in quotation marks. Not at its end what defines what it declares,
+/// where no library does.
 inline std::vector<std::string> includes_of(std::string text) {
   std::vector<std::string> found;
   constexpr std::string_view unless_compiled = "\n#ifndef KANEXPR_COMPILED_", behind = "\n#endif";

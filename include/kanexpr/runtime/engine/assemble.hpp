@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
-#include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 
 namespace kanexpr::runtime {
@@ -46,8 +46,7 @@ public:
   /// What the norms of quaternions are off.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
-    for (int i = 0; i < quaternions_.size(); ++i)
-      left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
+    for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
   mechanics::problem quaternion_called(int k) const {

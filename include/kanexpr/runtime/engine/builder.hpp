@@ -77,7 +77,8 @@ KANEXPR_ENGINE expression builder::dot(expression e) {
     for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
       if (p.quantity == e) return p.rate;
   }
-  inspect_.fail({"the rate of something is asked for that is not a coordinate, speed or prescribed quantity"});
+  inspect_.fail(
+      {"the rate of something is asked for that is not a coordinate, speed or prescribed quantity"});
   return m_.zero();
 }
 
