@@ -141,7 +141,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
 
 /// The result in the motion that the equations give.
 constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equations& e) {
-  const symbolic::matrix formed = form_with_rates(wanted, r, e);
+  symbolic::matrix formed = form_with_rates(wanted, r, e);
   if (wanted.what == request::kind::result) return formed;
   return e.in_motion(formed);
 }

@@ -30,14 +30,14 @@ constexpr partials local_partials(graph& g, int id) {
     const expression square = a * a + b * b;
     return {b / square, -(a / square)};
   }
-  case form::constant:
-  case form::symbol: break;     // have no operands
-  case form::regularity: break; // is never differentiated
-  case form::pair:
+  case form::constant: // have no operands
+  case form::symbol:
+  case form::regularity: // is never differentiated
+  case form::pair:       // have derivatives of their own, below
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
-  case form::component: break; // have derivatives of their own, below
+  case form::component: break;
   }
   return {zero, zero};
 }

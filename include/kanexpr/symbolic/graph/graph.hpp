@@ -165,9 +165,10 @@ private:
     delete[] nodes_;
     delete[] table_;
     room_ = nodes;
+    const unsigned places = 2 * static_cast<unsigned>(nodes);
     nodes_ = new node[static_cast<unsigned>(nodes)];
-    table_ = new int[2 * static_cast<unsigned>(nodes)];
-    last_place_ = 2 * static_cast<unsigned>(nodes) - 1;
+    table_ = new int[places];
+    last_place_ = places - 1;
     for (unsigned place = 0; place <= last_place_; ++place) table_[place] = -1;
   }
 
