@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/linear/block_triangular.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/sizes/mean_square.hpp>
