@@ -8,8 +8,6 @@
 
 using namespace rolling_disc;
 
-struct elsewhere : origin<elsewhere, N> {};
-
 TEST(model, prints_results) {
   auto derived = derive<System>();
   EXPECT_EQ(derived.mistake(), "");
@@ -45,11 +43,6 @@ TEST(model, generalized_forces_add_up_to_the_equations) {
   EXPECT_LT(sum.norm(), 1e-13 * active(x, p).norm());
 }
 
-TEST(model, refuses_what_it_does_not_know) {
-  auto derived = derive<System>();
-  derived.vector<velocity_of<elsewhere>>();
-  EXPECT_EQ(derived.mistake(), "point elsewhere of an expression is not part of the system that was derived");
-}
 
 struct WithoutBodies : kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>> {};
 

@@ -26,15 +26,16 @@ constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivatio
 
 } // namespace detail
 
-/// How each speed enters at each frame and node. Kane & Levinson (1985), section 2.14.
+/// How each speed enters at each frame and node that lacks it. Kane & Levinson (1985), section 2.14.
 constexpr void form_partial_velocities(skeleton& s) {
   symbolic::derivation by_speed(*s.model->g);
-  for (int f = 0; f < s.turning.size(); ++f) {
+  for (int f = s.partial_turning.size(); f < s.turning.size(); ++f) {
     sequence<direction> partials;
     if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.turning[f], f);
     s.partial_turning.push(partials);
   }
-  for (const node& n : s.nodes) s.partial_slide.push(detail::partials_of(s, by_speed, n.slide, n.axes));
+  for (int n = s.partial_slide.size(); n < s.nodes.size(); ++n)
+    s.partial_slide.push(detail::partials_of(s, by_speed, s.nodes[n].slide, s.nodes[n].axes));
 }
 
 } // namespace kanexpr::mechanics

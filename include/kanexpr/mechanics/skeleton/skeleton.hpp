@@ -62,6 +62,11 @@ struct skeleton {
   sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
 
+  /// Whether the mechanism has frames or points that were added later.
+  constexpr bool lacks_any() const {
+    return rigid_with.size() < model->frames.size() || node_of_point.size() < model->points.size();
+  }
+
   constexpr components offset_in_working_axes(int n) const {
     const node& at = nodes[n];
     return express(*model, at.r, at.offset_frame, working_axes[at.frame]);

@@ -13,8 +13,8 @@ class derived_from_words final : public derived {
 public:
   derived_from_words(const describe::system_record& from, std::span<const derivation::request> also)
       : system_(from) {
-    for (const derivation::request& each : also) derivation::visit(each, system_.reader());
     derivation::go_on(system_, derivation::stage::constrained);
+    for (const derivation::request& each : also) derivation::visit(each, system_.reader());
   }
 
   const mechanics::problem& mistake() const override { return system_.mistake(); }

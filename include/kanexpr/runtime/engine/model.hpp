@@ -50,6 +50,8 @@ KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::r
 }
 
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
+  if (system_->mistake()) return {};
+  system_->reader().visit(words.tokens, words.size);
   return system_->reader().evaluate(words, "an expression").vector;
 }
 
