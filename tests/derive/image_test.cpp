@@ -19,10 +19,10 @@
 
 namespace {
 
-using kanexpr::derivation::derived_system;
-using kanexpr::derivation::image;
-using kanexpr::derivation::request;
-using kanexpr::derivation::stage;
+using kanexpr::deriving::derived_system;
+using kanexpr::deriving::image;
+using kanexpr::deriving::request;
+using kanexpr::deriving::stage;
 using kanexpr::mechanics::quantity;
 
 std::unique_ptr<image> set_aside(const derived_system& system) {
@@ -52,7 +52,7 @@ void expect_same(const image& a, const image& b) {
 /// The steps of the code for a result, which are all that its values come from.
 kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
   const request all[]{{.what = request::kind::result, .wanted = wanted}};
-  const auto found = kanexpr::derivation::nodes_for(system, all);
+  const auto found = kanexpr::deriving::nodes_for(system, all);
   return kanexpr::lower::tape_of(system.graph(), found.nodes);
 }
 

@@ -25,7 +25,7 @@ public:
 
 private:
   void name_columns() {
-    const derivation::survey& known = scene_.known;
+    const deriving::survey& known = scene_.known;
     for (int i = 0; i < known.coordinates + known.speeds; ++i) {
       std::string name(known.names[i].view());
       if (known.takes_rates_as_speeds && i >= known.coordinates)

@@ -49,12 +49,12 @@ constexpr title title_of() {
 /// A size holds numbers and parameters.
 constexpr problem check_size(const phrase& given, std::string_view size, std::string_view whom) {
   if (given.kind != shape::scalar)
-    return sentence({"the ", size, " of the ", whom, derivation::is_a(given.kind), "it must be a scalar"});
+    return sentence({"the ", size, " of the ", whom, deriving::is_a(given.kind), "it must be a scalar"});
   for (int i = 0; i < given.size; ++i) {
     const describe::token& t = given.tokens[i];
     std::string_view kind, name;
     if (t.symbol != nullptr && t.symbol->kind != symbolic::symbol_kind::parameter) {
-      kind = derivation::kind_of(*t.symbol);
+      kind = deriving::kind_of(*t.symbol);
       name = t.symbol->called.view();
     } else if (t.point != nullptr) {
       kind = "point ";
@@ -72,7 +72,7 @@ constexpr problem check_size(const phrase& given, std::string_view size, std::st
 
 constexpr problem check_vector(const phrase& given, std::string_view what, std::string_view whom) {
   if (given.kind == shape::vector) return {};
-  return sentence({what, whom, derivation::is_a(given.kind), "it must be a vector"});
+  return sentence({what, whom, deriving::is_a(given.kind), "it must be a vector"});
 }
 
 constexpr bool is_colour(std::string_view given) {
@@ -114,7 +114,7 @@ constexpr problem check_option(std::string_view whom) {
     if constexpr (!requires { Shape::axis; })
       return sentence({"the ", whom, " is spinning, and has no axis"});
     if (Option::spin.kind != shape::scalar)
-      return sentence({"the spin of the ", whom, derivation::is_a(Option::spin.kind), "it must be a scalar"});
+      return sentence({"the spin of the ", whom, deriving::is_a(Option::spin.kind), "it must be a scalar"});
   }
   return {};
 }

@@ -15,7 +15,7 @@ namespace animate {
 template <class Picture>
 struct sound_picture {
   static constexpr problem mistake = Picture::mistake;
-  static_assert(derivation::tell<sound_picture>());
+  static_assert(deriving::tell<sound_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 

@@ -24,7 +24,7 @@ constexpr std::string_view result_name() {
 template <class System, class Code>
 constexpr mechanics::problem lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
                                    std::string_view way) {
-  constexpr const derivation::survey& s = survey_of<System>;
+  constexpr const deriving::survey& s = survey_of<System>;
   using symbolic::symbol_kind;
   const bool rate = kind == symbol_kind::speed_rate, second = rate && s.takes_rates_as_speeds;
   const symbol_kind named = second ? symbol_kind::coordinate : rate ? symbol_kind::speed : kind;
@@ -62,7 +62,7 @@ struct call {
   static constexpr mechanics::problem mistake = [] {
     using symbolic::symbol_kind;
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
-    constexpr const derivation::survey& known = survey_of<System>;
+    constexpr const deriving::survey& known = survey_of<System>;
     mechanics::problem found;
     if (!sound) return found;
     const auto keep = [&](const mechanics::problem& p) {
@@ -86,7 +86,7 @@ struct call {
       keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
-  static_assert(derivation::tell<call>());
+  static_assert(deriving::tell<call>());
 
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };

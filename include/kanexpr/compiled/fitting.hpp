@@ -40,7 +40,7 @@ struct fitting {
     if (survey_of<System>.mistake) return mechanics::problem{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
-  static_assert(derivation::tell<fitting>());
+  static_assert(deriving::tell<fitting>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
@@ -56,7 +56,7 @@ constexpr mechanics::problem check_scalar() {
 template <class System, class Scalar>
 struct holding {
   static constexpr mechanics::problem mistake = check_scalar<System, Scalar>();
-  static_assert(derivation::tell<holding>());
+  static_assert(deriving::tell<holding>());
 };
 
 constexpr std::string_view plural_of(symbols_of which) {
@@ -80,7 +80,7 @@ constexpr mechanics::problem check_exchanged(std::string_view caller) {
 template <class System, symbols_of wanted, class Other, symbols_of given>
 struct exchanged {
   static constexpr mechanics::problem mistake = check_exchanged<System, wanted, Other, given>({});
-  static_assert(derivation::tell<exchanged>());
+  static_assert(deriving::tell<exchanged>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };

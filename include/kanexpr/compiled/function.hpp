@@ -20,15 +20,15 @@ struct code {
   using system = System;
 
 private:
-  static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
+  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
 
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
-  static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
+  static constexpr auto causes = deriving::trimmed<cut.causes.sizes>(cut.causes);
   static constexpr mechanics::problem mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
-  static_assert(derivation::tell<code>());
+  static_assert(deriving::tell<code>());
 };
 
 /// What a load finds in the arguments of a call.
@@ -61,8 +61,8 @@ struct arguments {
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
-  constexpr derivation::extent size =
-      derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
+  constexpr deriving::extent size =
+      deriving::extent_of(deriving::requested<wanted>::value, deriving::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
@@ -72,8 +72,8 @@ auto no_result_of() {
 }
 
 template <auto wanted, class System>
-inline constexpr derivation::extent extent_of =
-    derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
+inline constexpr deriving::extent extent_of =
+    deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
 
 } // namespace compiled
 
@@ -123,7 +123,7 @@ struct function {
       }
       return t;
     });
-    constexpr derivation::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
+    constexpr deriving::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
     lower::constant_matrix<size.rows, size.columns> result;
     for (int i = 0; i < size.rows * size.columns; ++i)
       result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
@@ -150,8 +150,8 @@ private:
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
     if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
-      derivation::tell_in_code<compiled::surveyed<System>>();
-      derivation::tell_in_code<code>();
+      deriving::tell_in_code<compiled::surveyed<System>>();
+      deriving::tell_in_code<code>();
       return no_results<T>();
     } else {
       T t = lower::scalar_math<T>::from(0);
@@ -212,7 +212,7 @@ private:
 
   template <class T, int first, auto one>
   [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
-    constexpr derivation::extent size = compiled::extent_of<one, System>;
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
@@ -232,7 +232,7 @@ private:
   }
 
   static constexpr int first_of(std::size_t which) {
-    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
+    const deriving::extent sizes[]{compiled::extent_of<wanted, System>...};
     int first = 0;
     for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
     return first;

@@ -69,7 +69,7 @@ constexpr mechanics::problem unknown_told_of(double value, const symbol_range& r
 }
 
 /// What is wrong with the value of a symbol, as a sentence; empty: nothing.
-constexpr mechanics::problem told_of(gap found, const derivation::survey& known, int place,
+constexpr mechanics::problem told_of(gap found, const deriving::survey& known, int place,
                                      std::string_view system) {
   const auto symbol = [&] { return symbol_called(known, place); };
   switch (found) {
@@ -87,7 +87,7 @@ constexpr mechanics::problem told_of(gap found, const derivation::survey& known,
 
 /// The first entry of a vector of values that is no finite number, as a sentence; empty: there is none.
 template <class Vector>
-mechanics::problem first_gap(const Vector& values, const derivation::survey& known, const symbol_range& range,
+mechanics::problem first_gap(const Vector& values, const deriving::survey& known, const symbol_range& range,
                              std::string_view system) {
   for (int i = 0; i < range.size && i < static_cast<int>(values.size()); ++i)
     if (const gap found = gap_in(values[i]); found != gap::none) {

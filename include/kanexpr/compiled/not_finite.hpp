@@ -24,9 +24,8 @@ mechanics::problem gap_among(const P& p, const R& r) {
 /// "m has no finite value" for every symbol of a system, with room for any sentence.
 template <class System>
 constexpr auto causes_of_gaps() {
-  constexpr const derivation::survey& known = survey_of<System>;
-  derivation::cause_list<derivation::cause_sizes{known.symbols(),
-                                                 known.symbols() * mechanics::problem::capacity}>
+  constexpr const deriving::survey& known = survey_of<System>;
+  deriving::cause_list<deriving::cause_sizes{known.symbols(), known.symbols() * mechanics::problem::capacity}>
       all{};
   for (int i = 0; i < known.symbols(); ++i)
     all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));
@@ -36,8 +35,7 @@ constexpr auto causes_of_gaps() {
 /// The same for statuses, which keep no sentences.
 template <class System>
 struct not_finite {
-  static constexpr auto causes =
-      derivation::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
+  static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
   /// Of a failure: what was not finite before it, or else what it says.
   template <class X, class P, class R>

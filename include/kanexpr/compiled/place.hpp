@@ -21,10 +21,10 @@ struct placed {
     if (kind == symbolic::symbol_kind::coordinate_rate)
       return mechanics::sentence(
           {"the state of ", type_name<System>(), " holds no rate of coordinate ", symbol.called.view()});
-    const std::string_view what = derivation::kind_of(symbol);
+    const std::string_view what = deriving::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
-  static_assert(derivation::tell<placed>());
+  static_assert(deriving::tell<placed>());
 };
 
 /// A symbol of a kind that a vector does not hold, such as a parameter asked of the state.
@@ -37,7 +37,7 @@ struct misplaced {
     return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ",
                                 vector.view(), " of ", type_name<System>()});
   }();
-  static_assert(derivation::tell<misplaced>());
+  static_assert(deriving::tell<misplaced>());
   static constexpr int place = 0;
 };
 

@@ -24,7 +24,7 @@ public:
 
   /// A state is zero; parameters and inputs are not numbers until they are set.
   value_vector() {
-    derivation::tell_in_code<surveyed<System>>();
+    deriving::tell_in_code<surveyed<System>>();
     this->setConstant(which == symbols_of::state ? from(0) : from(number_for(gap::never_set)));
   }
 

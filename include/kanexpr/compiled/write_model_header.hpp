@@ -32,12 +32,12 @@ public:
   }
 
 private:
-  void add(const derivation::survey& known, std::string_view spelled) {
+  void add(const deriving::survey& known, std::string_view spelled) {
     out_ << "\ntemplate <>\nstruct kanexpr::compiled::surveyed<" << spelled
          << "> {\n  using system = " << spelled
          << ";\n  static constexpr bool is_linked = true;\n"
-            "  static constexpr kanexpr::derivation::survey survey = [] {\n"
-            "    kanexpr::derivation::survey s;\n";
+            "  static constexpr kanexpr::deriving::survey survey = [] {\n"
+            "    kanexpr::deriving::survey s;\n";
     set("takes_rates_as_speeds", known.takes_rates_as_speeds);
     set("coordinates", known.coordinates);
     set("speeds", known.speeds);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 struct cause_sizes {
   int count = 0;
@@ -59,4 +59,4 @@ constexpr auto only_cause(Make make) {
   return one;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

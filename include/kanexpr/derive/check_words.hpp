@@ -4,7 +4,7 @@
 #include <kanexpr/derive/read/symbol_reader.hpp>
 
 /// Whether the words of a system are all that it needs, and nothing else.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// `speed<u>` in place of `speeds<u>`.
 constexpr problem check_symbol_among_words(const describe::token& t, std::string_view system) {
@@ -131,4 +131,4 @@ constexpr problem check_words() {
   }
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

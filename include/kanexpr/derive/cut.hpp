@@ -5,7 +5,7 @@
 #include <kanexpr/derive/stages.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The straight-line code for some results. The measures and scales of what may be singular are behind all
 /// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold
@@ -134,4 +134,4 @@ constexpr cut_code code_for() {
   }
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// A derivation that was set aside, as plain arrays that can leave a constant evaluation: the graph node by
 /// node, and all else that is known by then as a row of words.
@@ -40,4 +40,4 @@ struct image {
   bool is_full = false;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

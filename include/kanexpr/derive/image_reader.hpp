@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Reads a derivation from an image: `read(part)` for each part, in the order in which `image_writer` wrote
 /// them. Nodes keep their numbers.
@@ -71,4 +71,4 @@ constexpr image_reader::image_reader(const image& from, symbolic::graph& g, cons
   for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
 /// order.
@@ -91,4 +91,4 @@ constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : in
   (*this)(g.symbols());
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

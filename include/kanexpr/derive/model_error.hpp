@@ -8,7 +8,7 @@
 /// How a mistake in a model reaches the person who made it: as the one error of the compilation, a sentence.
 namespace kanexpr {
 
-namespace derivation {
+namespace deriving {
 
 /// Whether there is a sentence to report, `Told::mistake`, and not left to `tell_in_code`.
 template <class Told>
@@ -28,7 +28,7 @@ constexpr auto text_of() {
   return t;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
@@ -38,7 +38,7 @@ struct model_error {
   static_assert(sentence.view().empty(), sentence.view());
 };
 
-namespace derivation {
+namespace deriving {
 
 /// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is reported
 /// again.
@@ -50,7 +50,7 @@ constexpr bool tell() {
     return true;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #else
 
@@ -58,7 +58,7 @@ constexpr bool tell() {
 template <text... sentence>
 struct model_error;
 
-namespace derivation {
+namespace deriving {
 
 // g++ prints character arrays in full, clang cuts them after some thirty letters: there the sentence comes in
 // pieces.
@@ -132,11 +132,11 @@ constexpr bool tell() {
     return true;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #endif
 
-namespace derivation {
+namespace deriving {
 
 /// Compilers look at this attribute when they make code, which they do where there was no error before.
 template <class System>
@@ -155,6 +155,6 @@ inline void tell_in_code() noexcept {
   if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();
 }
 
-} // namespace derivation
+} // namespace deriving
 
 } // namespace kanexpr

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::quantity;
 
@@ -171,4 +171,4 @@ struct requested<wanted> {
       .what = request::kind::jacobian, .phrases = words, .whom = "a jacobian", .by = wanted.by};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

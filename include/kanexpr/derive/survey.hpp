@@ -4,7 +4,7 @@
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 class derived_system;
 
@@ -93,4 +93,4 @@ struct survey {
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

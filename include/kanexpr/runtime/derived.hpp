@@ -11,7 +11,7 @@ namespace mechanics {
 struct mechanism;
 class equations;
 } // namespace mechanics
-namespace derivation {
+namespace deriving {
 class reader;
 }
 
@@ -29,7 +29,7 @@ public:
   virtual const mechanics::problem& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
-  virtual derivation::reader& reader() = 0;
+  virtual deriving::reader& reader() = 0;
   /// Null where a mistake came before them.
   virtual mechanics::equations* equations() = 0;
 };

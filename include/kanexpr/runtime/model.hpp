@@ -22,7 +22,7 @@ namespace kanexpr {
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use.
-  explicit model(const describe::system_record& from, std::span<const derivation::request> also = {});
+  explicit model(const describe::system_record& from, std::span<const deriving::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence; empty: there is none.
@@ -60,10 +60,10 @@ public:
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
   template <auto... measured>
   symbolic::matrix measured_by() {
-    const derivation::request all[]{derivation::requested<measured>::value...};
+    const deriving::request all[]{deriving::requested<measured>::value...};
     return measured_by(all);
   }
-  symbolic::matrix measured_by(std::span<const derivation::request> measured);
+  symbolic::matrix measured_by(std::span<const deriving::request> measured);
 
   /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
   /// a mistake.
@@ -73,9 +73,9 @@ public:
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
   template <auto wanted>
   symbolic::matrix get() {
-    return get(derivation::requested<wanted>::value);
+    return get(deriving::requested<wanted>::value);
   }
-  symbolic::matrix get(const derivation::request& wanted);
+  symbolic::matrix get(const deriving::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted>
@@ -115,7 +115,7 @@ model derive() {
   if constexpr (sizeof...(also) == 0) {
     return model(System::record);
   } else {
-    const derivation::request all[]{derivation::requested<also>::value...};
+    const deriving::request all[]{deriving::requested<also>::value...};
     return model(System::record, all);
   }
 }

@@ -15,7 +15,7 @@ namespace kanexpr::simulated {
 template <class System, integrator by>
 class compiled_system final : public system {
   using quantity = mechanics::quantity;
-  static constexpr const derivation::survey& of = compiled::survey_of<System>;
+  static constexpr const deriving::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds;
   static constexpr int m = of.constraints, l = of.configuration_constraints;
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;

@@ -72,10 +72,10 @@ struct watched {
   static constexpr mechanics::problem mistake = [] {
     if (passes_zero) return mechanics::problem{};
     return mechanics::sentence({"what when<...> watches", words.size > 0 ? ", with " : "",
-                                derivation::name_in(words), words.size > 0 ? "," : "",
-                                derivation::is_a(words.kind), "it must be a scalar, to pass zero"});
+                                deriving::name_in(words), words.size > 0 ? "," : "",
+                                deriving::is_a(words.kind), "it must be a scalar, to pass zero"});
   }();
-  static_assert(derivation::tell<watched>());
+  static_assert(deriving::tell<watched>());
 };
 
 } // namespace simulated

@@ -35,7 +35,7 @@ public:
 private:
   using state = Eigen::VectorXd;
 
-  const derivation::survey& known() const { return around_.known(); }
+  const deriving::survey& known() const { return around_.known(); }
   solvers::stepper& stepper() { return moving_.stepper(); }
 
   bool fail(std::string why) {

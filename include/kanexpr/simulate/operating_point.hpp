@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
   static constexpr int states = known.coordinates + known.speeds;
 
   Eigen::VectorXd all() const {

@@ -28,7 +28,7 @@ public:
 
   simulated::system& system() { return of_; }
   const simulated::system& system() const { return of_; }
-  const derivation::survey& known() const { return of_.known; }
+  const deriving::survey& known() const { return of_.known; }
 
   /// Integrators count the time from the start, as numbers are finest near zero.
   double time(double elapsed) const {

@@ -27,7 +27,7 @@ using evaluation = std::string_view (*)(double t, const std::complex<double>* at
 
 /// A system as the search sees it.
 struct subject {
-  const derivation::survey& known;
+  const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
   evaluation evaluate;

@@ -18,7 +18,7 @@ struct condition {
 /// as in a survey: [x; p; r].
 class conditions {
 public:
-  conditions(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+  conditions(const deriving::survey& known, const describe::system_record& told, std::string_view system,
              const wishes& asked)
       : known_(known), told_(told), system_(system), states_(known.coordinates + known.speeds),
         residuals_(known.quaternions + known.configuration_constraints + known.constraints) {
@@ -37,7 +37,7 @@ public:
 
   const std::vector<int>& unknowns() const { return unknowns_; }
   const std::vector<condition>& equations() const { return equations_; }
-  const derivation::survey& known() const { return known_; }
+  const deriving::survey& known() const { return known_; }
   int states() const { return states_; }
   int residuals() const { return residuals_; }
 
@@ -127,7 +127,7 @@ private:
     if (!problem_) problem_ = mechanics::sentence(pieces);
   }
 
-  const derivation::survey& known_;
+  const deriving::survey& known_;
   const describe::system_record& told_;
   std::string_view system_;
   int states_, residuals_;

@@ -109,7 +109,7 @@ private:
 
   /// Which coordinates are angles, and how long the others are, at the guess.
   void look_at_kinds() {
-    const derivation::survey& known = asked_.known();
+    const deriving::survey& known = asked_.known();
     kinds_.coordinates = known.coordinates;
     kinds_.speeds = known.speeds;
     kinds_.residuals = asked_.residuals();

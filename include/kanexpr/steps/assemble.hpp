@@ -18,7 +18,7 @@ namespace compiled {
 template <class System, class P, class R>
 class constraints_at {
 public:
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const deriving::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;

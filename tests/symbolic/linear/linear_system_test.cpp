@@ -59,7 +59,7 @@ TEST(solutions, have_derivatives_by_the_same_factors) {
       for (int k = 0; k < 3; ++k) {
         std::vector<real> direction(s.at.size(), 0);
         direction[static_cast<std::size_t>(2 * k)] = 1;
-        derivation d(s.g);
+        differentiation d(s.g);
         d.set_rate(s.q[k], expression{s.g, graph::one});
         for (const expression e : x) {
           const expression slope = d.of(e);
@@ -101,7 +101,7 @@ TEST(solutions, have_second_time_derivatives) {
   for (int n = 2; n <= 6; ++n) {
     moving_system s(n, 60 + static_cast<unsigned>(n));
     const sequence<expression> x = solve(factorization(s.g, s.a), s.b);
-    derivation along_time(s.g);
+    differentiation along_time(s.g);
     for (int k = 0; k < 3; ++k) along_time.set_rate(s.q[k], s.rates[k]);
     std::vector<real> direction(s.at.size(), 0);
     for (std::size_t i = 0; i < s.at.size(); i += 2) direction[i] = s.at[i + 1];

@@ -3,7 +3,7 @@
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/constraint.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::velocity_constraint;
 
@@ -107,4 +107,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -5,7 +5,7 @@
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/model/loads.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The loads of a model. Those that speak of motion are read with their symbols and entities like all others,
 /// and evaluated when velocities are known.
@@ -153,4 +153,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -3,7 +3,7 @@
 #include <kanexpr/base/problem.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::load_record;
 
@@ -20,4 +20,4 @@ constexpr mechanics::problem name_of(const load_record& r) {
   return mechanics::sentence({r.word.empty() ? r.called : r.word, held.empty() ? "" : " with ", held});
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

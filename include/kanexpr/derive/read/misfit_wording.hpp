@@ -3,7 +3,7 @@
 #include <kanexpr/base/problem.hpp>
 #include <kanexpr/describe/misfit.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The word of an entity that it cannot have, or nothing.
 constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view called) {
@@ -47,4 +47,4 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   return {};
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

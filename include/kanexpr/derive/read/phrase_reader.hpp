@@ -8,7 +8,7 @@
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Evaluates the postfix phrases of a model. `Entities` is the class derived from this one, which knows the
 /// frames and points that phrases mention.
@@ -285,4 +285,4 @@ private:
   constexpr Entities& entities() { return static_cast<Entities&>(*this); }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

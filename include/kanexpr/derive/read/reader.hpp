@@ -4,7 +4,7 @@
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::body_record;
 
@@ -158,4 +158,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

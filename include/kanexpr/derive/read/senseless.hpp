@@ -4,7 +4,7 @@
 #include <kanexpr/describe/record.hpp>
 
 /// Steps of an expression that the kinds of their operands do not allow, such as the sine of a vector.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::shape;
 
@@ -80,4 +80,4 @@ constexpr mechanics::problem senseless(const describe::token& t, shape a, shape 
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,7 +4,7 @@
 #include <kanexpr/describe/record.hpp>
 
 /// The words for parts of a model, for sentences about them.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::frame_record;
 using describe::phrase;
@@ -109,4 +109,4 @@ constexpr std::string_view is_a(shape kind) {
   return " is not an expression; ";
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

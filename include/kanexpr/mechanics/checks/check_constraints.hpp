@@ -14,7 +14,7 @@ namespace kanexpr::mechanics {
 constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
   symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
   for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
-    symbolic::derivation by_coordinate(*m.g);
+    symbolic::differentiation by_coordinate(*m.g);
     by_coordinate.set_rate(m.coordinates[j], m.one());
     for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(m.configuration_constraints[i]);
   }

@@ -63,7 +63,7 @@ private:
   /// A declared angular velocity against that of the orientation.
   constexpr void check_turning(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
-    symbolic::derivation along_time = time_derivative(m_, m_.speeds);
+    symbolic::differentiation along_time = time_derivative(m_, m_.speeds);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
@@ -78,7 +78,7 @@ private:
 
   /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
   constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
-                           symbolic::derivation& along_time) const {
+                           symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
     for (const expression& e : quaternion) squares += e * e;
     for (const expression& e : quaternion)

@@ -20,7 +20,7 @@ constexpr linear_accelerations linear_in_speed_rates(const skeleton& s) {
   symbolic::substitution at_rest(*m.g);
   for (const expression& rate : m.speed_rates) at_rest.replace(rate, m.zero());
   linear_accelerations out{symbolic::matrix(*m.g, m.acceleration_constraints.size(), m.speeds.size()), {}};
-  symbolic::derivation by_rate(*m.g);
+  symbolic::differentiation by_rate(*m.g);
   for (int j = 0; j < m.speeds.size(); ++j) {
     by_rate.restart();
     by_rate.set_rate(m.speed_rates[j], m.one());

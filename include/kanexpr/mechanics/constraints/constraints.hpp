@@ -41,7 +41,7 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
     const sequence<expression> share = point_jacobian(s, nodes[i]).along(all[i].direction);
     for (int j = 0; j < m.ways(); ++j) jacobian(i, j) = share[j];
   }
-  symbolic::derivation by_speed(*m.g);
+  symbolic::differentiation by_speed(*m.g);
   for (int j = 0; j < m.ways(); ++j) {
     by_speed.restart();
     by_speed.set_rate(m.way(j), m.one());

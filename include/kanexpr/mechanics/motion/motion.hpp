@@ -157,7 +157,7 @@ public:
 private:
   const skeleton* s_ = nullptr;
   const mechanism* m_ = nullptr;
-  symbolic::derivation along_time_{};
+  symbolic::differentiation along_time_{};
   vector ground_{};
   sequence<remembered<components>> omega_{}, alpha_{};
   sequence<remembered<matrix3>> carry_{};

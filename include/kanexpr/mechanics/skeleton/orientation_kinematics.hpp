@@ -30,7 +30,7 @@ namespace detail {
 /// ė0 = −(e1 ω1 + e2 ω2 + e3 ω3)/2, ė1 = (e0 ω1 + e2 ω3 − e3 ω2)/2 and so on in a circle, for ω of the frame
 /// in its parent in its own axes. Kane, Likins & Levinson (1983), section 1.13.
 constexpr sequence<expression> quaternion_kinematics(const sequence<expression>& e, const components& omega,
-                                                     symbolic::derivation& along_time) {
+                                                     symbolic::differentiation& along_time) {
   const components half{omega.x / 2, omega.y / 2, omega.z / 2};
   const components axial{e[1], e[2], e[3]};
   const components turned = e[0] * half + cross(axial, half);
@@ -47,7 +47,7 @@ constexpr sequence<expression> quaternion_kinematics(const sequence<expression>&
 /// They are taken in the axes of the frame below the last turn: there the equations of three angles can be
 /// solved one after another.
 constexpr sequence<expression> orientation_kinematics(const mechanism& m, int place, int reference) {
-  symbolic::derivation along_time = time_derivative(m, m.coordinate_rates);
+  symbolic::differentiation along_time = time_derivative(m, m.coordinate_rates);
   vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
   const frame& last = m.frames[place];
   const bool quaternion = !last.quaternion.empty();

@@ -8,8 +8,8 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
-constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v,
-                                          int f) {
+constexpr sequence<direction> partials_of(const skeleton& s, symbolic::differentiation& by_speed,
+                                          const vector& v, int f) {
   const mechanism& m = *s.model;
   sequence<direction> out;
   if (v.is_zero()) return out;
@@ -28,7 +28,7 @@ constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivatio
 
 /// How each speed enters at each frame and node. Kane & Levinson (1985), section 2.14.
 constexpr void form_partial_velocities(skeleton& s) {
-  symbolic::derivation by_speed(*s.model->g);
+  symbolic::differentiation by_speed(*s.model->g);
   for (int f = 0; f < s.turning.size(); ++f) {
     sequence<direction> partials;
     if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.turning[f], f);

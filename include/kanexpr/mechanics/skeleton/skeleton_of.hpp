@@ -157,7 +157,7 @@ private:
   const mechanism& m_;
   skeleton& s_;
   known_rates known_;
-  symbolic::derivation along_time_;
+  symbolic::differentiation along_time_;
 };
 
 } // namespace detail

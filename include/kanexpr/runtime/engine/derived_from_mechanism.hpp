@@ -31,7 +31,7 @@ public:
   }
   symbolic::graph& graph() override { return *graph_; }
   const mechanics::mechanism& mechanism() const override { return mechanism_; }
-  derivation::reader& reader() override { return reader_; }
+  deriving::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
 
 private:
@@ -39,7 +39,7 @@ private:
   mechanics::mechanism mechanism_;
   mechanics::problem mistake_;
   describe::system_record no_words_{};
-  derivation::reader reader_{no_words_, mechanism_}; ///< of symbols, by their names
+  deriving::reader reader_{no_words_, mechanism_}; ///< of symbols, by their names
   std::optional<mechanics::equations> equations_{};
 };
 

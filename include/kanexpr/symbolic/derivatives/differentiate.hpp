@@ -45,14 +45,14 @@ constexpr partials local_partials(graph& g, int id) {
 /// Directional derivatives: every symbol has a rate, and an expression's rate follows by the chain rule.
 ///
 /// Results are remembered, so that many expressions share their common parts.
-class derivation {
+class differentiation {
 public:
-  constexpr derivation() = default;
-  derivation(const derivation&) = default;
-  derivation(derivation&&) = default;
-  derivation& operator=(const derivation&) = default;
-  derivation& operator=(derivation&&) = default;
-  constexpr explicit derivation(graph& g) : graph_(&g) {}
+  constexpr differentiation() = default;
+  differentiation(const differentiation&) = default;
+  differentiation(differentiation&&) = default;
+  differentiation& operator=(const differentiation&) = default;
+  differentiation& operator=(differentiation&&) = default;
+  constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
   /// The rate of a symbol's node; zero where none is set. To be set before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
@@ -122,7 +122,7 @@ private:
 
 /// The partial derivative of an expression by a symbol.
 constexpr expression differentiate(expression e, expression symbol) {
-  derivation d(e.owner());
+  differentiation d(e.owner());
   d.set_rate(symbol, expression{e.owner(), graph::one});
   return d.of(e);
 }
