@@ -95,9 +95,9 @@ private:
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
     if (!declared) return;
-    const node& at = s_.nodes[s_.node_of_point[b.center]];
+    const station& at = s_.stations[s_.station_of_point[b.center]];
     const int ground = mechanism::inertial;
-    components v = express(m_, k_.velocity(s_.node_of_point[b.center]), s_.working_axes[at.axes], ground);
+    components v = express(m_, k_.velocity(s_.station_of_point[b.center]), s_.working_axes[at.axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
     if (!vanish(m_, {v.x, v.y, v.z}))
       fail({"the velocity of ", b.called.view(),

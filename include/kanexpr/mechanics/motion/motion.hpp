@@ -18,8 +18,8 @@ struct remembered {
   }
 };
 
-/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all
-/// in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
+/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's stations,
+/// all in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
 /// ground, and kept.
 class motion {
 public:
@@ -33,7 +33,7 @@ public:
   constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
       : s_(&s), m_(s.model), along_time_(time_derivative(*s.model, s.coordinate_rates, udot)),
         omega_(s.model->frames.size()), alpha_(s.model->frames.size()), carry_(s.model->frames.size()),
-        velocity_(s.nodes.size()), acceleration_(s.nodes.size()) {}
+        velocity_(s.stations.size()), acceleration_(s.stations.size()) {}
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
@@ -90,10 +90,10 @@ public:
     return carry_[f].value;
   }
 
-  /// Velocity of a node, in the working axes of its own frame.
+  /// Velocity of a station, in the working axes of its own frame.
   constexpr components velocity(int n) {
     if (velocity_[n].known) return velocity_[n].value;
-    const node& at = s_->nodes[n];
+    const station& at = s_->stations[n];
     components v(*m_->g);
     if (!at.absolute) {
       v = velocity(at.parent, at.axes);
@@ -103,10 +103,10 @@ public:
     return velocity_[n].keep(v);
   }
 
-  /// Acceleration of a node, in the working axes of its own frame.
+  /// Acceleration of a station, in the working axes of its own frame.
   constexpr components acceleration(int n) {
     if (acceleration_[n].known) return acceleration_[n].value;
-    const node& at = s_->nodes[n];
+    const station& at = s_->stations[n];
     components a(*m_->g);
     if (at.absolute) {
       a = express(*m_, ground_, s_->working_axes[at.axes]);
@@ -125,16 +125,16 @@ public:
     return acceleration_[n].keep(a);
   }
 
-  /// The node that has the velocity `v`, given in the axes of frame `axes`; or none.
-  constexpr int node_with_velocity(const components& v, int axes) {
+  /// The station that has the velocity `v`, given in the axes of frame `axes`; or none.
+  constexpr int station_with_velocity(const components& v, int axes) {
     for (int n = 0; n < velocity_.size(); ++n)
-      if (s_->working_axes[s_->nodes[n].axes] == axes && velocity(n) == v) return n;
+      if (s_->working_axes[s_->stations[n].axes] == axes && velocity(n) == v) return n;
     return none;
   }
 
-  constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->nodes[n].axes, frame); }
+  constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->stations[n].axes, frame); }
   constexpr components acceleration(int n, int frame) {
-    return turn(acceleration(n), s_->nodes[n].axes, frame);
+    return turn(acceleration(n), s_->stations[n].axes, frame);
   }
 
   /// From the working axes of one frame to those of another.

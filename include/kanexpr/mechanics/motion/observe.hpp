@@ -14,15 +14,15 @@ constexpr vector in_working_axes(const motion& k, int frame, const components& v
 /// Velocity in the inertial frame.
 constexpr vector velocity_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
-  const int n = s.node_of_point[point];
-  return in_working_axes(k, s.nodes[n].axes, k.velocity(n));
+  const int n = s.station_of_point[point];
+  return in_working_axes(k, s.stations[n].axes, k.velocity(n));
 }
 
 /// Acceleration in the inertial frame.
 constexpr vector acceleration_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
-  const int n = s.node_of_point[point];
-  return in_working_axes(k, s.nodes[n].axes, k.acceleration(n));
+  const int n = s.station_of_point[point];
+  return in_working_axes(k, s.stations[n].axes, k.acceleration(n));
 }
 
 /// Angular velocity in the inertial frame.

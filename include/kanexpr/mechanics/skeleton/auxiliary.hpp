@@ -17,7 +17,7 @@ public:
 constexpr void drop_auxiliary_speeds(skeleton& s) {
   without_auxiliary_speeds drop(*s.model);
   for (vector& w : s.turning) w = drop.in(w);
-  for (node& n : s.nodes) n.slide = drop.in(n.slide);
+  for (station& n : s.stations) n.slide = drop.in(n.slide);
 }
 
 } // namespace kanexpr::mechanics
