@@ -7,8 +7,8 @@
 #include "no_heap.hpp"
 
 #include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/pack.hpp>
+#include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
@@ -71,7 +71,7 @@ template <class T, int n, int... i>
 [[gnu::noinline]] std::array<T, results<n>> evaluated(const std::array<T, n * n + n>& at,
                                                       std::integer_sequence<int, i...>) {
   no_heap::guard guard;
-  const lower::evaluation<code<n>, T> done(arguments<T>{at.data()});
+  const lower::unrolled_tape<code<n>, T> done(arguments<T>{at.data()});
   return {done.template result<i>()...};
 }
 template <class T, int n>

@@ -5,8 +5,8 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derive/cut.hpp>
 #include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/lower/unrolled_tape.hpp>
 
 #include <tuple>
 
@@ -157,7 +157,7 @@ private:
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
       return collect_from<T>(
-          lower::evaluation<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+          lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
 
@@ -173,7 +173,7 @@ private:
   static constexpr int first_guard = code::tape.sizes.results - 2 * guards;
 
   template <class T>
-  [[gnu::always_inline]] static auto collect_from(const lower::evaluation<code, T>& done) noexcept {
+  [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
       return with_status_of<T>(done, collect<T, 0, wanted...>(done));
     } else {
@@ -183,7 +183,7 @@ private:
 
   /// A result of which nothing had to be solved comes alone.
   template <class T, class Result>
-  [[gnu::always_inline]] static auto with_status_of(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
                                                     const Result& result) noexcept {
     if constexpr (guards == 0)
       return result;
@@ -193,7 +193,7 @@ private:
 
   /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
   template <class T, int... i>
-  [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
     int first = -1;
     const int order[]{(first = passes<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
@@ -203,7 +203,7 @@ private:
   }
 
   template <class T, int i>
-  [[gnu::always_inline]] static bool passes(const lower::evaluation<code, T>& done) noexcept {
+  [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, T>& done) noexcept {
     constexpr bool of_finiteness = code::tells_finiteness && i == guards - 1;
     return lower::passes<of_finiteness, T>(done.template result<first_guard + 2 * i>(),
                                            done.template result<first_guard + 2 * i + 1>(),
@@ -211,7 +211,7 @@ private:
   }
 
   template <class T, int first, auto one>
-  [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
+  [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, T>& done) noexcept {
     constexpr deriving::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return T(done.template result<first>());
@@ -223,7 +223,7 @@ private:
 
   // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
   template <class T, int first, int rows, int columns, int... i>
-  [[gnu::always_inline]] static auto fill(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto fill(const lower::unrolled_tape<code, T>& done,
                                           std::integer_sequence<int, i...>) noexcept {
     Eigen::Matrix<T, rows, columns> m;
     const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
@@ -239,7 +239,7 @@ private:
   }
 
   template <class T, std::size_t... i>
-  [[gnu::always_inline]] static auto collect_all(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, T>& done,
                                                  std::index_sequence<i...>) noexcept {
     return std::tuple(with_status_of<T>(done, collect<T, first_of(i), wanted>(done))...);
   }

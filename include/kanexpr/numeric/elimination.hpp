@@ -1,8 +1,8 @@
 #pragma once
 
 /// Gaussian elimination with row exchanges, without a branch on a value: rows are compared and exchanged by
-/// selection. What is done in which order is the same wherever a system is solved; lower/eliminate.hpp
-/// unrolls it.
+/// selection. What is done in which order is the same wherever a system is solved;
+/// lower/unrolled_elimination.hpp unrolls it.
 namespace kanexpr::numeric {
 
 /// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination.hpp>
+#include <kanexpr/numeric/constant_elimination_math.hpp>
 
 #include <Eigen/Core>
 
@@ -19,7 +19,7 @@ public:
     for (int i = 0; i < order_; ++i)
       for (int j = 0; j < order_; ++j) f_(place.at(i, j)) = a(i, j);
     largest_ = a.cwiseAbs().maxCoeff();
-    factorize<constant_elimination>(order_, f_.data());
+    factorize<constant_elimination_math>(order_, f_.data());
   }
 
   /// The least pivot beside the largest entry.
@@ -29,7 +29,7 @@ public:
   bool is_singular() const { return !(regularity() > order_ * std::numeric_limits<double>::epsilon()); }
 
   /// Turns b into the solution of A x = b.
-  void solve(Vector& b) const { solve_factorized<constant_elimination>(order_, f_.data(), b.data()); }
+  void solve(Vector& b) const { solve_factorized<constant_elimination_math>(order_, f_.data(), b.data()); }
 
 private:
   static constexpr int fixed = Vector::RowsAtCompileTime;

@@ -178,9 +178,9 @@ private:
       set_rate(unknown[j], 0);
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
-    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination_math>(order, &f[0]);
     if (!(f[place.least_pivot()] > 0)) return false;
-    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &x[0]);
     for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
     return true;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/numeric/constant_elimination.hpp>
+#include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -97,7 +97,7 @@ private:
       for (int rows = n.a; g_[rows].op == operation::pair; rows = g_[rows].b) all = gather(g_[rows].a) && all;
       more_.resize(first + place.size(), 0);
       if (all)
-        numeric::factorize<numeric::constant_elimination>(order, &more_[first]);
+        numeric::factorize<numeric::constant_elimination_math>(order, &more_[first]);
       else
         more_[first + place.least_pivot()] = undefined;
       return 0;
@@ -110,9 +110,9 @@ private:
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
-      numeric::solve_factorized<numeric::constant_elimination>(order, f, &more_[first]);
+      numeric::solve_factorized<numeric::constant_elimination_math>(order, f, &more_[first]);
     } else {
-      numeric::solve_transposed_factorized<numeric::constant_elimination>(order, f, &more_[first]);
+      numeric::solve_transposed_factorized<numeric::constant_elimination_math>(order, f, &more_[first]);
     }
     return 0;
   }
@@ -120,7 +120,7 @@ private:
   constexpr double regularity(int order, const double* f, int squares) {
     if (numeric::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
     if (order > largest_written_out)
-      return numeric::regularity_of<numeric::constant_elimination>(order, f, &more_[squares]);
+      return numeric::regularity_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;
     for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
     return 1 / elementary::abs(inverse);
