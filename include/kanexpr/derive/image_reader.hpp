@@ -50,12 +50,12 @@ public:
   constexpr void operator()(const mechanics::mechanism*& m) { m = &m_; }
 
 private:
-  constexpr int read() { return from_.word[next_word_++]; }
+  constexpr int read() { return from_.integer[next_integer_++]; }
 
   const image& from_;
   symbolic::graph& g_;
   const mechanics::mechanism& m_;
-  int next_word_ = 0, next_frame_ = 0, next_point_ = 0;
+  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0;
 };
 
 constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)

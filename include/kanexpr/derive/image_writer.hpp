@@ -55,8 +55,8 @@ private:
     return count < most;
   }
 
-  constexpr void write(int word) {
-    if (has_room(into_.words, image::most_words)) into_.word[into_.words++] = word;
+  constexpr void write(int integer) {
+    if (has_room(into_.integers, image::most_integers)) into_.integer[into_.integers++] = integer;
   }
 
   constexpr void write_nodes(const symbolic::graph& g) {

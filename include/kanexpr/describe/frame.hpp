@@ -37,7 +37,7 @@ inline constexpr frame_record frame_of = record_frame<Frame>();
 
 constexpr vector<1> basis(const frame_record* frame, int axis) {
   token t{};
-  t.what = word::basis;
+  t.what = token_kind::basis;
   t.index = axis;
   t.frame = frame;
   return {{t}};

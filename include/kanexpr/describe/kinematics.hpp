@@ -14,7 +14,7 @@ struct turning {
 constexpr shape shape_of(const turning&) { return shape::turning; }
 
 constexpr turning turning_of(const frame_record* frame, const frame_record* reference) {
-  turning both{{with(word::angular_velocity), with(word::angular_velocity)}};
+  turning both{{with(token_kind::angular_velocity), with(token_kind::angular_velocity)}};
   both.tokens[0].frame = frame;
   both.tokens[1].frame = reference;
   return both;

@@ -82,12 +82,12 @@ public:
   }
 
 protected:
-  using words = std::initializer_list<std::string_view>;
+  using text_pieces = std::initializer_list<std::string_view>;
 
   /// Of Lagrange's method.
   constexpr bool takes_rates_as_speeds() const { return from_.derived_by == describe::method::lagrange; }
 
-  constexpr void fail(words pieces) {
+  constexpr void fail(text_pieces pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
   }
 
@@ -98,7 +98,7 @@ protected:
 
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
                                                symbol_list list) {
-    if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
+    if (p.size != 1 || p.tokens[0].what != describe::token_kind::symbol) {
       fail({"the list of ", deriving::called(list), " holds something that is not a symbol",
             p.size > 1 ? ", with " : "", name_in(p)});
       return nullptr;

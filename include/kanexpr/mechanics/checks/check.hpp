@@ -143,12 +143,12 @@ private:
     if (held_.holds(e, kind::speed_rate))
       return fail({of, whose, " changes with the ",
                    speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
-    for (const word& w : {word{kind::auxiliary_speed, " changes with auxiliary speed "},
-                          word{kind::coordinate_rate, " changes with the rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " changes with auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " changes with the rate of coordinate "}})
       if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
     inputs(e, 1, of, whose);
   }

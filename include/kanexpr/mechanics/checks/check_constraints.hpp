@@ -31,7 +31,7 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
   for (int i = 0; i < m.configuration_constraints.size(); ++i) {
     const expression f = m.configuration_constraints[i];
     const name which = counted(i + 1);
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
@@ -43,8 +43,8 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
       return sentence({"configuration constraint ", which.view(), " holds the ",
                        speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
                        "; it may hold coordinates only"});
-    for (const word& w : {word{kind::auxiliary_speed, " holds the auxiliary speed "},
-                          word{kind::coordinate_rate, " holds the rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " holds the auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " holds the rate of coordinate "}})
       if (held.holds(f, w.what))
         return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
                          "; it may hold coordinates only"});

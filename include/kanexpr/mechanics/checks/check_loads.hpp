@@ -169,12 +169,12 @@ private:
     free_of_rates(e, of, whose);
   }
   constexpr void free_of_rates(expression e, std::string_view of, std::string_view whose) {
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
-    for (const word& w : {word{kind::auxiliary_speed, "auxiliary speed "},
-                          word{kind::coordinate_rate, "rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, "auxiliary speed "},
+                                named_kind{kind::coordinate_rate, "rate of coordinate "}})
       if (held_.holds(e, w.what)) varies(of, whose, sentence({w.called, held_.name_of(e, w.what)}));
     if (held_.holds(e, kind::speed)) varies(of, whose, speed_called(m_, held_.name_of(e, kind::speed)));
     if (held_.holds(e, kind::speed_rate))
