@@ -25,7 +25,7 @@ private:
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
   static constexpr auto causes = deriving::trimmed<cut.causes.sizes>(cut.causes);
-  static constexpr mechanics::problem mistake = cut.mistake;
+  static constexpr mechanics::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
   static_assert(deriving::tell<code>());

@@ -9,15 +9,15 @@ namespace kanexpr::compiled {
 
 /// The first entry of parameters or inputs that is no finite number, as a sentence; empty: there is none.
 template <class System, symbols_of which, class Vector>
-mechanics::problem gap_among(const Vector& values) {
+mechanics::sentence gap_among(const Vector& values) {
   if constexpr (requires { Vector::SizeAtCompileTime; })
     return first_gap(values, survey_of<System>, range_of(which, survey_of<System>), type_name<System>());
   else
     return {};
 }
 template <class System, class P, class R>
-mechanics::problem gap_among(const P& p, const R& r) {
-  const mechanics::problem found = gap_among<System, symbols_of::parameters>(p);
+mechanics::sentence gap_among(const P& p, const R& r) {
+  const mechanics::sentence found = gap_among<System, symbols_of::parameters>(p);
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
@@ -25,7 +25,8 @@ mechanics::problem gap_among(const P& p, const R& r) {
 template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const deriving::survey& known = survey_of<System>;
-  deriving::cause_list<deriving::cause_sizes{known.symbols(), known.symbols() * mechanics::problem::capacity}>
+  deriving::cause_list<deriving::cause_sizes{known.symbols(),
+                                             known.symbols() * mechanics::sentence::capacity}>
       all{};
   for (int i = 0; i < known.symbols(); ++i)
     all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));

@@ -11,7 +11,7 @@ template <class System>
 struct surveyed {
   using system = System;
   static constexpr deriving::survey survey = deriving::stages_of<System>::constrained.known;
-  static constexpr mechanics::problem mistake = deriving::stages_of<System>::constrained.mistake;
+  static constexpr mechanics::sentence mistake = deriving::stages_of<System>::constrained.mistake;
   static constexpr bool follows_from_unparsed =
       deriving::stages_of<System>::constrained.follows_from_unparsed;
   static_assert(deriving::tell<surveyed>());

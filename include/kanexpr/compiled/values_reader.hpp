@@ -44,11 +44,11 @@ public:
   }
 
   void look_for_infinite() {
-    for (int i = 0; i < range_.size && !problem_; ++i)
-      problem_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
+    for (int i = 0; i < range_.size && !mistake_; ++i)
+      mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
   }
 
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
 
 private:
   int place_of(std::string_view name) const {
@@ -64,7 +64,7 @@ private:
   }
 
   void fail(std::initializer_list<std::string_view> pieces) {
-    if (!problem_) problem_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = mechanics::sentence(pieces);
   }
 
   const deriving::survey& known_;
@@ -73,7 +73,7 @@ private:
   symbol_range range_;
   double* values_;
   std::array<bool, deriving::survey::room> named_{};
-  mechanics::problem problem_{};
+  mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::compiled

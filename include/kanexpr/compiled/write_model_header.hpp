@@ -53,7 +53,7 @@ private:
       if (known.quaternion_of[i] != 0)
         out_ << "    s.quaternion_of[" << i << "] = " << known.quaternion_of[i] << ";\n";
     }
-    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::problem mistake{};\n"
+    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::sentence mistake{};\n"
             "  static constexpr bool follows_from_unparsed = false;\n};\n"
             "template <>\nstruct kanexpr::equations_of_motion<"
          << spelled << "> : kanexpr::compiled::linked_equations<" << spelled

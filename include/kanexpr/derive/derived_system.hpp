@@ -62,7 +62,7 @@ public:
     each_part(*this, write);
   }
 
-  constexpr const problem& mistake() const {
+  constexpr const sentence& mistake() const {
     if (reader_.mistake()) return reader_.mistake();
     if (mistake_ || !equations_.has_value()) return mistake_;
     return equations_->mistake();
@@ -82,7 +82,7 @@ private:
   symbolic::graph graph_{};
   mechanism mechanism_;
   deriving::reader reader_;
-  problem mistake_{};
+  sentence mistake_{};
   std::optional<mechanics::equations> equations_{};
 };
 

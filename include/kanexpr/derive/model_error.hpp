@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/text.hpp>
 
 #include <utility>
@@ -65,11 +65,11 @@ namespace deriving {
 #ifdef __clang__
 inline constexpr int longest_piece = 30;
 #else
-inline constexpr int longest_piece = mechanics::problem::capacity;
+inline constexpr int longest_piece = mechanics::sentence::capacity;
 #endif
 
 /// Where the piece of a sentence ends that begins at `begin`: at a space, if there is one, else in a word.
-constexpr int piece_end(const mechanics::problem& p, int begin) {
+constexpr int piece_end(const mechanics::sentence& p, int begin) {
   const int most = begin + longest_piece;
   if (most >= p.length) return p.length;
   int end = most;
@@ -78,7 +78,7 @@ constexpr int piece_end(const mechanics::problem& p, int begin) {
 }
 
 /// Where piece number `piece` of a sentence begins; the length of the sentence for those behind its end.
-constexpr int piece_begin(const mechanics::problem& p, int piece) {
+constexpr int piece_begin(const mechanics::sentence& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
     begin = piece_end(p, begin);
@@ -93,7 +93,7 @@ constexpr auto piece_of() {
   return text_of<Told, begin, piece_end(Told::mistake, begin)>();
 }
 
-constexpr int count_pieces(const mechanics::problem& p) {
+constexpr int count_pieces(const mechanics::sentence& p) {
   int pieces = 1;
   while (piece_begin(p, pieces) < p.length) ++pieces;
   return pieces;

@@ -23,7 +23,7 @@ constexpr void go_on(derived_system& system, stage to) {
 
 /// Where a stage ended: at a mistake, or set aside. It has room for any model, so a program must not hold it.
 struct staged {
-  problem mistake{};
+  sentence mistake{};
   bool follows_from_unparsed = false; ///< the compiler has told an error about it already
   image aside{};
 

@@ -77,7 +77,7 @@ public:
   constexpr const partition& coordinates() const { return coordinates_; }
 
   /// A mistake that only the derivation could find.
-  constexpr const problem& mistake() const { return mistake_; }
+  constexpr const sentence& mistake() const { return mistake_; }
 
   constexpr symbolic::matrix get(quantity wanted) {
     if (!is_constrained_) constrain();
@@ -222,7 +222,7 @@ public:
 
 private:
   /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
-  constexpr problem check_bodies(quantity wanted) const {
+  constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
     return sentence(
         {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
@@ -333,7 +333,7 @@ private:
 
   skeleton s_;
   const mechanism* m_;
-  problem mistake_{};
+  sentence mistake_{};
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 
 namespace kanexpr {
 
@@ -26,7 +26,7 @@ public:
   derived& operator=(const derived&) = delete;
   virtual ~derived() = default;
 
-  virtual const mechanics::problem& mistake() const = 0;
+  virtual const mechanics::sentence& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
   virtual deriving::reader& reader() = 0;

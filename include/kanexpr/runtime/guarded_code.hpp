@@ -34,7 +34,7 @@ private:
 
   interpreter<Scalar> code_;
   symbolic::sequence<Scalar> found_; ///< the result, then how regular what it rests on is
-  symbolic::sequence<mechanics::problem> causes_{};
+  symbolic::sequence<mechanics::sentence> causes_{};
   symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };
 

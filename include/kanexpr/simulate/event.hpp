@@ -69,8 +69,8 @@ struct watched {
   static constexpr describe::phrase words = describe::phrase_of<expression>;
   static constexpr bool passes_zero =
       words.kind == describe::shape::scalar || words.kind == describe::shape::equation;
-  static constexpr mechanics::problem mistake = [] {
-    if (passes_zero) return mechanics::problem{};
+  static constexpr mechanics::sentence mistake = [] {
+    if (passes_zero) return mechanics::sentence{};
     return mechanics::sentence({"what when<...> watches", words.size > 0 ? ", with " : "",
                                 deriving::name_in(words), words.size > 0 ? "," : "",
                                 deriving::is_a(words.kind), "it must be a scalar, to pass zero"});

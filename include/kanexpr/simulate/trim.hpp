@@ -46,7 +46,7 @@ struct finding {
   Eigen::VectorXd left{};   ///< of each equation
   int iterations = 0;
   int freedom = 0;
-  std::string cause{};
+  std::string failure{};
   std::vector<residual> residuals{};
 };
 

@@ -42,7 +42,7 @@ public:
   int residuals() const { return residuals_; }
 
   /// What is wrong with the names, as a sentence.
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
 
   /// "configuration constraint 1", "the rate of speed u1".
   std::string name_of(const condition& c) const {
@@ -121,10 +121,10 @@ private:
     return place < states_ ? place : -1;
   }
 
-  mechanics::problem called(int place) const { return compiled::symbol_called(known_, place); }
+  mechanics::sentence called(int place) const { return compiled::symbol_called(known_, place); }
 
   void fail(std::initializer_list<std::string_view> pieces) {
-    if (!problem_) problem_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = mechanics::sentence(pieces);
   }
 
   const deriving::survey& known_;
@@ -133,7 +133,7 @@ private:
   int states_, residuals_;
   std::vector<int> unknowns_{};
   std::vector<condition> equations_{};
-  mechanics::problem problem_{};
+  mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::trim

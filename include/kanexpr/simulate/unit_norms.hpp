@@ -46,7 +46,7 @@ public:
 
 private:
   std::vector<std::vector<int>> places_;
-  std::vector<mechanics::problem> far_from_one_{};
+  std::vector<mechanics::sentence> far_from_one_{};
   bool are_bound_ = false;
 };
 

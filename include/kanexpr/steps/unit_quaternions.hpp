@@ -12,8 +12,8 @@
 namespace kanexpr::compiled {
 
 /// "the quaternion e0, e1, e2 and e3"
-constexpr mechanics::problem quaternion_called(const deriving::survey& known, int k) {
-  mechanics::problem p = mechanics::sentence({"the quaternion "});
+constexpr mechanics::sentence quaternion_called(const deriving::survey& known, int k) {
+  mechanics::sentence p = mechanics::sentence({"the quaternion "});
   int left = 0;
   for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
   bool is_first = true;
@@ -41,7 +41,7 @@ public:
     return found;
   }();
 
-  static constexpr mechanics::problem called(int k) { return quaternion_called(known, k); }
+  static constexpr mechanics::sentence called(int k) { return quaternion_called(known, k); }
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
   template <class X>

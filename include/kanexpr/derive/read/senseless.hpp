@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
 /// Steps of an expression that the kinds of their operands do not allow, such as the sine of a vector.
@@ -50,8 +50,8 @@ constexpr std::string_view a_kind(shape s) {
   return s == shape::scalar ? "a scalar" : s == shape::vector ? "a vector" : "a dyadic";
 }
 
-constexpr mechanics::problem senseless(const describe::token& t, shape a, std::string_view part,
-                                       std::string_view whom) {
+constexpr mechanics::sentence senseless(const describe::token& t, shape a, std::string_view part,
+                                        std::string_view whom) {
   using describe::token_kind;
   if (t.what == token_kind::magnitude)
     return mechanics::sentence(
@@ -61,8 +61,8 @@ constexpr mechanics::problem senseless(const describe::token& t, shape a, std::s
       {part, whom, " takes ", symbolic::function_name(t.operation), " of ", a_kind(a)});
 }
 
-constexpr mechanics::problem senseless(const describe::token& t, shape a, shape b, std::string_view part,
-                                       std::string_view whom) {
+constexpr mechanics::sentence senseless(const describe::token& t, shape a, shape b, std::string_view part,
+                                        std::string_view whom) {
   using describe::token_kind;
   const auto say = [&](std::string_view does, std::string_view joint, std::string_view hint = "") {
     return mechanics::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/symbol_list.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
@@ -12,7 +12,6 @@ namespace kanexpr::deriving {
 using describe::system_record;
 using mechanics::mechanism;
 using mechanics::none;
-using mechanics::problem;
 using mechanics::sentence;
 using symbolic::expression;
 using symbolic::sequence;
@@ -23,7 +22,7 @@ class symbol_reader {
 public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
-  constexpr const problem& mistake() const { return mistake_; }
+  constexpr const sentence& mistake() const { return mistake_; }
   /// Whether the mistake is that of a type of which the compiler has reported one already.
   constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
@@ -184,7 +183,7 @@ protected:
 
   const system_record& from_;
   mechanism& m_;
-  problem mistake_{};
+  sentence mistake_{};
   std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
 /// The words for parts of a model, for sentences about them.
@@ -39,7 +39,7 @@ constexpr std::string_view name_in(const phrase& p) {
 }
 
 /// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
-constexpr mechanics::problem short_name(std::string_view called) {
+constexpr mechanics::sentence short_name(std::string_view called) {
   constexpr std::size_t longest = 40;
   if (called.size() <= longest) return mechanics::sentence({called});
   return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});

@@ -22,7 +22,7 @@ class checking {
 public:
   constexpr explicit checking(const mechanism& m) : m_(m), held_(*m.g) {}
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (m_.speeds.empty())
       return sentence(
           {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
@@ -155,17 +155,17 @@ private:
 
   const mechanism& m_;
   contents held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
 /// The first mistake of a mechanism, or nothing.
-constexpr problem check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
+constexpr sentence check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
 
 /// A mistake that shows only in the mass matrix.
-constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,
-                                    const symbolic::matrix& mass) {
+constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,
+                                     const symbolic::matrix& mass) {
   for (int i = 0; i < mass.rows; ++i)
     if (mass(i, i).is_zero()) {
       const int place = speeds.independent[i];

@@ -28,7 +28,7 @@ public:
   constexpr explicit checking_lagrange(motion& k)
       : k_(k), s_(k.skeleton_used()), m_(*s_.model), held_(*m_.g) {}
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (m_.has_lagrangian) check_lagrangian();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_turning(f);
     for (const body& b : m_.bodies) {
@@ -137,12 +137,12 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   contents held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
 /// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
-constexpr problem check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
+constexpr sentence check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
 
 } // namespace kanexpr::mechanics

@@ -25,7 +25,7 @@ public:
     }
   }
 
-  constexpr problem run() const {
+  constexpr sentence run() const {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
     for (const doubt& d : doubtful_)
@@ -113,7 +113,7 @@ private:
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
-  constexpr problem told(const doubt& d) const {
+  constexpr sentence told(const doubt& d) const {
     const auto said = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
       return sentence({of, whose, " is given along axes of ", m_.frames[d.axes].called.view(),

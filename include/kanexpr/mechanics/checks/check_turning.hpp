@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
@@ -30,7 +30,7 @@ public:
         declared_.push({.frame = f, .all = {}, .bound = {}, .free = {}, .by_angles = {}, .before = {}});
   }
 
-  constexpr problem run() {
+  constexpr sentence run() {
     bool open = false;  // whether something is to be explained
     bool moves = false; // whether its axis may move in a frame
     for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {

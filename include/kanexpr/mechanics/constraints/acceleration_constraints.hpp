@@ -41,8 +41,8 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
 
 /// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
 /// these hold.
-constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c,
-                                                 const symbolic::matrix& configuration) {
+constexpr sentence check_acceleration_constraints(const skeleton& s, const constraints& c,
+                                                  const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;
   if (m.acceleration_constraints.empty()) return {};
   const contents held(*m.g);

@@ -14,7 +14,7 @@ namespace kanexpr::mechanics {
 struct guard {
   int key = 0; ///< the node that all results depend on which need the solution
   expression measure{}, scale{};
-  problem cause{};
+  sentence cause{};
   bool of_finiteness = false; ///< of the measure alone, which need not be beside anything
 };
 
@@ -65,7 +65,7 @@ constexpr sequence<guard> guards_of_mass(const mechanism& m, const partition& sp
     bool is_new = true;
     for (const guard& g : guards) is_new = is_new && g.key != p.key;
     if (!is_new) continue;
-    const problem which = speeds_called(m, {speeds.independent[p.place]});
+    const sentence which = speeds_called(m, {speeds.independent[p.place]});
     guards.push({p.key, p.value, p.entry,
                  sentence({"the mass matrix is singular at this state: its elimination fails at the ",
                            which.view()})});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
@@ -10,7 +10,7 @@
 namespace kanexpr::mechanics {
 
 /// Why a frame's orientation and its declared angular velocity give no equations, or nothing.
-constexpr problem check_orientation_kinematics(const mechanism& m, int place, int reference) {
+constexpr sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
     return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,

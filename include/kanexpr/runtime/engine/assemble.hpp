@@ -49,7 +49,7 @@ public:
     for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
-  mechanics::problem quaternion_called(int k) const {
+  mechanics::sentence quaternion_called(int k) const {
     return mechanics::sentence(
         {"the quaternion ",
          mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
@@ -81,7 +81,7 @@ private:
   symbolic::sequence<int> coordinates_, speeds_;
   symbolic::sequence<symbolic::sequence<int>> quaternions_;
   const mechanics::mechanism& mechanism_;
-  mechanics::problem far_from_one_;
+  mechanics::sentence far_from_one_;
   int first_speed_;
   double t_;
   given_vector p_;

@@ -17,7 +17,7 @@ public:
     deriving::go_on(system_, deriving::stage::constrained);
   }
 
-  const mechanics::problem& mistake() const override { return system_.mistake(); }
+  const mechanics::sentence& mistake() const override { return system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
   const mechanics::mechanism& mechanism() const override { return system_.model(); }
   deriving::reader& reader() override { return system_.reader(); }
