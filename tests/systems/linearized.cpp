@@ -60,7 +60,7 @@ kanexpr::runtime::interpreted<Scalar> derived_functions::function(kanexpr::mecha
 derived_functions::derived_functions(kanexpr::mechanics::equations& e)
     : A(function<double>(e, quantity::state_matrix)), B(function<double>(e, quantity::input_matrix)),
       gap(function<complex>(e, quantity::configuration_residual)),
-      gap_jacobian(function<complex>(e, quantity::configuration_jacobian)),
+      gap_jacobian(function<complex>(e, quantity::configuration_jacobian_by_dependent)),
       speeds(function<complex>(e, quantity::dependent_speeds)), rhs(function<complex>(e, quantity::rhs)) {
   read_names(*e.skeleton_used().model);
   read_places(e);

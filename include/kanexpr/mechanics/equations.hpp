@@ -56,7 +56,7 @@ public:
     constraints_ = no_constraints(*m_);
     if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
       constraints_ = form_constraints(moving());
-    configuration_ = mechanics::configuration_jacobian(*m_);
+    configuration_ = mechanics::configuration_jacobian_by_all(*m_);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
@@ -100,9 +100,9 @@ public:
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
     case quantity::configuration_residual: return column(m_->configuration_constraints);
     case quantity::configuration_terms: return column(terms_of(m_->configuration_constraints));
-    case quantity::configuration_jacobian:
+    case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
-    case quantity::configuration_jacobian_full: return configuration_;
+    case quantity::configuration_jacobian_by_all: return configuration_;
     case quantity::configuration_step: return step_of_configuration();
     case quantity::velocity_residual: return column(velocity_residual());
     case quantity::velocity_terms: return column(terms_of(velocity_residual()));

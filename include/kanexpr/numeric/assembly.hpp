@@ -77,7 +77,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   if constexpr (vector::RowsAtCompileTime != 0)
     found = newton(
         q, [&](const vector& tried) -> vector { return c.configuration_residual(at(tried)); },
-        [&](const vector& tried) { return c.configuration_jacobian(at(tried)); }, options);
+        [&](const vector& tried) { return c.configuration_jacobian_by_all(at(tried)); }, options);
   report.steps = found.steps;
   report.configuration_residual = found.residual;
   if (!found.converged) {

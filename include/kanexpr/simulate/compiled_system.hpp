@@ -52,7 +52,7 @@ public:
   void configuration(double t, const double* x, const double* r, double* left,
                      double* by_coordinates) const override {
     if constexpr (l != 0)
-      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_full>(t, x, r), left,
+      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_by_all>(t, x, r), left,
            by_coordinates);
   }
   void velocities(double t, const double* x, const double* r, double* left,
@@ -141,7 +141,7 @@ private:
       }
       if constexpr (l != 0) {
         const auto [kept, jacobian] = out_of_line<
-            function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{}(
+            function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
             t, x, p, r);
         left.template head<n>() -= jacobian.transpose() * vector<T, l>(y + n + o + m);
         left.template tail<l>() = kept;

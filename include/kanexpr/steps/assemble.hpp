@@ -31,7 +31,7 @@ public:
   /// constraints shares, so that it is compiled once.
   static constexpr auto configuration() {
     return out_of_line<
-        function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{};
+        function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{};
   }
   static constexpr auto velocities() {
     return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
@@ -52,7 +52,7 @@ public:
     else
       return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
   }
-  square configuration_jacobian(const state<System>& x) const {
+  square configuration_jacobian_by_all(const state<System>& x) const {
     square by_dependent;
     if constexpr (coordinates() != 0) {
       const state<System> at = at_norm_one(x);

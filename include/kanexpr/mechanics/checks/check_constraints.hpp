@@ -11,7 +11,7 @@
 namespace kanexpr::mechanics {
 
 /// The derivatives of the configuration constraints by all coordinates.
-constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
+constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m) {
   symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
   for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
     symbolic::differentiation by_coordinate(*m.g);
