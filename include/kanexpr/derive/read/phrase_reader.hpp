@@ -19,7 +19,7 @@ public:
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
-    if (p.kind == shape::vanishing || p.kind == shape::turning)
+    if (p.kind == shape::vanishing || p.kind == shape::kinematics)
       fail({part_, whom, is_a(p.kind), "it must be an expression"});
     const sequence<value> found = evaluate_each(p, whom);
     if (mistake_ || found.empty()) return value::of(m_.zero());

@@ -86,7 +86,7 @@ private:
 
   constexpr void read_kinematics(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
-    if (p.kind == shape::turning) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
+    if (p.kind == shape::kinematics) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)
       return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
                    name_in(p), "; write dot(q) == u"});

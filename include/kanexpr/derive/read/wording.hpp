@@ -102,7 +102,7 @@ constexpr std::string_view is_a(shape kind) {
   case shape::dyadic: return " is a dyadic; ";
   case shape::equation: return " is an equation; ";
   case shape::vanishing: return " is a constraint; ";
-  case shape::turning: return " is a list of kinematic differential equations; ";
+  case shape::kinematics: return " is a list of kinematic differential equations; ";
   case shape::nothing:
   case shape::foreign: break;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/checks/check_changing_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
 #include <kanexpr/mechanics/checks/check_dyadic.hpp>
@@ -7,7 +8,6 @@
 #include <kanexpr/mechanics/checks/check_kinematics.hpp>
 #include <kanexpr/mechanics/checks/check_left_out_angles.hpp>
 #include <kanexpr/mechanics/checks/check_loads.hpp>
-#include <kanexpr/mechanics/checks/check_turning.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -66,10 +66,10 @@ private:
     sequence<left_out_angle> angles;
     for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
     if (declared) {
-      checking_turning turning(m_, held_);
-      found_ = turning.run();
-      apart = turning.is_any_apart();
-      angles = turning.left_out_angles();
+      checking_angular_velocity checked(m_, held_);
+      found_ = checked.run();
+      apart = checked.is_any_apart();
+      angles = checked.left_out_angles();
     }
     if (!found_) found_ = checking_inertia(m_, held_, apart).run();
     if (!found_) found_ = checking_left_out_angles(m_, held_, angles).run();

@@ -111,7 +111,7 @@ private:
   constexpr bool changes(const generic_motion& motion, const doubt& d) const {
     const body& b = m_.bodies[d.body];
     if (!motion.is_proper(b.frame)) return false;
-    const triple own = motion.turning(b.frame);
+    const triple own = motion.angular_velocity(b.frame);
     triad rate;
     double size = 0, turns = length(own);
     const auto add = [](triad& sum, const triad& other) {

@@ -3,7 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 /// Mistakes that Lagrange's method alone minds.
@@ -30,7 +30,7 @@ public:
 
   constexpr sentence run() {
     if (m_.has_lagrangian) check_lagrangian();
-    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_turning(f);
+    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_angular_velocity(f);
     for (const body& b : m_.bodies) {
       if (found_) break;
       check_velocity(b);
@@ -61,14 +61,14 @@ private:
   }
 
   /// A declared angular velocity against that of the orientation.
-  constexpr void check_turning(int place) {
+  constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
     symbolic::differentiation along_time = time_derivative(m_, m_.speeds);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
     for (int f = place; f != mechanism::inertial; f = m_.frames[f].parent) {
-      w -= express(m_, turning_of_orientation(m_, f, along_time), mechanism::inertial);
+      w -= express(m_, relative_angular_velocity(m_, f, along_time), mechanism::inertial);
       normalize(m_.frames[f].quaternion, at_norm_one, along_time);
     }
     if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))

@@ -90,12 +90,12 @@ private:
     at_[n].pop();
 
     const int f = c.frame, below = s_.turns_in[f];
-    const sequence<partial_velocity>& turning = s_.partial_turning[f];
+    const sequence<partial_velocity>& partials = s_.partial_angular_velocities[f];
     sequence<composite::column> entering;
-    for (const partial_velocity& w : turning)
+    for (const partial_velocity& w : partials)
       entering.push({w.speed, in_axes(s_.working_axes[f], cross(w.value, c.mass.first_moment)),
                      c.mass.inertia * w.value});
-    enter(c, turning, entering, none);
+    enter(c, partials, entering, none);
 
     const int into = below == mechanism::inertial ? s_.stations[n].axes : below;
     const path way(m_, s_.working_axes[f], s_.working_axes[into]);
@@ -124,13 +124,13 @@ private:
       for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force.add(k.force);
     }
     if (c.mass.is_zero() && c.columns.empty()) return;
-    if (!at.slide.parts.empty()) {
-      const sequence<partial_velocity>& slide = s_.partial_slide[n];
+    if (!at.relative_velocity.parts.empty()) {
+      const sequence<partial_velocity>& partials = s_.partial_velocities[n];
       sequence<composite::column> entering;
       const int axes = s_.working_axes[at.axes];
-      for (const partial_velocity& v : slide)
+      for (const partial_velocity& v : partials)
         entering.push({v.speed, in_axes(axes, c.mass.mass * v.value), cross(c.mass.first_moment, v.value)});
-      enter(c, slide, entering, axes);
+      enter(c, partials, entering, axes);
     }
     if (at.absolute || at.parent == none) return;
 

@@ -47,7 +47,7 @@ public:
       const components h = to_working.turn(l.mass.first_moment);
       const symmetric inertia = to_working.turn(l.mass.inertia);
       const components a = k.acceleration(l.station, f);
-      const components demand = l.mass.mass * a + (h.is_zero() ? h : k.carry(f) * h);
+      const components demand = l.mass.mass * a + (h.is_zero() ? h : k.acceleration_matrix(f) * h);
       force_[l.station] -= k.turn(demand, f, s_.stations[l.station].axes);
       moment_[f] -= cross(h, a) + inertia_demand(k, inertia, f);
     }
@@ -73,7 +73,7 @@ public:
     for (int n = s_.stations.size() - 1; n >= 0; --n) {
       const station& at = s_.stations[n];
       if (force_[n].is_zero()) continue;
-      for (const partial_velocity& v : s_.partial_slide[n]) share_[v.speed] += dot(v.value, force_[n]);
+      for (const partial_velocity& v : s_.partial_velocities[n]) share_[v.speed] += dot(v.value, force_[n]);
       if (at.absolute || at.parent == none) continue;
       moment_[at.frame] += cross(s_.offset_in_working_axes(n), force_[n]);
       const int parent_axes = s_.stations[at.parent].axes;
@@ -81,7 +81,8 @@ public:
     }
     for (int f : s_.frames_tips_first()) {
       if (moment_[f].is_zero()) continue;
-      for (const partial_velocity& w : s_.partial_turning[f]) share_[w.speed] += dot(w.value, moment_[f]);
+      for (const partial_velocity& w : s_.partial_angular_velocities[f])
+        share_[w.speed] += dot(w.value, moment_[f]);
       const int below = s_.turns_in[f];
       if (below != mechanism::inertial) moment_[below] += turn(moment_[f], f, below);
     }
@@ -122,15 +123,15 @@ private:
   /// one in the other feel it.
   constexpr void add_torque(int frame, int against, const vector& value) {
     const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
-    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
-    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
+    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_relative_torque(f, value);
+    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_relative_torque(b, -value);
     add_moment(f, value);
     if (b != mechanism::inertial) add_moment(b, -value);
   }
 
   /// What a torque does where a frame turns in the one below it.
-  constexpr void add_turning(int f, const vector& value) {
-    for (const partial_velocity& w : s_.partial_turning[f])
+  constexpr void add_relative_torque(int f, const vector& value) {
+    for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
   }
 
@@ -168,9 +169,11 @@ private:
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j) change(i, j) = k.rate(known_.in(inertia(i, j)));
     if (s_.rigid_with[axes] == f) return change;
-    const components turning = express(m_, k.angular_velocity(axes), s_.working_axes[axes], axes) - w;
+    const components angular_velocity =
+        express(m_, k.angular_velocity(axes), s_.working_axes[axes], axes) - w;
     components column[3];
-    for (int j = 0; j < 3; ++j) column[j] = cross(turning, {inertia(0, j), inertia(1, j), inertia(2, j)});
+    for (int j = 0; j < 3; ++j)
+      column[j] = cross(angular_velocity, {inertia(0, j), inertia(1, j), inertia(2, j)});
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j) change(i, j) += column[j][i] + column[i][j];
     return change;
@@ -184,7 +187,7 @@ private:
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);
     for (int x = 0; x < 3; ++x) {
       const int y = (x + 1) % 3, z = (x + 2) % 3;
-      const matrix3& u = k.carry(f);
+      const matrix3& u = k.acceleration_matrix(f);
       moment[x] = i(x, x) * alpha[x] + (i(z, z) - i(y, y)) * (w[y] * w[z]) +
                   i(y, z) * (w[y] * w[y] - w[z] * w[z]) + i(z, x) * u(y, x) - i(x, y) * u(z, x);
     }

@@ -102,7 +102,7 @@ private:
 
   constexpr bool rests_if_frame_does_not_move(int f) {
     if (frame_rests_[s_.turns_in[f]] == 0) return false;
-    const ways w = free_ways(s_.partial_turning[f], s_.working_axes[f], s_.body_axes[f]);
+    const ways w = free_ways(s_.partial_angular_velocities[f], s_.working_axes[f], s_.body_axes[f]);
     if (!w.known || w.speeds.empty()) return w.known;
     sequence<double> energy(9, 0.0);
     for (const link& l : s_.links)
@@ -141,7 +141,7 @@ private:
     if (carried && (station_rests_[at.parent] == 0 || (frame_rests_[at.frame] == 0 && !at.r.is_zero())))
       return station_rests_[n] != 0;
     const int axes = s_.working_axes[at.axes];
-    const ways w = free_ways(s_.partial_slide[n], axes, axes);
+    const ways w = free_ways(s_.partial_velocities[n], axes, axes);
     if (!w.known || w.speeds.empty()) return w.known;
     return settle(w, {mass, 0, 0, 0, mass, 0, 0, 0, mass});
   }

@@ -57,7 +57,8 @@ public:
     components w(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      w = turn(angular_velocity(p), p, f) + express(*m_, s_->turning[f], s_->working_axes[f]);
+      w = turn(angular_velocity(p), p, f) +
+          express(*m_, s_->relative_angular_velocity[f], s_->working_axes[f]);
     }
     return omega_[f].keep(w);
   }
@@ -69,13 +70,13 @@ public:
     components a(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      a = turn(angular_acceleration(p), p, f) + rate(s_->turning[f], f);
+      a = turn(angular_acceleration(p), p, f) + rate(s_->relative_angular_velocity[f], f);
     }
     return alpha_[f].keep(a);
   }
 
   /// U = [α]× + [ω]×[ω]×: the acceleration of a point at r in the frame is a + U r.
-  constexpr const matrix3& carry(int f) {
+  constexpr const matrix3& acceleration_matrix(int f) {
     f = s_->rigid_with[f];
     if (!carry_[f].known) {
       const components w = angular_velocity(f), a = angular_acceleration(f);
@@ -99,7 +100,7 @@ public:
       v = velocity(at.parent, at.axes);
       v += cross(angular_velocity(at.frame), s_->offset_in_working_axes(n));
     }
-    v += express(*m_, at.slide, s_->working_axes[at.axes]);
+    v += express(*m_, at.relative_velocity, s_->working_axes[at.axes]);
     return velocity_[n].keep(v);
   }
 
@@ -114,14 +115,15 @@ public:
       a = acceleration(at.parent, at.axes);
       const components r = s_->offset_in_working_axes(n);
       if (at.carried)
-        a += carry(at.frame) * r;
+        a += acceleration_matrix(at.frame) * r;
       else
         a += cross(angular_acceleration(at.frame), r) +
              cross(angular_velocity(at.frame), rate(at.offset(), at.frame));
-      if (!at.slide.parts.empty())
-        a += cross(angular_velocity(at.frame), express(*m_, at.slide, s_->working_axes[at.frame]));
+      if (!at.relative_velocity.parts.empty())
+        a +=
+            cross(angular_velocity(at.frame), express(*m_, at.relative_velocity, s_->working_axes[at.frame]));
     }
-    if (!at.slide.parts.empty()) a += rate(at.slide, at.axes);
+    if (!at.relative_velocity.parts.empty()) a += rate(at.relative_velocity, at.axes);
     return acceleration_[n].keep(a);
   }
 

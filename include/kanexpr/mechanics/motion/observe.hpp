@@ -40,14 +40,14 @@ constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
 constexpr vector derivative_in(motion& k, const vector& v, int frame) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
-  const vector turning = angular_velocity_of_frame(k, frame);
+  const vector angular_velocity = angular_velocity_of_frame(k, frame);
   vector total;
   for (const vector::part& p : v.parts) {
     const components own{k.rate(k.known(p.value.x)), k.rate(k.known(p.value.y)), k.rate(k.known(p.value.z))};
     components w(*m.g);
     if (s.rigid_with[p.frame] != s.rigid_with[frame]) {
       w = express(m, angular_velocity_of_frame(k, p.frame), p.frame);
-      w -= express(m, turning, p.frame);
+      w -= express(m, angular_velocity, p.frame);
     }
     total.add(p.frame, own + cross(w, p.value));
   }

@@ -6,10 +6,10 @@ namespace kanexpr::mechanics {
 
 /// How each way of moving enters the velocity of a station along a direction.
 ///
-/// v = Σ_f w_f × S_f + slides, with the turning w_f of each frame below the station and S_f, what of the way
-/// from the ground to the station turns with it: the sum is formed inwards once, and each way takes one
-/// triple product of it. For a single point that is cheaper than the forces and moments of a unit force
-/// there.
+/// v = Σ_f w_f × S_f + relative velocities, with the relative angular velocity w_f of each frame below the
+/// station and S_f, what of the way from the ground to the station turns with it: the sum is formed inwards
+/// once, and each way takes one triple product of it. For a single point that is cheaper than the forces and
+/// moments of a unit force there.
 class point_jacobian {
 public:
   constexpr point_jacobian(const skeleton& s, int station)
@@ -24,11 +24,11 @@ public:
   constexpr sequence<expression> along(const vector& direction) const {
     sequence<expression> share(m_.ways(), m_.zero());
     for (int n = station_; n != none; n = s_.stations[n].absolute ? none : s_.stations[n].parent)
-      for (const partial_velocity& v : s_.partial_slide[n])
+      for (const partial_velocity& v : s_.partial_velocities[n])
         share[v.speed] += dot(v.value, express(m_, direction, s_.working_axes[s_.stations[n].axes]));
     for (int f = 1; f < m_.frames.size(); ++f) {
       if (s_.rigid_with[f] != f || carried_[f].parts.empty()) continue;
-      for (const partial_velocity& w : s_.partial_turning[f]) {
+      for (const partial_velocity& w : s_.partial_angular_velocities[f]) {
         const seen_from best = nearest(w.value, s_.working_axes[f], direction.parts[0].frame);
         const components moved = cross(best.value, express(m_, carried_[f], best.axes));
         share[w.speed] += dot(moved, express(m_, direction, best.axes));

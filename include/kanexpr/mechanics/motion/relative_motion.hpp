@@ -17,10 +17,10 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
   vector w;
   while (a != b)
     if (above_a >= above_b) {
-      w.add(s.turning[a]);
+      w.add(s.relative_angular_velocity[a]);
       a = s.turns_in[a], --above_a;
     } else {
-      w.subtract(s.turning[b]);
+      w.subtract(s.relative_angular_velocity[b]);
       b = s.turns_in[b], --above_b;
     }
   return w;
@@ -32,7 +32,7 @@ namespace detail {
 constexpr vector step_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
   const station& at = s.stations[n];
-  vector v = at.slide;
+  vector v = at.relative_velocity;
   if (!at.absolute)
     v.add(s.working_axes[at.frame], cross(k.angular_velocity(at.frame), s.offset_in_working_axes(n)));
   return v;

@@ -47,7 +47,7 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
 constexpr bool planar(const skeleton& s) {
   int axis = none;
   for (const station& n : s.stations)
-    for (const vector::part& p : n.slide.parts)
+    for (const vector::part& p : n.relative_velocity.parts)
       if (s.rigid_with[p.frame] != mechanism::inertial) return false;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     const frame& own = s.model->frames[f];

@@ -59,7 +59,7 @@ private:
   /// the mass alone moves, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
     const station& at = s_.stations[l.station];
-    const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
+    const bool stands = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
     const int below = l.frame == at.frame ? s_.turns_in[l.frame] : at.frame;
     if (l.frame == at.frame ? !carries(l.station, below) : !stands) return l;
     const mechanism& m = *s_.model;
@@ -104,7 +104,7 @@ private:
   /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
   constexpr int spin_axis(int f, int below) const {
     if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
-    const components w = express(*s_.model, s_.turning[f], s_.body_axes[f]);
+    const components w = express(*s_.model, s_.relative_angular_velocity[f], s_.body_axes[f]);
     for (int a = 0; a < 3; ++a)
       if (w[(a + 1) % 3].is_zero() && w[(a + 2) % 3].is_zero()) return a;
     return none;

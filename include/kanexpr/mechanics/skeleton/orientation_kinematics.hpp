@@ -3,8 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
 
 /// The kinematic differential equations of a frame whose angular velocity is declared.
 namespace kanexpr::mechanics {
@@ -55,7 +55,7 @@ constexpr sequence<expression> orientation_kinematics(const mechanism& m, int pl
   bool turns = false; // above `axes`
   for (int f = place; f != reference; f = m.frames[f].parent) {
     if (quaternion && f == place) continue;
-    vector w = turning_of_orientation(m, f, along_time);
+    vector w = relative_angular_velocity(m, f, along_time);
     if (w.is_zero()) continue;
     if (quaternion || turns)
       w.parts[0].frame = f; // the axis of a turn has the same components below and above it

@@ -6,16 +6,16 @@
 
 namespace kanexpr::mechanics {
 
-/// A point of the skeleton and how it moves: v = v_parent + ω_frame × r + slide.
+/// A point of the skeleton and how it moves: v = v_parent + ω_frame × r + relative_velocity.
 struct station {
   int parent = none;
-  bool absolute = false; ///< v = slide alone, measured from the ground
+  bool absolute = false; ///< v = relative_velocity alone, measured from the ground
   int frame = mechanism::inertial;
   int offset_frame = mechanism::inertial; ///< the frame whose axes `r` is given in
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
   bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
-  vector slide{};
+  vector relative_velocity{};
   int axes =
       mechanism::inertial; ///< the frame in whose working axes the station's motion and forces are given
 
@@ -49,15 +49,15 @@ struct skeleton {
   sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that gave them
   sequence<int> rigid_with{}; ///< by frame: the frame that stands for all that turn with it
   sequence<int> turns_in{};   ///< by such frame: the one that its angular velocity is measured in
-  sequence<vector> turning{}; ///< by such frame: that angular velocity
-  sequence<int> body_axes{};  ///< by such frame: the axes in which its masses and offsets are given
+  sequence<vector> relative_angular_velocity{}; ///< by such frame: that angular velocity
+  sequence<int> body_axes{}; ///< by such frame: the axes in which its masses and offsets are given
   sequence<int>
       working_axes{}; ///< by such frame: the axes in which its motion, forces and composites are formed
   sequence<sequence<partial_velocity>>
-      partial_turning{};        ///< by such frame: the partial derivatives of that, in working axes
-  sequence<station> stations{}; ///< a parent comes before its children
+      partial_angular_velocities{}; ///< by such frame: the partial derivatives of that, in working axes
+  sequence<station> stations{};     ///< a parent comes before its children
   sequence<sequence<partial_velocity>>
-      partial_slide{}; ///< by station: the partial derivatives of its slide, in working axes
+      partial_velocities{}; ///< by station: the partial derivatives of its relative velocity, in working axes
   sequence<int> station_of_point{};
   sequence<link> links{};      ///< every mass, gathered where it moves as one
   sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see

@@ -7,8 +7,8 @@
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 #include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -26,8 +26,9 @@ public:
   constexpr void frames() {
     for (int f = 0; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
-      s_.turning.push(turning_of(f));
-      const bool turns = f != mechanism::inertial && (own.turns_by_declaration() || !s_.turning[f].is_zero());
+      s_.relative_angular_velocity.push(relative_angular_velocity_of(f));
+      const bool turns = f != mechanism::inertial &&
+                         (own.turns_by_declaration() || !s_.relative_angular_velocity[f].is_zero());
       s_.rigid_with.push(f == mechanism::inertial || turns ? f : s_.rigid_with[own.parent]);
     }
     for (int f = 0; f < m_.frames.size(); ++f) {
@@ -77,10 +78,10 @@ private:
     return s.coordinate_rates;
   }
 
-  constexpr vector turning_of(int f) {
+  constexpr vector relative_angular_velocity_of(int f) {
     const frame& own = m_.frames[f];
     if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
-    return turning_of_orientation(m_, f, along_time_);
+    return relative_angular_velocity(m_, f, along_time_);
   }
 
   constexpr int ground_station() {
@@ -99,14 +100,14 @@ private:
       n.absolute = true;
       n.parent = s_.station_of_point[at.parent];
       n.r = components(*m_.g);
-      n.slide = v;
+      n.relative_velocity = v;
       n.axes = v.parts.empty() ? mechanism::inertial : s_.rigid_with[v.parts[0].frame];
       return s_.stations.push(n);
     }
     int last = s_.station_of_point[at.parent];
     for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, true);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
-    s_.stations[last].slide = v;
+    s_.stations[last].relative_velocity = v;
     s_.stations[last].rigid = false;
     return last;
   }
@@ -120,7 +121,7 @@ private:
       const components growth{along_time_.of(p.value.x), along_time_.of(p.value.y),
                               along_time_.of(p.value.z)};
       if (growth.is_zero()) continue;
-      s_.stations[last].slide.add(p.frame, growth);
+      s_.stations[last].relative_velocity.add(p.frame, growth);
       s_.stations[last].rigid = false;
     }
     return last;
