@@ -88,7 +88,7 @@ struct equations_of_motion {
   /// The forces of the constraints, each along the direction in which it holds a velocity zero.
   static constexpr function<System, mechanics::quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds zero.
-  static constexpr function<System, mechanics::quantity::auxiliary_forces> auxiliary_forces{};
+  static constexpr function<System, mechanics::quantity::noncontributing_forces> noncontributing_forces{};
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

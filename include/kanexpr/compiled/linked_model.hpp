@@ -43,7 +43,7 @@ struct linked_functions {
       function<System, of::constraint_residual>, function<System, of::constraint_jacobian>,
       function<System, of::dependent_speeds>, function<System, of::dependency>,
       function<System, of::acceleration_bias>, function<System, of::multipliers>,
-      function<System, of::auxiliary_forces>, function<System, of::mass_matrix, of::forcing>,
+      function<System, of::noncontributing_forces>, function<System, of::mass_matrix, of::forcing>,
       function<System, of::kinetic_energy, of::potential_energy>,
       function<System, of::configuration_residual, of::configuration_jacobian_by_all>,
       function<System, of::velocity_residual, of::constraint_jacobian>,
@@ -193,7 +193,7 @@ struct linked_equations {
   static constexpr linked<of::dependency> dependency{};
   static constexpr linked<of::acceleration_bias> acceleration_bias{};
   static constexpr linked<of::multipliers> multipliers{};
-  static constexpr linked<of::auxiliary_forces> auxiliary_forces{};
+  static constexpr linked<of::noncontributing_forces> noncontributing_forces{};
 
   /// Several results of one call, as far as the library holds them together: `mass_matrix` with `forcing`,
   /// and both energies.

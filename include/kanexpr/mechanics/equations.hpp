@@ -112,7 +112,7 @@ public:
     case quantity::dependency: return dynamics_.dependent().on_independent;
     case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
     case quantity::multipliers: return dynamics_.lambda();
-    case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
+    case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
     case quantity::state_matrix:
     case quantity::input_matrix:
     case quantity::state_jacobian:

@@ -27,22 +27,22 @@ enum class quantity : unsigned char {
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
   configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
-  velocity_residual,     ///< m: the velocity constraints, then the rates of configuration constraints
-  velocity_terms,        ///< m: how large the terms are of which that is the sum
-  constraint_residual,   ///< both, l+m
-  constraint_jacobian,   ///< J in J u + c = 0, m×p
-  dependent_speeds,      ///< u_d as the constraints give them by the independent ones, m
-  dependency,            ///< A in u̇_d = A u̇_i + b, m×(p−m)
-  acceleration_bias,     ///< b in u̇_d = A u̇_i + b, m
-  multipliers,           ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
-  auxiliary_forces,      ///< the forces that keep the auxiliary speeds zero, one for each
-  state_matrix,          ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
-  input_matrix,          ///< B, (n−l+p−m)×s
-  state_jacobian,        ///< ∂[q̇; u̇]/∂[q; u], as if nothing bound the state, (n+p)×(n+p)
-  input_jacobian,        ///< ∂[q̇; u̇]/∂r, (n+p)×s
-  implicit_mass_matrix,  ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
-  implicit_state_matrix, ///< A, (n+p+k)×(n−l+p−m)
-  implicit_input_matrix, ///< B, (n+p+k)×s
+  velocity_residual,      ///< m: the velocity constraints, then the rates of configuration constraints
+  velocity_terms,         ///< m: how large the terms are of which that is the sum
+  constraint_residual,    ///< both, l+m
+  constraint_jacobian,    ///< J in J u + c = 0, m×p
+  dependent_speeds,       ///< u_d as the constraints give them by the independent ones, m
+  dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
+  acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
+  multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
+  noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
+  state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
+  input_matrix,           ///< B, (n−l+p−m)×s
+  state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u], as if nothing bound the state, (n+p)×(n+p)
+  input_jacobian,         ///< ∂[q̇; u̇]/∂r, (n+p)×s
+  implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
+  implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
+  implicit_input_matrix,  ///< B, (n+p+k)×s
 };
 
 /// How many rows or columns a result has, by what there is that many of.
@@ -129,7 +129,7 @@ inline constexpr result_row results[]{
     {quantity::acceleration_bias, "acceleration_bias", extent_by::speed_constraints, extent_by::one,
      stage::equations},
     {quantity::multipliers, "multipliers", extent_by::speed_constraints, extent_by::one, stage::equations},
-    {quantity::auxiliary_forces, "auxiliary_forces", extent_by::auxiliary_speeds, extent_by::one,
+    {quantity::noncontributing_forces, "noncontributing_forces", extent_by::auxiliary_speeds, extent_by::one,
      stage::equations},
     {quantity::state_matrix, "explicit_form", extent_by::independent_states, extent_by::independent_states,
      stage::linearized},

@@ -50,7 +50,7 @@ public:
   symbolic::matrix udot() { return get(mechanics::quantity::udot); }
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
-  symbolic::matrix auxiliary_forces() { return get(mechanics::quantity::auxiliary_forces); }
+  symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.

@@ -150,7 +150,7 @@ TEST(springs, act_on_auxiliary_speeds) {
     }
     ASSERT_EQ(b.check().view(), "");
     mechanics::equations e(b.mechanism());
-    force[by_vectors] = found(b, e, quantity::auxiliary_forces);
+    force[by_vectors] = found(b, e, quantity::noncontributing_forces);
   }
   EXPECT_GT(std::abs(force[1](0)), 0.1);
   expect_equal(force[0], force[1]);
