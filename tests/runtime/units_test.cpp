@@ -73,7 +73,7 @@ motion of_slider_crank(const units& in) {
   const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
   kanexpr::symbolic::sequence<int> outputs;
   for (const expression& e : udot.entries) outputs.push(e.node());
-  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
   const double turn = 0.8, swing = -std::asin(0.3 * std::sin(turn) / 1.1), w1 = 1.7,
                w2 = -0.3 * std::cos(turn) * w1 / (1.1 * std::cos(swing));
   VectorXd x(6);
@@ -201,7 +201,7 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     ASSERT_EQ(derived.mistake().view(), "");
     kanexpr::symbolic::sequence<int> outputs;
     for (const expression& e : udot.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
     VectorXd state(6);
     state << 0.5, 3 * scale, 0.2, 0, 0, 0;
     f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));

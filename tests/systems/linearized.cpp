@@ -54,7 +54,8 @@ kanexpr::runtime::interpreted<Scalar> derived_functions::function(kanexpr::mecha
                                                                   quantity wanted) {
   const kanexpr::symbolic::matrix result = e.get(wanted);
   const auto& m = *e.skeleton_used().model;
-  return {*m.g, result, m.coordinates.size(), e.guards_of(kanexpr::symbolic::nodes_of(result.entries))};
+  return {*m.g, result, m.coordinates.size(),
+          e.singularity_checks_of(kanexpr::symbolic::nodes_of(result.entries))};
 }
 
 derived_functions::derived_functions(kanexpr::mechanics::equations& e)

@@ -169,8 +169,8 @@ private:
       return std::tuple(compiled::no_result_of<T, wanted>()...);
   }
 
-  static constexpr int guards = code::causes.sizes.count;
-  static constexpr int first_guard = code::tape.sizes.results - 2 * guards;
+  static constexpr int checks = code::causes.sizes.count;
+  static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
   template <class T>
   [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
@@ -185,10 +185,10 @@ private:
   template <class T, class Result>
   [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
                                                     const Result& result) noexcept {
-    if constexpr (guards == 0)
+    if constexpr (checks == 0)
       return result;
     else
-      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, guards>{})};
+      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, checks>{})};
   }
 
   /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
@@ -196,7 +196,7 @@ private:
   [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
     int first = -1;
-    const int order[]{(first = passes<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
+    const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
     static_cast<void>(order);
     const std::string_view cause = code::causes[first < 0 ? 0 : first];
     return first < 0 ? status() : status(cause);
@@ -204,10 +204,10 @@ private:
 
   template <class T, int i>
   [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, T>& done) noexcept {
-    constexpr bool of_finiteness = code::tells_finiteness && i == guards - 1;
-    return lower::passes<of_finiteness, T>(done.template result<first_guard + 2 * i>(),
-                                           done.template result<first_guard + 2 * i + 1>(),
-                                           mechanics::least_regularity<T>());
+    constexpr bool of_finiteness = code::tells_finiteness && i == checks - 1;
+    return lower::passes<of_finiteness, T>(done.template result<first_check + 2 * i>(),
+                                           done.template result<first_check + 2 * i + 1>(),
+                                           mechanics::least_singularity_measure<T>());
   }
 
   template <class T, int first, auto one>

@@ -33,7 +33,7 @@ constexpr sentence check_room(std::string_view system, const lower::tape_sizes& 
 /// The nodes of all entries of the results, then those of what may be singular on the way to them.
 struct cut_nodes {
   sequence<int> nodes{};
-  sequence<mechanics::guard> guards{};
+  sequence<mechanics::singularity_check> checks{};
 };
 
 constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> all) {
@@ -43,8 +43,8 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
     for (const expression& entry : result.entries) found.nodes.push(entry.node());
   }
   if (system.mistake()) return found;
-  found.guards = system.equations().guards_of(found.nodes);
-  for (const mechanics::guard& g : found.guards) {
+  found.checks = system.equations().singularity_checks_of(found.nodes);
+  for (const mechanics::singularity_check& g : found.checks) {
     found.nodes.push(g.measure.node());
     found.nodes.push(g.scale.node());
   }
@@ -74,7 +74,7 @@ constexpr cut_code cut(derived_system& system, std::string_view called, const su
   if (system.mistake()) return cut_code(system.mistake());
   if (const sentence added = check_symbols(called, of_system, system.model())) return cut_code(added);
   cut_code code;
-  for (const mechanics::guard& g : found.guards) {
+  for (const mechanics::singularity_check& g : found.checks) {
     if (!code.causes.has_room_for(g.cause))
       return cut_code(
           sentence({"what is asked of ", called,

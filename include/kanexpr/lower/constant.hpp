@@ -30,9 +30,9 @@ constexpr void run_linear_step(const linear_step& e, const int* operands, const 
   const double* const factors = slot + e.factors;
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
-  if (e.op == operation::regularity) {
+  if (e.op == operation::singularity_measure) {
     const bool singular = numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
-    *out = singular ? 0 : numeric::regularity_of<math>(e.order, factors, inputs.begin());
+    *out = singular ? 0 : numeric::singularity_measure_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];

@@ -27,11 +27,11 @@ struct linear_step {
   int operands = 0; ///< where its operands begin among those of all linear steps
 
   constexpr int inputs() const {
-    return op == operation::factorization || op == operation::regularity ? order * order : order;
+    return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
   }
   constexpr int outputs() const {
     if (op == operation::factorization) return numeric::factors{order}.size();
-    return op == operation::regularity ? 1 : order;
+    return op == operation::singularity_measure ? 1 : order;
   }
 };
 
@@ -222,8 +222,8 @@ constexpr symbolic::cost cost_of(const tape& t) {
   for (const linear_step& e : t.linear_steps) {
     if (e.op == operation::factorization)
       total.count_factorization(e.order);
-    else if (e.op == operation::regularity)
-      total.count_regularity(e.order);
+    else if (e.op == operation::singularity_measure)
+      total.count_singularity_measure(e.order);
     else
       total.count_substitution(e.order);
   }

@@ -125,10 +125,10 @@ private:
   template <int i>
   [[gnu::always_inline]] static void eliminate(T* out, const T* slot) noexcept {
     constexpr linear_step e = tape.linear_steps[i];
-    if constexpr (e.op == operation::regularity) {
+    if constexpr (e.op == operation::singularity_measure) {
       T squares[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(squares, slot, up_to<e.inputs()>{});
-      *out = unrolled_elimination<e.order, T>::regularity(slot + e.factors, squares);
+      *out = unrolled_elimination<e.order, T>::singularity_measure(slot + e.factors, squares);
     } else {
       gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)

@@ -8,7 +8,7 @@
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
-#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -194,22 +194,24 @@ public:
   }
 
   /// What may be singular at a state in the way to some results; last, whether they are finite.
-  constexpr sequence<guard> guards_of(const sequence<int>& outputs) {
-    sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
+  constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
+    sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
-      for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
-    for (const guard& g : guards_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
+      for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
+        all.push(g);
+    for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
     const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
     if (any)
-      for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
+      for (const singularity_check& g :
+           checks_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
-      for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
-    sequence<guard> live = live_guards(*m_->g, all, outputs);
-    for (const guard& g : guards_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
+      for (const singularity_check& g : checks_of_mass(*m_, speeds_, pivots())) all.push(g);
+    sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
+    for (const singularity_check& g : checks_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
     return live;
   }
 

@@ -23,10 +23,12 @@ public:
   }
 
   /// The least pivot beside the largest entry.
-  double regularity() const { return f_(factors{order_}.least_pivot()) / largest_; }
+  double singularity_measure() const { return f_(factors{order_}.least_pivot()) / largest_; }
 
   /// Whether rounding decides on the least pivot.
-  bool is_singular() const { return !(regularity() > order_ * std::numeric_limits<double>::epsilon()); }
+  bool is_singular() const {
+    return !(singularity_measure() > order_ * std::numeric_limits<double>::epsilon());
+  }
 
   /// Turns b into the solution of A x = b.
   void solve(Vector& b) const { solve_factorized<constant_elimination_math>(order_, f_.data(), b.data()); }

@@ -70,13 +70,13 @@ void interpreter<T>::eliminate(const lower::linear_step& e) {
   using symbolic::operation;
   using math = lower::elimination_math<T>;
   T* const out = slots_.begin() + code_.first_step() + e.step;
-  T* const into = e.op == operation::regularity ? squares_.begin() : out;
+  T* const into = e.op == operation::singularity_measure ? squares_.begin() : out;
   const T* const factors = slots_.begin() + e.factors;
   for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
-  else if (e.op == operation::regularity)
-    *out = numeric::regularity_of<math>(e.order, factors, into);
+  else if (e.op == operation::singularity_measure)
+    *out = numeric::singularity_measure_of<math>(e.order, factors, into);
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);
   else
@@ -111,7 +111,7 @@ void interpreter<T>::run(const lower::instruction& step, const T* values, T* out
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: return; // belong to an elimination
+  case form::singularity_measure: return; // belong to an elimination
   }
 }
 

@@ -93,7 +93,7 @@ public:
   /// last bit.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    return {graph(), result, coordinates(), guards_of(result)};
+    return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
 
   symbolic::graph& graph() { return system_->graph(); }
@@ -104,7 +104,7 @@ public:
 private:
   int coordinates() const;
   /// What may be singular on the way to a result.
-  symbolic::sequence<mechanics::guard> guards_of(const symbolic::matrix& result);
+  symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 
   std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };

@@ -78,11 +78,12 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
-KANEXPR_ENGINE symbolic::sequence<mechanics::guard> model::guards_of(const symbolic::matrix& result) {
+KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
+model::singularity_checks_of(const symbolic::matrix& result) {
   if (system_->equations() == nullptr) return {};
   symbolic::sequence<int> outputs;
   for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-  return equations().guards_of(outputs);
+  return equations().singularity_checks_of(outputs);
 }
 
 } // namespace kanexpr

@@ -32,8 +32,8 @@ constexpr partials local_partials(graph& g, int id) {
   }
   case form::constant: // have no operands
   case form::symbol:
-  case form::regularity: // is never differentiated
-  case form::pair:       // have derivatives of their own, below
+  case form::singularity_measure: // is never differentiated
+  case form::pair:                // have derivatives of their own, below
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
@@ -80,7 +80,7 @@ private:
     int rate = graph::zero;
     if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
-    } else if (!is_leaf(n.op) && n.op != operation::regularity) {
+    } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
       const expression a{*graph_, of(n.a)};
       const expression b{*graph_, is_binary(n.op) ? of(n.b) : graph::zero};
       if (n.op == operation::divide) {

@@ -28,7 +28,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: break; // no operations on two numbers
+  case form::singularity_measure: break; // no operations on two numbers
   }
   return elementary::detail::not_a_number;
 }
@@ -105,8 +105,8 @@ private:
     const bool all = gather(n.b);
     const double* const f = &more_[place_[n.a]];
     const double least = f[place.least_pivot()];
-    if (n.op == operation::regularity)
-      return all && numeric::is_number(least) ? regularity(order, f, first) : undefined;
+    if (n.op == operation::singularity_measure)
+      return all && numeric::is_number(least) ? singularity_measure(order, f, first) : undefined;
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
@@ -117,10 +117,10 @@ private:
     return 0;
   }
 
-  constexpr double regularity(int order, const double* f, int squares) {
+  constexpr double singularity_measure(int order, const double* f, int squares) {
     if (numeric::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
     if (order > largest_written_out)
-      return numeric::regularity_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
+      return numeric::singularity_measure_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;
     for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
     return 1 / elementary::abs(inverse);

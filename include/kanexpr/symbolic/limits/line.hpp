@@ -48,7 +48,7 @@ private:
   expansion expand(int id) {
     const node n = g_[id];
     if (!point_.is_singular(id) && !point_.is_moved(id)) return series(plain(id));
-    if (n.op == operation::regularity) return measured(id);
+    if (n.op == operation::singularity_measure) return measured(id);
     if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, n);
     const expansion& a = found_.at(n.a);
     if (!a) return passed(id, n.a);

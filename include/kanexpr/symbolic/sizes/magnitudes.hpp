@@ -47,7 +47,7 @@ private:
     case form::function: return size_of_function(n.op, size_[n.a], value[n.a], value[id]);
     case form::constant:
     case form::symbol:
-    case form::regularity: return v;
+    case form::singularity_measure: return v;
     case form::atan2: return v + size_[n.a];
     }
     return v;
