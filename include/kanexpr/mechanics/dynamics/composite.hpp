@@ -41,7 +41,7 @@ public:
     for (int n = s_.stations.size() - 1; n >= 0; --n) {
       while (take_deepest_frame_down(n)) {
       }
-      take_node_down(n);
+      take_station_down(n);
     }
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
@@ -114,7 +114,7 @@ private:
   }
 
   /// Takes all that hangs at station `n` over to its parent.
-  constexpr void take_node_down(int n) {
+  constexpr void take_station_down(int n) {
     const station& at = s_.stations[n];
     composite c = composite_of(n, at.frame);
     if (at.frame !=

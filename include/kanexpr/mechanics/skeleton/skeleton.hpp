@@ -16,8 +16,7 @@ struct station {
   bool carried = true; ///< ṙ = ω_frame × r
   bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
   vector relative_velocity{};
-  int axes =
-      mechanism::inertial; ///< the frame in whose working axes the station's motion and forces are given
+  int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are given
 
   constexpr vector offset() const {
     vector v;
