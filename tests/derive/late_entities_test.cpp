@@ -13,10 +13,10 @@
 
 namespace {
 
-using kanexpr::derivation::derived_system;
-using kanexpr::derivation::request;
-using kanexpr::derivation::requested;
-using kanexpr::derivation::stage;
+using kanexpr::deriving::derived_system;
+using kanexpr::deriving::request;
+using kanexpr::deriving::requested;
+using kanexpr::deriving::stage;
 using kanexpr::mechanics::quantity;
 
 namespace camera {
@@ -55,7 +55,7 @@ constexpr quantity all_results[]{quantity::mass_matrix,
 
 kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
   const request all[]{{.what = request::kind::result, .wanted = wanted}};
-  return kanexpr::lower::tape_of(system.graph(), kanexpr::derivation::nodes_for(system, all).nodes);
+  return kanexpr::lower::tape_of(system.graph(), kanexpr::deriving::nodes_for(system, all).nodes);
 }
 
 template <auto a, auto b>
@@ -87,9 +87,9 @@ TEST(late_entities, change_no_result) {
     derived_system plain(bicycle::System::record), extended(bicycle::System::record);
     for (derived_system* each : {&plain, &extended})
       for (int s = 0; s <= static_cast<int>(first); ++s)
-        kanexpr::derivation::go_on(*each, static_cast<stage>(s));
+        kanexpr::deriving::go_on(*each, static_cast<stage>(s));
     constexpr request more = requested<camera::of_lens>::value;
-    kanexpr::derivation::form(more, extended.reader(), extended.equations());
+    kanexpr::deriving::form(more, extended.reader(), extended.equations());
     ASSERT_FALSE(extended.mistake()) << extended.mistake().view();
     ASSERT_GT(extended.model().points.size(), plain.model().points.size());
     for (const quantity wanted : all_results) {

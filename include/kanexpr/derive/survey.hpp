@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 class derived_system;
 
@@ -12,7 +12,7 @@ class derived_system;
 struct survey {
   static constexpr int room = 512;
 
-  mechanics::problem mistake{};
+  mechanics::sentence mistake{};
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -93,4 +93,4 @@ struct survey {
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,7 +4,7 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 constexpr void survey::take(derived_system& system) {
   const mechanism& m = system.model();
@@ -31,4 +31,4 @@ constexpr void survey::take(derived_system& system) {
   for (int i : e.speeds().dependent) dependent[coordinates + i] = true;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

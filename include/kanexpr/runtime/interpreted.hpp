@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/runtime/guarded_code.hpp>
+#include <kanexpr/runtime/checked_code.hpp>
 
 #include <Eigen/Core>
 
@@ -15,10 +15,10 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `guards`: what may be singular on the way to the results.
+  /// `checks`: what may be singular on the way to the results.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
-              const symbolic::sequence<mechanics::guard>& guards = {})
-      : code_(g, wanted, guards), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
+              const symbolic::sequence<mechanics::singularity_check>& checks = {})
+      : code_(g, wanted, checks), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
 
   /// Operations of one call.
   symbolic::cost cost() const { return code_.cost(); }
@@ -69,7 +69,7 @@ private:
     Scalar operator[](Eigen::Index) const { return std::numeric_limits<Scalar>::quiet_NaN(); }
   };
 
-  guarded_code<Scalar> code_;
+  checked_code<Scalar> code_;
   int coordinates_;
   matrix result_;
 };

@@ -27,7 +27,7 @@ public:
   input_source(std::initializer_list<named_value> constants)
       : input_source(given_inputs<System>(constants)) {}
   input_source(const given_inputs<System>& constants)
-      : problem_(constants.problem),
+      : mistake_(constants.mistake),
         give_([r = constants.values](double, const state&, inputs& out) { out = r; }) {}
   template <class Derived>
   input_source(const Eigen::MatrixBase<Derived>& constants) : input_source(given_inputs<System>(constants)) {}
@@ -48,7 +48,7 @@ public:
       : give_([f = std::move(of_time)](double t, const state&, inputs& r) { r = f(t); }) {}
 
   /// A mistake in constants, as a sentence.
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
   bool depends_on_state() const { return depends_on_state_; }
 
   /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  mechanics::problem problem_;
+  mechanics::sentence mistake_;
   std::function<void(double, const state&, inputs&)> give_;
   bool depends_on_state_ = false;
 };

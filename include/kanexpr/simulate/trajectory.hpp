@@ -143,7 +143,7 @@ public:
   }
 
 private:
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
 
   auto rates(const sample& s) const {
     return out_of_line<function<System, mechanics::quantity::rhs>>{}(s.t, s.x, p_, s.r);

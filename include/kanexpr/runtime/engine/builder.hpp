@@ -19,7 +19,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : m_(*graph_), 
   mechanics::add_inertial_frame(m_, inertial_frame);
 }
 
-KANEXPR_ENGINE problem(builder::check)() const {
+KANEXPR_ENGINE sentence(builder::check)() const {
   return mistake() ? mistake() : mechanics::check_mechanism(m_);
 }
 
@@ -89,7 +89,7 @@ KANEXPR_ENGINE void builder::kinematic_equation(expression vanishes) {
 KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
   constexpr std::string_view whose = "kinematics_of";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
-  if (const problem found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
+  if (const sentence found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
     inspect_.fail({found.view()});
     return;
   }
@@ -278,7 +278,7 @@ KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damp
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
   constexpr std::string_view whose = "a torsional spring";
   if (!inspect_.own(angle, whose) || !inspect_.own({stiffness, rest}, whose)) return;
-  if (const problem found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
+  if (const sentence found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
     inspect_.fail({found.view()});
   else
     mechanics::add_torsional_spring(m_, angle, stiffness, rest);

@@ -16,7 +16,7 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const derivation::request> also)
+KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const deriving::request> also)
     : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
 
 KANEXPR_ENGINE std::string model::mistake() const { return std::string(system_->mistake().view()); }
@@ -33,17 +33,17 @@ KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
   return equations().get(wanted);
 }
 
-KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
+KANEXPR_ENGINE symbolic::matrix model::get(const deriving::request& wanted) {
   if (system_->mistake()) return {};
-  return derivation::form(wanted, system_->reader(), equations());
+  return deriving::form(wanted, system_->reader(), equations());
 }
 
-KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
+KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::request> measured) {
   if (system_->mistake()) return {};
   symbolic::matrix all(graph(), 0, 1);
-  for (const derivation::request& each : measured)
+  for (const deriving::request& each : measured)
     for (const symbolic::expression& e :
-         derivation::form_with_rates(each, system_->reader(), equations()).entries)
+         deriving::form_with_rates(each, system_->reader(), equations()).entries)
       all.entries.push(e);
   all.rows = all.entries.size();
   return all;
@@ -80,11 +80,12 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
-KANEXPR_ENGINE symbolic::sequence<mechanics::guard> model::guards_of(const symbolic::matrix& result) {
+KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
+model::singularity_checks_of(const symbolic::matrix& result) {
   if (system_->equations() == nullptr) return {};
   symbolic::sequence<int> outputs;
   for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-  return equations().guards_of(outputs);
+  return equations().singularity_checks_of(outputs);
 }
 
 } // namespace kanexpr

@@ -32,7 +32,7 @@ public:
         back_through(id, n);
         continue;
       }
-      if (n.op == operation::regularity) continue;
+      if (n.op == operation::singularity_measure) continue;
       const int adjoint = adjoints_[id];
       if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
         collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
