@@ -77,7 +77,8 @@ struct result_row {
   std::string_view called{}; ///< by who asks for it
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false; ///< and not known where a model gives its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< and not known where a model gives its Lagrangian as a whole
+  bool holds_speed_rates = false; ///< the symbols u̇, which its function is given
 };
 
 inline constexpr result_row results[]{
@@ -94,8 +95,9 @@ inline constexpr result_row results[]{
     {quantity::active_forces, "active_forces", extent_by::independent_speeds, extent_by::one,
      stage::equations},
     {quantity::inertia_forces, "inertia_forces", extent_by::independent_speeds, extent_by::one,
-     stage::equations},
-    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations},
+     stage::equations, false, true},
+    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations,
+     false, true},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
      true},
     {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
@@ -155,6 +157,9 @@ static_assert([] {
     if (static_cast<int>(row.is) != next++) return false;
   return true;
 }());
+
+/// Whether a result is a part of the linearized equations, which are asked for as a whole.
+constexpr bool is_of_linearization(quantity wanted) { return wanted >= quantity::state_matrix; }
 
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 
