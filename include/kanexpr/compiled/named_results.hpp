@@ -36,6 +36,9 @@ struct named_results {
   static constexpr of<quantity::linear_momentum> linear_momentum{};
   static constexpr of<quantity::angular_momentum> angular_momentum{};
   static constexpr of<quantity::center_of_mass> center_of_mass{};
+  /// ∂T/∂u_r of all speeds as if nothing bound them, M u and what prescribed motions add; by Lagrange's
+  /// method ∂L/∂q̇_r.
+  static constexpr of<quantity::generalized_momenta> generalized_momenta{};
 
   /// What the configuration constraints leave, zero where they hold.
   static constexpr of<quantity::configuration_residual> configuration_residual{};

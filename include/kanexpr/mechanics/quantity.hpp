@@ -22,6 +22,7 @@ enum class quantity : unsigned char {
   linear_momentum,                     ///< 3, inertial axes
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
+  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints bind them, p
   configuration_residual,              ///< l
   configuration_terms,                 ///< l: how large the terms are of which that is the sum
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
@@ -107,6 +108,8 @@ inline constexpr result_row results[]{
     {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained,
      true},
     {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained, true},
+    {quantity::generalized_momenta, "generalized_momenta", extent_by::speeds, extent_by::one,
+     stage::constrained},
     {quantity::configuration_residual, "configuration_residual", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
     {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,
