@@ -66,7 +66,7 @@ double cart_value(const kanexpr::lower::load& l) {
 TEST(builder, gives_the_equations_of_what_was_built) {
   pendulum_on_cart b;
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   double mass[4], force[2];
   code_for(b, derived.get(quantity::mass_matrix)).evaluate(cart_value, mass);
@@ -87,7 +87,7 @@ TEST(builder, takes_a_body_without_mass) {
     const expression none = by_parameter ? b.parameter("none") : b.number(0), zero = b.number(0);
     b.rigid_body("Wheel", b.bob, b.rod, none, b.inertia(b.rod, zero, zero, b.number(0.07)));
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     derived.constrain();
     double mass[4], force[2], energy[1];
     const auto value = [](const kanexpr::lower::load& l) {
@@ -110,7 +110,7 @@ using kanexpr::symbolic::print;
 
 TEST(builder, keeps_constraints_and_what_depends_on_them) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
+  equations derived(b.system());
   b.velocity_constraint(kanexpr::mechanics::velocity_of_point(derived.moving(), place(b.bob)),
                         b.along(b.n, 1, 0, 0));
   b.velocity_constraint(b.v - b.length * b.omega);
@@ -140,7 +140,7 @@ TEST(builder, derives_what_is_constrained) {
   pendulum_on_cart b;
   b.velocity_constraint(b.v); // the cart stands still
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   ASSERT_EQ(derived.mistake().view(), "");
   double udot[2];
@@ -181,7 +181,7 @@ TEST(builder, writes_the_kinematics_of_a_frame) {
 
 TEST(interpreter, takes_memory_only_once) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   interpreter<double> code = code_for(b, derived.get(quantity::udot));
   double udot[2];

@@ -15,7 +15,7 @@ struct bound_mechanism {
   kanexpr::mechanics::equations derived;
 
   bound_mechanism(mechanism& of, const std::vector<constraint>& bounds)
-      : m(of), built(m, b), derived(b.mechanism()) {
+      : m(of), built(m, b), derived(b.system()) {
     for (const constraint& c : bounds) bind(c);
   }
 

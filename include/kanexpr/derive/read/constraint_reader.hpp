@@ -49,7 +49,7 @@ protected:
     const expression e = symbol(*s, whom);
     if (mistake_) return;
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
-    sequence<int>& places = coordinate ? m_.dependent_coordinates : m_.dependent_speeds;
+    sequence<int>& places = coordinate ? constraints_.dependent_coordinates : constraints_.dependent_speeds;
     if (place == none)
       return fail({"auxiliary speed ", s->called.view(), " appears in ", whom, "; it is zero at all times"});
     if (places.contains(place)) return fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
@@ -69,11 +69,11 @@ private:
 
   constexpr void keep(const kind& k, const velocity_constraint& c) {
     if (k.list == &system_record::configuration_constraints)
-      m_.configuration_constraints.push(c.value);
+      constraints_.on_configuration.push(c.value);
     else if (k.list == &system_record::velocity_constraints)
-      m_.velocity_constraints.push(c);
+      constraints_.on_velocities.push(c);
     else
-      m_.acceleration_constraints.push(c.value);
+      constraints_.on_accelerations.push(c.value);
   }
 
   /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.

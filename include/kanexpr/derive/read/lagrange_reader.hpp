@@ -13,8 +13,8 @@ public:
 
   /// After `know`.
   constexpr void read_lagrangian() {
-    if (mistake_ || !m_.has_lagrangian) return;
-    m_.lagrangian = scalar_of(from_.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
+    if (mistake_ || !loads_.has_lagrangian) return;
+    loads_.lagrangian = scalar_of(from_.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
   }
 
 protected:
@@ -32,7 +32,7 @@ protected:
     if (from_.lagrangian.size > 1) return fail({"lagrangian<...> takes one expression"});
     const phrase& p = from_.lagrangian[0];
     if (p.kind != shape::scalar) return fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
-    m_.has_lagrangian = true;
+    loads_.has_lagrangian = true;
     visit(p.tokens, p.size, the_lagrangian);
     for (int i = 0; i < p.size && !mistake_; ++i)
       if (p.tokens[i].symbol != nullptr) symbol(*p.tokens[i].symbol, the_lagrangian);

@@ -5,7 +5,7 @@
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 
 namespace kanexpr::deriving {
 
@@ -20,7 +20,8 @@ using symbolic::sequence;
 /// The first mistake of the whole reading is kept here, as a sentence.
 class symbol_reader {
 public:
-  constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
+  constexpr symbol_reader(const system_record& from, mechanics::multibody_system& into)
+      : from_(from), m_(into.mechanism), loads_(into.loads), constraints_(into.constraints) {}
 
   constexpr const sentence& mistake() const { return mistake_; }
   /// Whether the mistake is that of a type of which the compiler has reported one already.
@@ -183,6 +184,8 @@ protected:
 
   const system_record& from_;
   mechanism& m_;
+  mechanics::loads& loads_;
+  mechanics::given_constraints& constraints_;
   sentence mistake_{};
   std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
 

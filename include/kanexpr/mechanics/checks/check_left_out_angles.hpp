@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 
 /// What is given along axes of frames whose orientation leaves an angle out, and depends on that angle.
 namespace kanexpr::mechanics {
@@ -13,15 +14,15 @@ namespace detail {
 /// is the same in whatever axes it is written.
 class checking_left_out_angles {
 public:
-  constexpr checking_left_out_angles(const mechanism& m, const contents& held,
+  constexpr checking_left_out_angles(const multibody_system& of, const contents& held,
                                      const sequence<left_out_angle>& angles)
-      : m_(m), held_(held), angles_(angles) {
+      : m_(of.mechanism), held_(held), angles_(angles) {
     for (const left_out_angle& l : angles_) {
       collect_frames(l);
-      collect_points(l);
-      collect_loads(l);
-      for (int i = 0; i < m.velocity_constraints.size(); ++i)
-        collect(l, m.velocity_constraints[i].direction, what::direction, i);
+      collect_points(l, of.loads);
+      collect_loads(l, of.loads);
+      for (int i = 0; i < of.constraints.on_velocities.size(); ++i)
+        collect(l, of.constraints.on_velocities[i].direction, what::direction, i);
     }
   }
 
@@ -86,21 +87,21 @@ private:
   }
 
   /// Those that carry mass or loads.
-  constexpr void collect_points(const left_out_angle& l) {
+  constexpr void collect_points(const left_out_angle& l, const loads& given) {
     sequence<char> carries(m_.points.size(), 0);
     const auto reach = [&](int p) {
       for (; p != none && carries[p] == 0; p = m_.points[p].parent) carries[p] = 1;
     };
     for (const body& b : m_.bodies) reach(b.center);
-    for (const force& f : m_.forces) reach(f.point), reach(f.against);
-    for (const spring_damper& s : m_.spring_dampers) reach(s.point), reach(s.other);
+    for (const force& f : given.forces) reach(f.point), reach(f.against);
+    for (const spring_damper& s : given.spring_dampers) reach(s.point), reach(s.other);
     for (int p = 0; p < m_.points.size(); ++p)
       if (carries[p] != 0) collect(l, m_.points[p].offset, what::offset, p);
   }
 
-  constexpr void collect_loads(const left_out_angle& l) {
-    for (const force& f : m_.forces) collect(l, f.value, what::force, f.point);
-    for (const torque& t : m_.torques) collect(l, t.value, what::torque, t.frame);
+  constexpr void collect_loads(const left_out_angle& l, const loads& given) {
+    for (const force& f : given.forces) collect(l, f.value, what::force, f.point);
+    for (const torque& t : given.torques) collect(l, t.value, what::torque, t.frame);
   }
 
   constexpr bool depends(const generic_motion& motion, const doubt& d) const {

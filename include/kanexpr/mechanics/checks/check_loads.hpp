@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -31,17 +32,18 @@ namespace detail {
 
 class checking_loads {
 public:
-  constexpr checking_loads(const mechanism& m, const contents& held) : m_(m), held_(held) {}
+  constexpr checking_loads(const mechanism& m, const loads& acting, const contents& held)
+      : m_(m), loads_(acting), held_(held) {}
 
   constexpr sentence run() {
-    for (const force& f : m_.forces) look_at(f);
-    for (const torque& t : m_.torques) look_at(t);
+    for (const force& f : loads_.forces) look_at(f);
+    for (const torque& t : loads_.torques) look_at(t);
     check_gravity();
-    for (int i = 0; i < m_.potential_energies.size() && !found_; ++i)
-      found_ =
-          check_stillness(m_, held_, m_.potential_energies[i], "potential energy ", counted(i + 1).view());
-    for (const spring_damper& e : m_.spring_dampers) look_at(e);
-    for (const torsional_damper& e : m_.torsional_dampers) look_at(e);
+    for (int i = 0; i < loads_.potential_energies.size() && !found_; ++i)
+      found_ = check_stillness(m_, held_, loads_.potential_energies[i], "potential energy ",
+                               counted(i + 1).view());
+    for (const spring_damper& e : loads_.spring_dampers) look_at(e);
+    for (const torsional_damper& e : loads_.torsional_dampers) look_at(e);
     return found_;
   }
 
@@ -117,7 +119,7 @@ private:
   /// Its potential energy is −m g·r, and its force m g: the derivative of the energy only where g has none.
   constexpr void check_gravity() {
     std::string_view coordinate, turns; // that it holds, and the frame that turns with it
-    for (const vector::part& part : m_.gravity.parts) {
+    for (const vector::part& part : loads_.gravity.parts) {
       for (int i = 0; i < 3; ++i) {
         free_of_rates(part.value[i], "gravity", {});
         if (held_.holds(part.value[i], kind::coordinate))
@@ -144,7 +146,7 @@ private:
   /// Whether it depends on coordinates in the end: given along several axes it may be one vector all the
   /// time.
   constexpr bool gravity_changes() const {
-    const components g = express(m_, m_.gravity, mechanism::inertial);
+    const components g = express(m_, loads_.gravity, mechanism::inertial);
     symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, then its derivatives
     for (int i = 0; i < 3; ++i) {
       all(0, i) = g[i];
@@ -190,6 +192,7 @@ private:
   }
 
   const mechanism& m_;
+  const loads& loads_;
   const contents& held_;
   sentence found_{};
 };
@@ -197,6 +200,8 @@ private:
 } // namespace detail
 
 /// Of loads alone: the first mistake, or nothing.
-constexpr sentence check_loads(const mechanism& m) { return detail::checking_loads(m, contents(*m.g)).run(); }
+constexpr sentence check_loads(const mechanism& m, const loads& acting) {
+  return detail::checking_loads(m, acting, contents(*m.g)).run();
+}
 
 } // namespace kanexpr::mechanics

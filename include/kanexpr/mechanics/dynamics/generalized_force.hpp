@@ -25,18 +25,19 @@ public:
   }
 
   /// Loads that have no potential energy.
-  constexpr void add_forces_and_torques() {
-    add_given_loads();
-    add_springs_and_dampers(false);
+  constexpr void add_forces_and_torques(const loads& acting) {
+    add_given_loads(acting);
+    add_springs_and_dampers(acting, false);
   }
 
   /// All loads of the model; gravity on every body only if it is not taken as an acceleration.
-  constexpr void add_loads(bool gravity) {
-    add_given_loads();
-    add_springs_and_dampers(true);
-    if (!m_.potential_energies.empty()) add_potential_energies();
-    if (!gravity || !m_.has_gravity) return;
-    for (const body& b : m_.bodies) add_force(s_.station_of_point[b.center], b.mass * known_.in(m_.gravity));
+  constexpr void add_loads(const loads& acting, bool gravity) {
+    add_given_loads(acting);
+    add_springs_and_dampers(acting, true);
+    if (!acting.potential_energies.empty()) add_potential_energies(acting.potential_energies);
+    if (!gravity || !acting.has_gravity) return;
+    for (const body& b : m_.bodies)
+      add_force(s_.station_of_point[b.center], b.mass * known_.in(acting.gravity));
   }
 
   /// What inertia asks for in a motion, with the minus sign of a generalized inertia force.
@@ -90,9 +91,9 @@ public:
   }
 
 private:
-  constexpr void add_given_loads() {
-    for (const torque& t : m_.torques) add_torque(t.frame, t.against, drop_.in(known_.in(t.value)));
-    for (const force& f : m_.forces) {
+  constexpr void add_given_loads(const loads& acting) {
+    for (const torque& t : acting.torques) add_torque(t.frame, t.against, drop_.in(known_.in(t.value)));
+    for (const force& f : acting.forces) {
       const vector value = drop_.in(known_.in(f.value));
       add_force(s_.station_of_point[f.point], value);
       if (f.against != none) add_force(s_.station_of_point[f.against], -value);
@@ -100,10 +101,10 @@ private:
   }
 
   /// Dampers, and springs too if they are not taken by their energy.
-  constexpr void add_springs_and_dampers(bool springs) {
-    if (m_.spring_dampers.empty() && m_.torsional_dampers.empty()) return;
+  constexpr void add_springs_and_dampers(const loads& acting, bool springs) {
+    if (acting.spring_dampers.empty() && acting.torsional_dampers.empty()) return;
     motion k(s_);
-    for (const spring_damper& e : m_.spring_dampers) {
+    for (const spring_damper& e : acting.spring_dampers) {
       const stretch line = stretch_of(s_, e);
       expression pull = m_.zero();
       if (springs && !e.stiffness.is_zero()) pull = spring_pull(e, line.d);
@@ -114,7 +115,7 @@ private:
       add_force(s_.station_of_point[e.point], -force);
       add_force(s_.station_of_point[e.other], force);
     }
-    for (const torsional_damper& e : m_.torsional_dampers)
+    for (const torsional_damper& e : acting.torsional_dampers)
       add_torque(e.frame, e.against,
                  -drop_.in(known_.in(e.damping)) * angular_velocity_between(s_, e.frame, e.against));
   }
@@ -135,8 +136,8 @@ private:
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
   }
 
-  constexpr void add_potential_energies() {
-    const sequence<expression> rates = potential_rates(s_);
+  constexpr void add_potential_energies(const sequence<expression>& energies) {
+    const sequence<expression> rates = potential_rates(s_, energies);
     for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 

@@ -6,42 +6,6 @@
 
 namespace kanexpr::mechanics {
 
-struct force {
-  int point = none;
-  vector value{};
-  int against = none; ///< the point that feels the opposite; none: nothing of the system does
-};
-
-struct torque {
-  int frame = none;
-  vector value{};
-  int against = none; ///< the frame that feels the opposite
-};
-
-/// A straight massless spring and a damper beside it. They pull two points to each other with the force
-/// stiffness·(distance − length) + damping·(rate of the distance).
-struct spring_damper {
-  int point = none;
-  int other = none;
-  expression stiffness{}, length{}, damping{};
-};
-
-/// A torque −damping·(ω_frame − ω_against) on what is fixed in `frame`, and its opposite on `against`.
-struct torsional_damper {
-  int frame = none;
-  int against = none;
-  expression damping{};
-};
-
-/// A velocity constraint: a scalar, linear in the speeds, that vanishes. Where it is the component of a
-/// vector along a direction, both are kept, for the rate of the vector is cheaper to form than that of the
-/// scalar.
-struct velocity_constraint {
-  expression value{};
-  vector vanishing{}; ///< no parts: there is only the scalar
-  vector direction{};
-};
-
 /// A quantity that the caller knows as a function of time: its symbol is an input, and so is its rate.
 struct prescribed_rate {
   expression quantity{};
@@ -54,8 +18,8 @@ enum class method : unsigned char {
   lagrange, ///< the speeds are the rates of the coordinates, in their order
 };
 
-/// A mechanical system as plain values: what models written as types are read into, what programs build
-/// while they run, and what every step of the mechanics starts from. Frame 0 is the inertial frame.
+/// What moves, as plain values: coordinates, speeds and the equations between them, frames, points and
+/// bodies. What acts on it are `loads`, and what binds it `given_constraints`. Frame 0 is the inertial frame.
 struct mechanism {
   graph* g = nullptr;
   sequence<expression> coordinates{}, speeds{}, parameters{},
@@ -63,27 +27,12 @@ struct mechanism {
   sequence<expression> coordinate_rates{}, speed_rates{}; ///< the symbols dq/dt and du/dt
   expression time;
   sequence<prescribed_rate> prescribed_rates{};
-  sequence<expression> kinematics{}; ///< expressions that vanish, linear in the coordinate rates
-  sequence<expression> configuration_constraints{}; ///< of coordinates, parameters and time, that vanish
-  sequence<velocity_constraint> velocity_constraints{};
-  /// Linear in u̇, that vanish; empty: derived from the others.
-  sequence<expression> acceleration_constraints{};
-  sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by position; empty: the library chooses
+  sequence<expression> kinematics{};       ///< expressions that vanish, linear in the coordinate rates
   sequence<expression> auxiliary_speeds{}; ///< that are zero and bring out a force that does no work
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
-  sequence<force> forces{};
-  sequence<torque> torques{};
-  sequence<expression> potential_energies{}; ///< of coordinates, parameters, time and inputs; others are
-                                             ///< those of gravity and of springs
-  sequence<spring_damper> spring_dampers{};
-  sequence<torsional_damper> torsional_dampers{};
-  bool has_gravity = false;
-  vector gravity{}; ///< acceleration of free fall, on every body
   method derived_by = method::kane;
-  bool has_lagrangian = false;
-  expression lagrangian{}; ///< in place of the energies of bodies
 
   static constexpr int inertial = 0;
 
@@ -102,25 +51,11 @@ struct mechanism {
     visit(self.time);
     visit(self.prescribed_rates);
     visit(self.kinematics);
-    visit(self.configuration_constraints);
-    visit(self.velocity_constraints);
-    visit(self.acceleration_constraints);
-    visit(self.dependent_coordinates);
-    visit(self.dependent_speeds);
     visit(self.auxiliary_speeds);
     visit(self.frames);
     visit(self.points);
     visit(self.bodies);
-    visit(self.forces);
-    visit(self.torques);
-    visit(self.potential_energies);
-    visit(self.spring_dampers);
-    visit(self.torsional_dampers);
-    visit(self.has_gravity);
-    visit(self.gravity);
     visit(self.derived_by);
-    visit(self.has_lagrangian);
-    visit(self.lagrangian);
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
