@@ -283,8 +283,8 @@ struct reading {
 TEST(words, constraints) {
   reading<constrained> r;
   ASSERT_EQ(r.reader.mistake().view(), "");
-  mechanics::equations e(r.system);
-  r.reader.know(e);
+  mechanics::known_motion known(r.m);
+  r.reader.know(known);
   r.reader.read_constraints();
   ASSERT_EQ(r.reader.mistake().view(), "");
   ASSERT_EQ(r.c.on_configuration.size(), 3);

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <optional>
+#include <utility>
 
 namespace kanexpr::deriving {
 
@@ -31,7 +32,7 @@ public:
   constexpr derived_system(const system_record& from, const Image& aside)
       : system_(graph_), reader_(from, system_) {
     equations_.emplace(system_, mechanics::equations::set_aside{});
-    reader_.know(*equations_);
+    reader_.know(equations_->known());
     image_reader read(aside, graph_, system_.mechanism);
     each_part(*this, read);
   }
@@ -43,15 +44,17 @@ public:
     if (!mistake()) mistake_ = mechanics::check_system(system_);
   }
 
-  /// Forms what the equations start from, and takes up loads that speak of motion and the constraints.
+  /// Reads loads that speak of motion and the constraints, and forms what the equations start from.
   constexpr void derive() {
     if (mistake()) return;
-    equations_.emplace(system_);
-    reader_.know(*equations_);
+    mechanics::known_motion known(system_.mechanism);
+    reader_.know(known);
     reader_.read_lagrangian();
     if (reader_.read_moving_loads() && !mistake())
       mistake_ = mechanics::check_loads(system_.mechanism, system_.loads);
     reader_.read_constraints();
+    equations_.emplace(system_, std::move(known));
+    reader_.know(equations_->known());
     if (!mistake()) equations_->constrain();
   }
 

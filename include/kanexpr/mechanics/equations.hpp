@@ -11,6 +11,7 @@
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
@@ -21,23 +22,24 @@ namespace kanexpr::mechanics {
 
 /// The equations of one system. Nothing is formed before it is asked for, and nothing twice.
 ///
-/// Velocities are there from the start, so that constraints can speak of them. The constraints are taken up
-/// by `constrain`, or when the first result is asked for.
+/// Constraints are taken up by `constrain`, or when the first result is asked for.
 class equations {
 public:
-  constexpr explicit equations(const multibody_system& of)
-      : system_(&of), s_(skeleton_of(of.mechanism)), m_(&of.mechanism) {}
+  constexpr explicit equations(const multibody_system& of) : equations(of, known_motion(of.mechanism)) {}
+  /// Goes on from what was known of its motion while loads and constraints were given.
+  constexpr equations(const multibody_system& of, known_motion&& known)
+      : system_(&of), m_(&of.mechanism), known_(std::move(known)) {}
   /// To be read from what was set aside.
-  struct set_aside {};
-  constexpr equations(const multibody_system& of, set_aside)
-      : system_(&of), s_{&of.mechanism}, m_(&of.mechanism) {}
+  using set_aside = known_motion::set_aside;
+  constexpr equations(const multibody_system& of, set_aside empty)
+      : equations(of, known_motion(of.mechanism, empty)) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
 
   /// What was formed, but for what is formed again at little cost. There is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.s_);
+    visit(self.known_);
     visit(self.constraints_);
     visit(self.configuration_);
     visit(self.speeds_);
@@ -72,19 +74,7 @@ public:
                                 sequence<char>(m_->coordinates.size(), 0));
     speeds_ =
         partition_of(by_u, constraints_.jacobian, given.dependent_speeds, moving_dependent_coordinates());
-    if (m_->auxiliary_speeds.empty()) return;
-    drop_auxiliary_speeds(s_);
-    has_motion_ = false;
-  }
-
-  /// Takes up the frames and points that the mechanism was given since, for expressions that speak of them.
-  constexpr void extend() {
-    if (mistake_ || !s_.lacks_any()) return;
-    mistake_ = check_system(*system_);
-    if (mistake_) return;
-    mechanics::extend(s_);
-    if (is_constrained_ && !m_->auxiliary_speeds.empty()) drop_auxiliary_speeds(s_);
-    has_motion_ = false;
+    known_.drop_auxiliary_speeds();
   }
 
   constexpr const skeleton& skeleton_used() const { return s_; }
@@ -233,11 +223,8 @@ public:
   }
 
   /// Velocities and accelerations as they are, with the symbols u̇.
-  constexpr motion& moving() {
-    if (!has_motion_) motion_ = motion(s_, m_->speed_rates);
-    has_motion_ = true;
-    return motion_;
-  }
+  constexpr motion& moving() { return known_.moving(); }
+  constexpr known_motion& known() { return known_; }
 
 private:
   /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
@@ -352,16 +339,16 @@ private:
   }
 
   const multibody_system* system_;
-  skeleton s_;
   const mechanism* m_;
+  known_motion known_;
+  const skeleton& s_ = known_.skeleton_used();
   sentence mistake_{};
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};
   sequence<symbolic::solved_block> step_blocks_{}; ///< of Newton's step for the dependent coordinates
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
-  bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
-  motion motion_{};
+  bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
 };
 

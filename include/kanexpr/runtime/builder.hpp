@@ -26,8 +26,8 @@ namespace kanexpr::runtime {
 ///
 /// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
 ///
-/// Constraints may speak of velocities, which `mechanics::equations derived(b.system());` knows before
-/// they are taken up.
+/// Loads and constraints may speak of velocities, which `mechanics::known_motion known(b.mechanism());` knows
+/// once frames and points are there.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame);
@@ -142,7 +142,7 @@ public:
   /// A torque −damping·ω on a frame that turns with ω in another, and the opposite on that.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
-  // ---- constraints; what vanishes may hold velocities that `mechanics::equations` knew before
+  // ---- constraints; what vanishes may hold velocities of a `mechanics::known_motion`
 
   /// An expression of the coordinates that vanishes.
   void configuration_constraint(expression vanishes);

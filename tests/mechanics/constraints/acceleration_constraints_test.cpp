@@ -164,10 +164,12 @@ TEST(velocity_constraints, may_repeat_rates_that_hold_at_unit_quaternions) {
       const vector arm = b.along(body, 1, 2, 3), drive = b.along(b.n, zero, zero, b.time());
       const point_id p = b.offset("P", b.o, arm);
       b.rigid_body("Body", p, body, b.number(2), b.inertia(body, b.number(1), b.number(2), b.number(2.5)));
-      mechanics::equations e(b.system());
+      mechanics::known_motion known(b.mechanism());
       const expression up = mechanics::express(b.mechanism(), arm, place(b.n)).z;
       const expression rises =
-          mechanics::express(b.mechanism(), mechanics::velocity_of_point(e.moving(), place(p)), place(b.n)).z;
+          mechanics::express(b.mechanism(), mechanics::velocity_of_point(known.moving(), place(p)),
+                             place(b.n))
+              .z;
       b.configuration_constraint(up - b.time() / 5);
       if (is_bound)
         b.configuration_constraint(b.q[0] * b.q[0] + b.q[1] * b.q[1] + b.q[2] * b.q[2] + e3 * e3 - 1);

@@ -170,12 +170,13 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     b.fixed_in(contact, d.rolling);
     d.body(b, center);
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.system());
-    const vector v = mechanics::velocity_of_point(e.moving(), place(contact));
+    mechanics::known_motion known(b.mechanism());
+    const vector v = mechanics::velocity_of_point(known.moving(), place(contact));
     b.velocity_constraint(v, b.along(b.n, 1, 0, slope));
     b.velocity_constraint(v, b.along(b.n, 0, 1, 0));
     b.dependent(vx);
     b.dependent(vy);
+    mechanics::equations e(b.system());
     e.constrain();
     ASSERT_EQ(e.mistake().view(), "");
 

@@ -159,12 +159,13 @@ TEST(springs, act_on_auxiliary_speeds) {
 // A load may speak of velocities that the equations knew before they were asked for a result.
 TEST(loads, of_motion_are_built_when_velocities_are_known) {
   arm dragged, pulled;
-  mechanics::equations d(dragged.system()), p(pulled.system());
-  const vector v = mechanics::velocity_of_point(d.moving(), place(dragged.tip));
+  mechanics::known_motion known(dragged.mechanism());
+  const vector v = mechanics::velocity_of_point(known.moving(), place(dragged.tip));
   dragged.force(dragged.tip, dragged.number(-0.7) * v);
   const Vector3d drag = -0.7 * dragged.in_ground(v);
   pulled.force(pulled.tip, pulled.along(pulled.n, drag.x(), drag.y(), drag.z()));
   ASSERT_EQ(dragged.check().view(), "");
+  mechanics::equations d(dragged.system()), p(pulled.system());
   for (quantity q : {quantity::udot, quantity::active_forces})
     expect_equal(found(dragged, d, q), found(pulled, p, q));
 }

@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/read/misfit_wording.hpp>
 #include <kanexpr/derive/read/phrase_reader.hpp>
+#include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 
@@ -18,16 +19,16 @@ public:
   /// itself.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
     check_written({shape::scalar, tokens, size}, whom);
-    mechanics::equations* const derived = derived_;
-    if (from_.inertial != nullptr) derived_ = nullptr; // only a system of words has words for more
+    mechanics::known_motion* const known = known_;
+    if (from_.inertial != nullptr) known_ = nullptr; // only a system of words has words for more
     for (int i = 0; i < size && !mistake_; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
     }
-    derived_ = derived;
-    if (derived_ == nullptr || mistake_) return;
-    derived_->extend();
-    mistake_ = derived_->mistake();
+    known_ = known;
+    if (known_ == nullptr || !known_->lacks_any()) return;
+    if (!mistake_) mistake_ = mechanics::check_system(system_);
+    if (!mistake_) known_->extend();
   }
 
   /// What is known of symbols and entities, where there is no mistake and nothing is being read.
@@ -43,7 +44,7 @@ public:
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)
       if (frames_[i] == r) return places_of_frames_[i];
-    if (derived_ != nullptr)
+    if (known_ != nullptr)
       fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_frame(*r, whom);
     if (mistake_) return mechanism::inertial;
@@ -70,7 +71,7 @@ public:
   constexpr int point(const point_record* r, std::string_view whom) {
     const int present = points_.find(r);
     if (present >= 0) return present;
-    if (derived_ != nullptr)
+    if (known_ != nullptr)
       fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_point(*r, whom);
     if (mistake_) return 0;

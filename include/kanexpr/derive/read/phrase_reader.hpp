@@ -5,7 +5,7 @@
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
-#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
 namespace kanexpr::deriving {
@@ -27,7 +27,7 @@ public:
   }
 
   /// From here on phrases may speak of positions, velocities and derivatives.
-  constexpr void know(mechanics::equations& derived) { derived_ = &derived; }
+  constexpr void know(mechanics::known_motion& of) { known_ = &of; }
 
 protected:
   /// What a phrase of several expressions, one after another, stands for.
@@ -237,8 +237,8 @@ protected:
       if (!mistake_) stack.push(value::of(mechanics::position_from_origin(m_, at)));
       return;
     }
-    if (derived_ == nullptr) return declared_motion(t, stack, whom);
-    mechanics::motion& k = derived_->moving();
+    if (known_ == nullptr) return declared_motion(t, stack, whom);
+    mechanics::motion& k = known_->moving();
     if (t.what == token_kind::velocity)
       stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
     else if (t.what == token_kind::acceleration)
@@ -276,7 +276,7 @@ protected:
     }
   }
 
-  mechanics::equations* derived_ = nullptr;
+  mechanics::known_motion* known_ = nullptr;
   const phrase* reading_ = nullptr;
   int describing_ = none; ///< the frame whose own axes `own` means
 

@@ -21,7 +21,7 @@ using symbolic::sequence;
 class symbol_reader {
 public:
   constexpr symbol_reader(const system_record& from, mechanics::multibody_system& into)
-      : from_(from), m_(into.mechanism), loads_(into.loads), constraints_(into.constraints) {}
+      : from_(from), system_(into), m_(into.mechanism), loads_(into.loads), constraints_(into.constraints) {}
 
   constexpr const sentence& mistake() const { return mistake_; }
   /// Whether the mistake is that of a type of which the compiler has reported one already.
@@ -183,7 +183,8 @@ protected:
   }
 
   const system_record& from_;
-  mechanism& m_;
+  mechanics::multibody_system& system_;
+  mechanism& m_; ///< and the parts of it
   mechanics::loads& loads_;
   mechanics::given_constraints& constraints_;
   sentence mistake_{};

@@ -22,7 +22,7 @@ public:
     if (!mistake_) mistake_ = mechanics::check_system(system_);
     if (mistake_) return;
     equations_.emplace(system_);
-    reader_.know(*equations_);
+    reader_.know(equations_->known());
     equations_->constrain();
   }
 
