@@ -51,7 +51,7 @@ public:
     reader_.know(known);
     reader_.read_lagrangian();
     if (reader_.read_moving_loads() && !mistake())
-      mistake_ = mechanics::check_loads(system_.mechanism, system_.loads);
+      mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
     reader_.read_constraints();
     equations_.emplace(system_, std::move(known));
     reader_.know(equations_->known());

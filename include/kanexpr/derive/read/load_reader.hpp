@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/read/lagrange_reader.hpp>
 #include <kanexpr/derive/read/load_wording.hpp>
+#include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 
@@ -71,7 +72,7 @@ private:
       if (mistake_) return;
       if (energy.is_zero() && !holds_bound(r.value))
         return fail({whom.view(), " is zero; 1/2 of whole numbers is 0 in C++"});
-      loads_.potential_energies.push(energy);
+      loads_.potential_energies.push({energy});
       break;
     }
     case load_word::spring: return evaluate_spring(r);
@@ -80,14 +81,14 @@ private:
       const sentence whom = name_of(r);
       const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
       const expression damping = damping_of(r, whom.view());
-      if (!mistake_) mechanics::add_damper(loads_, at, other, damping);
+      if (!mistake_) mechanics::add_damper(loads_.spring_dampers, at, other, damping);
       break;
     }
     case load_word::torsional_damper: {
       const sentence whom = name_of(r);
       const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
       const expression damping = damping_of(r, whom.view());
-      if (!mistake_) mechanics::add_torsional_damper(loads_, on, other, damping);
+      if (!mistake_) loads_.torsional_dampers.push({on, other, damping});
       break;
     }
     case load_word::none:
@@ -102,13 +103,13 @@ private:
       const sentence whom = name_of(r);
       const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
       const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
-      if (!mistake_) mechanics::add_force(loads_, at, v, other);
+      if (!mistake_) loads_.forces.push({at, v, other});
       return;
     }
     const int at = point(r.point, "a force");
     const sentence word = mechanics::sentence({r.word, " at "});
     const mechanics::vector v = vector_of(r.value, {word.view(), r.point->called}, r.point->called);
-    if (!mistake_) mechanics::add_force(loads_, at, v);
+    if (!mistake_) loads_.forces.push({at, v});
   }
 
   constexpr void evaluate_torque(const load_record& r) {
@@ -116,19 +117,19 @@ private:
       const sentence whom = name_of(r);
       const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
       const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
-      if (!mistake_) mechanics::add_torque(loads_, on, v, other);
+      if (!mistake_) loads_.torques.push({on, v, other});
       return;
     }
     const int on = frame(r.frame, "a torque");
     const sentence word = mechanics::sentence({r.word, " on "});
     const mechanics::vector v = vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
-    if (!mistake_) mechanics::add_torque(loads_, on, v);
+    if (!mistake_) loads_.torques.push({on, v});
   }
 
   constexpr void evaluate_gravity(const load_record& r) {
     if (loads_.has_gravity) fail({"gravity is given twice"});
     const mechanics::vector v = vector_of(r.value, {"", "gravity"}, "gravity");
-    if (!mistake_) mechanics::set_gravity(loads_, v);
+    if (!mistake_) loads_.has_gravity = true, loads_.gravity = v;
   }
 
   constexpr void evaluate_spring(const load_record& r) {
@@ -136,7 +137,7 @@ private:
     const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
     const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
     const expression length = scalar_of(r.rest, {"the natural length of ", whom.view()}, whom.view());
-    if (!mistake_) mechanics::add_spring(loads_, at, other, stiffness, length);
+    if (!mistake_) mechanics::add_spring(loads_.spring_dampers, at, other, stiffness, length);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r) {
@@ -145,7 +146,7 @@ private:
     const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
     const expression rest = scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
     if (!mistake_) mistake_ = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom.view());
-    if (!mistake_) mechanics::add_torsional_spring(loads_, angle, stiffness, rest);
+    if (!mistake_) loads_.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
   }
 
   constexpr expression damping_of(const load_record& r, std::string_view whom) {

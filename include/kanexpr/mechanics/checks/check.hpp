@@ -33,7 +33,7 @@ public:
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) look_at(p);
     for (const body& b : m_.bodies) look_at(b);
-    if (!found_) found_ = checking_loads(m_, of_.loads, held_).run();
+    if (!found_) found_ = check_loads(m_, of_.loads, held_);
     if (!found_) found_ = checking_dyadics(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
     return found_;

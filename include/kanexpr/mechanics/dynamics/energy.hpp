@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 
 namespace kanexpr::mechanics {
@@ -31,11 +31,10 @@ constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   return energy;
 }
 
-/// That of gravity, of springs, and what the model gives as a potential energy.
+/// That of gravity and of all other loads.
 constexpr expression potential_energy(const skeleton& s, const loads& acting) {
   expression energy = energy_of_gravity(s, acting);
-  for (const spring_damper& e : acting.spring_dampers) energy += spring_energy(*s.model, e);
-  for (const expression& given : acting.potential_energies) energy += given;
+  acting.each([&](const auto& load, int) { energy += load.potential_energy(*s.model); });
   return energy;
 }
 

@@ -62,7 +62,7 @@ public:
   /// Q.
   constexpr sequence<expression> forces_of_loads() const {
     generalized_forces f(s_);
-    f.add_forces_and_torques(loads_);
+    f.add_loads(loads_, false, conservative::by_energy);
     return f.run();
   }
 
