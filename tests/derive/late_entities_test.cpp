@@ -91,7 +91,7 @@ TEST(late_entities, change_no_result) {
     constexpr request more = requested<camera::of_lens>::value;
     kanexpr::deriving::form(more, extended.reader(), extended.equations());
     ASSERT_FALSE(extended.mistake()) << extended.mistake().view();
-    ASSERT_GT(extended.model().points.size(), plain.model().points.size());
+    ASSERT_GT(extended.mechanism().points.size(), plain.mechanism().points.size());
     for (const quantity wanted : all_results) {
       const kanexpr::lower::tape a = tape_for(plain, wanted), b = tape_for(extended, wanted);
       ASSERT_EQ(a.steps.size(), b.steps.size()) << static_cast<int>(wanted);

@@ -79,7 +79,7 @@ constexpr cut_code cut(derived_system& system, std::string_view called, const su
                        std::span<const request> all) {
   const cut_nodes found = nodes_for(system, all);
   if (system.mistake()) return cut_code(system.mistake());
-  if (const sentence added = check_symbols(called, of_system, system.model())) return cut_code(added);
+  if (const sentence added = check_symbols(called, of_system, system.mechanism())) return cut_code(added);
   cut_code code;
   for (const mechanics::singularity_check& g : found.checks) {
     if (const sentence lacking = check_room(called, code.causes, g.cause)) return cut_code(lacking);

@@ -7,7 +7,7 @@
 namespace kanexpr::deriving {
 
 constexpr void survey::take(derived_system& system) {
-  const mechanism& m = system.model();
+  const mechanism& m = system.mechanism();
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
@@ -26,7 +26,7 @@ constexpr void survey::take(derived_system& system) {
   if (!system.is_derived()) return;
   mechanics::equations& e = system.equations();
   constraints = e.constraints_used().size();
-  configuration_constraints = m.configuration_constraints.size();
+  configuration_constraints = e.constraints_used().on_configuration.size();
   for (int i : e.coordinates().dependent) dependent[i] = true;
   for (int i : e.speeds().dependent) dependent[coordinates + i] = true;
 }
