@@ -16,6 +16,10 @@
 
 namespace kanexpr {
 
+namespace derivation {
+struct survey;
+}
+
 /// A system derived while the program runs, by the functions that derive it in the compiler: its results are
 /// expressions, to print, to look into and to evaluate. Copies share one derivation, which lives as long as
 /// the last of them and of their linearizations; one thread at a time may use it.
@@ -65,6 +69,10 @@ public:
   }
   symbolic::matrix measured_by(std::span<const derivation::request> measured);
 
+  /// An expression with the rates q̇ and u̇ as the equations of motion give them; as it is where the system has
+  /// a mistake.
+  symbolic::expression in_motion(symbolic::expression e);
+
   /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
   /// a mistake.
   symbolic::expression imposed(symbolic::expression e);
@@ -95,6 +103,9 @@ public:
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     return {graph(), result, coordinates(), guards_of(result)};
   }
+
+  /// Its symbols in order, and which of them are dependent.
+  std::shared_ptr<const derivation::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }

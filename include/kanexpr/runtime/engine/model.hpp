@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derive/take_survey.hpp>
 #include <kanexpr/runtime/engine/derived_from_words.hpp>
 #include <kanexpr/runtime/model.hpp>
 
@@ -53,6 +54,10 @@ KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
   return system_->reader().evaluate(words, "an expression").vector;
 }
 
+KANEXPR_ENGINE symbolic::expression model::in_motion(symbolic::expression e) {
+  return system_->mistake() ? e : equations().in_motion(e);
+}
+
 KANEXPR_ENGINE symbolic::expression model::imposed(symbolic::expression e) {
   return system_->mistake() ? e : equations().imposed(e);
 }
@@ -74,6 +79,12 @@ KANEXPR_ENGINE std::string model::print(const mechanics::vector& v, mechanics::b
 }
 KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::basis_style style) const {
   return mechanics::latex(mechanism(), v, style);
+}
+
+KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
+  auto found = std::make_shared<derivation::survey>();
+  found->take(mechanism(), !system_->mistake(), system_->equations());
+  return found;
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
