@@ -76,6 +76,13 @@ public:
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
 
+  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
+  constexpr problem check_bodies(quantity wanted) const {
+    if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
+    return sentence(
+        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
+  }
+
   /// A mistake that only the derivation could find.
   constexpr const problem& mistake() const { return mistake_; }
 
@@ -221,13 +228,6 @@ public:
   }
 
 private:
-  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
-  constexpr problem check_bodies(quantity wanted) const {
-    if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
-    return sentence(
-        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
-  }
-
   constexpr system_form form() {
     return {s_, constraints_, configuration_, coordinates_, speeds_, dynamics_};
   }

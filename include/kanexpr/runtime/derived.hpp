@@ -32,6 +32,9 @@ public:
   virtual derivation::reader& reader() = 0;
   /// Null where a mistake came before them.
   virtual mechanics::equations* equations() = 0;
+
+  /// What is wrong with the last request alone; the system is sound.
+  mechanics::problem refused{};
 };
 
 } // namespace runtime

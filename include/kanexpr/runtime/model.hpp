@@ -29,7 +29,8 @@ public:
   explicit model(const describe::system_record& from, std::span<const derivation::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
-  /// The first mistake of the system as a sentence; empty: there is none.
+  /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
+  /// empty: there is none.
   std::string mistake() const;
 
   /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and

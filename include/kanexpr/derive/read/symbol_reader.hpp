@@ -28,6 +28,8 @@ public:
   constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { fail({because}); }
+  /// Of an expression that was asked for; what was read before is sound.
+  constexpr void forget_mistake() { mistake_ = {}, follows_from_unparsed_ = false; }
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     using symbolic::symbol_kind;

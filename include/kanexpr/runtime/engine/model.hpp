@@ -15,12 +15,36 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
   return std::string(mechanics::enumerated(system.mechanism(), symbols, dependent).view());
 }
 
+/// What is asked of a sound system; a mistake in the request alone is refused, and forgotten by the next one.
+template <class Form>
+auto asked_of(derived& system, const Form& form) {
+  using result = decltype(form());
+  system.refused = {};
+  if (system.mistake()) return result();
+  const result found = form();
+  if (system.reader().mistake()) {
+    system.refused = system.reader().mistake();
+    system.reader().forget_mistake();
+  }
+  return system.refused || system.mistake() ? result() : found;
+}
+
+/// A result that belongs to what the system has.
+inline symbolic::matrix result_of(derived& system, const derivation::request& wanted) {
+  if (wanted.what == derivation::request::kind::result)
+    system.refused = system.equations()->check_bodies(wanted.wanted);
+  if (system.refused) return {};
+  return derivation::form(wanted, system.reader(), *system.equations());
+}
+
 } // namespace runtime
 
 KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const derivation::request> also)
     : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
 
-KANEXPR_ENGINE std::string model::mistake() const { return std::string(system_->mistake().view()); }
+KANEXPR_ENGINE std::string model::mistake() const {
+  return std::string((system_->mistake() ? system_->mistake() : system_->refused).view());
+}
 
 KANEXPR_ENGINE std::string model::names_of_dependent_coordinates() {
   return runtime::enumerated(*system_, mechanism().coordinates, &mechanics::equations::coordinates);
@@ -30,28 +54,28 @@ KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
-  if (system_->mistake()) return {};
-  return equations().get(wanted);
+  return get({.what = derivation::request::kind::result, .wanted = wanted});
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
-  if (system_->mistake()) return {};
-  return derivation::form(wanted, system_->reader(), equations());
+  return runtime::asked_of(*system_, [&] { return runtime::result_of(*system_, wanted); });
 }
 
 KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
-  if (system_->mistake()) return {};
-  symbolic::matrix all(graph(), 0, 1);
-  for (const derivation::request& each : measured)
-    for (const symbolic::expression& e :
-         derivation::form_with_rates(each, system_->reader(), equations()).entries)
-      all.entries.push(e);
-  all.rows = all.entries.size();
-  return all;
+  return runtime::asked_of(*system_, [&] {
+    symbolic::matrix all(graph(), 0, 1);
+    for (const derivation::request& each : measured)
+      for (const symbolic::expression& e :
+           derivation::form_with_rates(each, system_->reader(), equations()).entries)
+        all.entries.push(e);
+    all.rows = all.entries.size();
+    return all;
+  });
 }
 
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
-  return system_->reader().evaluate(words, "an expression").vector;
+  return runtime::asked_of(*system_,
+                           [&] { return system_->reader().evaluate(words, "an expression").vector; });
 }
 
 KANEXPR_ENGINE symbolic::expression model::in_motion(symbolic::expression e) {
