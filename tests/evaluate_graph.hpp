@@ -95,7 +95,7 @@ std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const
 
 /// The product of the pivots of small systems, of others the least beside what they are the sums of.
 template <class T, class At>
-T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
+T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   if constexpr (is_complex<T>) {
     return std::nan("");
   } else {
@@ -144,8 +144,8 @@ T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
       at(id) = symbols[static_cast<std::size_t>(n.a)];
     else if (n.op == operation::solve || n.op == operation::transposed_solve)
       solutions[id] = solution<T>(g, n, at);
-    else if (n.op == operation::regularity)
-      at(id) = regularity<T>(g, n, at);
+    else if (n.op == operation::singularity_measure)
+      at(id) = singularity_measure<T>(g, n, at);
     else if (n.op == operation::component)
       at(id) = solutions[n.a][static_cast<std::size_t>(symbolic::integer_at(g, n.b))];
     else

@@ -24,18 +24,17 @@ static_assert(operations(pendulum::cost(pendulum::udot)) <= 340);
 
 template <class System>
 int equations() {
-  return operations(kanexpr::derivation::cost_of<System>({quantity::mass_matrix, quantity::forcing}));
+  return operations(kanexpr::deriving::cost_of<System>({quantity::mass_matrix, quantity::forcing}));
 }
 template <class System>
 int accelerations() {
-  return operations(kanexpr::derivation::cost_of<System>({quantity::udot}));
+  return operations(kanexpr::deriving::cost_of<System>({quantity::udot}));
 }
 
 TEST(cost, is_the_same_while_the_program_runs) {
-  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::mass_matrix, quantity::forcing}),
+  EXPECT_EQ(kanexpr::deriving::cost_of<pendulum6::System>({quantity::mass_matrix, quantity::forcing}),
             pendulum::together(pendulum::mass_matrix, pendulum::forcing).cost());
-  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::udot}),
-            pendulum::cost(pendulum::udot));
+  EXPECT_EQ(kanexpr::deriving::cost_of<pendulum6::System>({quantity::udot}), pendulum::cost(pendulum::udot));
 }
 
 TEST(cost, of_robots) {
@@ -49,10 +48,10 @@ TEST(cost, of_robots) {
 
 TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
   kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
-  EXPECT_FALSE(kanexpr::derivation::check_room("Chain", sizes));
+  EXPECT_FALSE(kanexpr::deriving::check_room("Chain", sizes));
   ++sizes.steps;
   EXPECT_EQ(
-      kanexpr::derivation::check_room("Chain", sizes).view(),
+      kanexpr::deriving::check_room("Chain", sizes).view(),
       "what is asked of Chain at once takes 65537 operations and has 9 entries; there is room for 65536 of "
       "each; ask for it in parts");
 }

@@ -168,7 +168,8 @@ Eigen::VectorXd carried_motion() {
   const Eigen::Vector2d p(1.3, 0.6);
   const Eigen::Vector3d r(0.2, -0.8, 0.5);
   Eigen::VectorXd all(3);
-  all << derived.function(derived.udot())(x, p, r), derived.function(derived.auxiliary_forces())(x, p, r);
+  all << derived.function(derived.udot())(x, p, r),
+      derived.function(derived.noncontributing_forces())(x, p, r);
   return all;
 }
 

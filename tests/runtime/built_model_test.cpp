@@ -93,9 +93,9 @@ TEST(built_model, is_linearized_with_symbols_by_their_names) {
   EXPECT_EQ(print(linear.explicit_form().A), "[0,  1]\n[-2, 0]");
   EXPECT_EQ(print(linear.explicit_form().B), "[0        ]\n[1/(l^2*m)]");
   EXPECT_THAT(linear.states(), testing::ElementsAre("q", "u"));
-  EXPECT_THAT(built.linearize({{"w", 0}}).problems(),
+  EXPECT_THAT(built.linearize({{"w", 0}}).failures(),
               testing::ElementsAre("the operating point names w, which the system does not have"));
-  EXPECT_THAT(built.linearize({{"q", 1}, {"u", 0}, {"T", 0}, {"u'", 0}}).problems(),
+  EXPECT_THAT(built.linearize({{"q", 1}, {"u", 0}, {"T", 0}, {"u'", 0}}).failures(),
               testing::ElementsAre("the operating point does not satisfy dynamic differential equation 1: it "
                                    "leaves 0.8414709848078965*g*l*m"));
 }
@@ -115,7 +115,7 @@ TEST(built_model, has_the_mistake_of_the_builder) {
   model built = derive(b);
   EXPECT_EQ(built.mistake(), "the name q is used twice");
   EXPECT_EQ(built.udot().rows, 0);
-  EXPECT_THAT(built.linearize().problems(), testing::ElementsAre("the name q is used twice"));
+  EXPECT_THAT(built.linearize().failures(), testing::ElementsAre("the name q is used twice"));
 }
 
 TEST(built_model, has_the_mistake_of_the_mechanism) {

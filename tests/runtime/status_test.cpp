@@ -272,7 +272,7 @@ TEST(status, is_left_out_where_no_mass_can_be_missing) {
   static_assert(std::is_same_v<decltype(eom::udot(eom::state())), Eigen::Vector2d>);
   auto derived = kanexpr::derive<two_rods::System>();
   const auto udot = derived.get(quantity::udot);
-  EXPECT_EQ(derived.equations().guards_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
+  EXPECT_EQ(derived.equations().singularity_checks_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
 }
 
 TEST(status, is_not_asked_for_what_needs_no_solution) {

@@ -14,7 +14,7 @@ class scene {
 public:
   virtual ~scene() = default;
 
-  const derivation::survey& known;
+  const deriving::survey& known;
   std::span<const word_record> words;
   int numbers, first_rate, rates; ///< all numbers of the picture, and which of them are integrated
 
@@ -25,7 +25,7 @@ public:
   virtual bool take_between(double t, double* all) const = 0;
 
 protected:
-  scene(const derivation::survey& of, std::span<const word_record> shown, int all, int first, int integrated)
+  scene(const deriving::survey& of, std::span<const word_record> shown, int all, int first, int integrated)
       : known(of), words(shown), numbers(all), first_rate(first), rates(integrated) {}
 };
 

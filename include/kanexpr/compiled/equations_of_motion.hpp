@@ -65,10 +65,11 @@ struct equations_of_motion {
   /// How large the terms are of which each of that is the sum.
   static constexpr function<System, mechanics::quantity::configuration_terms> configuration_terms{};
   /// Its derivatives by the dependent coordinates.
-  static constexpr function<System, mechanics::quantity::configuration_jacobian> configuration_jacobian{};
+  static constexpr function<System, mechanics::quantity::configuration_jacobian_by_dependent>
+      configuration_jacobian_by_dependent{};
   /// Its derivatives by all coordinates.
-  static constexpr function<System, mechanics::quantity::configuration_jacobian_full>
-      configuration_jacobian_full{};
+  static constexpr function<System, mechanics::quantity::configuration_jacobian_by_all>
+      configuration_jacobian_by_all{};
   /// The step of Newton's method for the dependent coordinates, to be added to them.
   static constexpr function<System, mechanics::quantity::configuration_step> configuration_step{};
   /// What the velocity constraints and the rates of the configuration constraints leave.
@@ -87,7 +88,7 @@ struct equations_of_motion {
   /// The forces of the constraints, each along the direction in which it holds a velocity zero.
   static constexpr function<System, mechanics::quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds zero.
-  static constexpr function<System, mechanics::quantity::auxiliary_forces> auxiliary_forces{};
+  static constexpr function<System, mechanics::quantity::noncontributing_forces> noncontributing_forces{};
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

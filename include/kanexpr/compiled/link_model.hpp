@@ -31,8 +31,8 @@ linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typ
 /// Whether the survey that was written out is that of the system.
 template <class System>
 constexpr bool is_up_to_date() {
-  const derivation::survey &written = surveyed<System>::survey,
-                           &derived = derivation::stages_of<System>::constrained.known;
+  const deriving::survey &written = surveyed<System>::survey,
+                         &derived = deriving::stages_of<System>::constrained.known;
   bool same = written.takes_rates_as_speeds == derived.takes_rates_as_speeds &&
               written.coordinates == derived.coordinates && written.speeds == derived.speeds &&
               written.parameters == derived.parameters && written.inputs == derived.inputs &&

@@ -37,15 +37,15 @@ struct linked_functions {
       function<System, of::kinetic_energy>, function<System, of::potential_energy>,
       function<System, of::linear_momentum>, function<System, of::angular_momentum>,
       function<System, of::center_of_mass>, function<System, of::configuration_residual>,
-      function<System, of::configuration_terms>, function<System, of::configuration_jacobian>,
-      function<System, of::configuration_jacobian_full>, function<System, of::configuration_step>,
+      function<System, of::configuration_terms>, function<System, of::configuration_jacobian_by_dependent>,
+      function<System, of::configuration_jacobian_by_all>, function<System, of::configuration_step>,
       function<System, of::velocity_residual>, function<System, of::velocity_terms>,
       function<System, of::constraint_residual>, function<System, of::constraint_jacobian>,
       function<System, of::dependent_speeds>, function<System, of::dependency>,
       function<System, of::acceleration_bias>, function<System, of::multipliers>,
-      function<System, of::auxiliary_forces>, function<System, of::mass_matrix, of::forcing>,
+      function<System, of::noncontributing_forces>, function<System, of::mass_matrix, of::forcing>,
       function<System, of::kinetic_energy, of::potential_energy>,
-      function<System, of::configuration_residual, of::configuration_jacobian_full>,
+      function<System, of::configuration_residual, of::configuration_jacobian_by_all>,
       function<System, of::velocity_residual, of::constraint_jacobian>,
       finite_function<System, of::state_matrix, of::input_matrix>,
       finite_function<System, of::implicit_mass_matrix, of::implicit_state_matrix, of::implicit_input_matrix>,
@@ -182,8 +182,8 @@ struct linked_equations {
   static constexpr linked<of::center_of_mass> center_of_mass{};
   static constexpr linked<of::configuration_residual> configuration_residual{};
   static constexpr linked<of::configuration_terms> configuration_terms{};
-  static constexpr linked<of::configuration_jacobian> configuration_jacobian{};
-  static constexpr linked<of::configuration_jacobian_full> configuration_jacobian_full{};
+  static constexpr linked<of::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
+  static constexpr linked<of::configuration_jacobian_by_all> configuration_jacobian_by_all{};
   static constexpr linked<of::configuration_step> configuration_step{};
   static constexpr linked<of::velocity_residual> velocity_residual{};
   static constexpr linked<of::velocity_terms> velocity_terms{};
@@ -193,7 +193,7 @@ struct linked_equations {
   static constexpr linked<of::dependency> dependency{};
   static constexpr linked<of::acceleration_bias> acceleration_bias{};
   static constexpr linked<of::multipliers> multipliers{};
-  static constexpr linked<of::auxiliary_forces> auxiliary_forces{};
+  static constexpr linked<of::noncontributing_forces> noncontributing_forces{};
 
   /// Several results of one call, as far as the library holds them together: `mass_matrix` with `forcing`,
   /// and both energies.

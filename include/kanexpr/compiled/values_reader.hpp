@@ -14,7 +14,7 @@ namespace kanexpr::compiled {
 /// derived while the program runs has no name: "the model has no parameter ll".
 class values_reader {
 public:
-  values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+  values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
                 const symbol_range& range, double* values)
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
@@ -46,11 +46,11 @@ public:
   }
 
   void look_for_infinite() {
-    for (int i = 0; i < range_.size && !problem_; ++i)
-      problem_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
+    for (int i = 0; i < range_.size && !mistake_; ++i)
+      mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
   }
 
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
 
 private:
   int place_of(std::string_view name) const {
@@ -61,21 +61,21 @@ private:
 
   bool is_bound(std::string_view name) const {
     for (int i = 0; i < told_.values.size; ++i)
-      if (derivation::name_in(told_.values[i]) == name) return true;
+      if (deriving::name_in(told_.values[i]) == name) return true;
     return false;
   }
 
   void fail(std::initializer_list<std::string_view> pieces) {
-    if (!problem_) problem_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = mechanics::sentence(pieces);
   }
 
-  const derivation::survey& known_;
+  const deriving::survey& known_;
   const describe::system_record& told_;
   std::string_view system_;
   symbol_range range_;
   double* values_;
-  std::array<bool, derivation::survey::room> named_{};
-  mechanics::problem problem_{};
+  std::array<bool, deriving::survey::room> named_{};
+  mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::compiled

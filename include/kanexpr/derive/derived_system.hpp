@@ -8,7 +8,7 @@
 #include <concepts>
 #include <optional>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// A system on its way from the types of a model to equations that can be asked for results. It stays where
 /// it was made. The first mistake ends the way.
@@ -62,7 +62,7 @@ public:
     each_part(*this, write);
   }
 
-  constexpr const problem& mistake() const {
+  constexpr const sentence& mistake() const {
     if (reader_.mistake()) return reader_.mistake();
     if (mistake_ || !equations_.has_value()) return mistake_;
     return equations_->mistake();
@@ -73,7 +73,7 @@ public:
   constexpr symbolic::graph& graph() { return graph_; }
   constexpr const symbolic::graph& graph() const { return graph_; }
   constexpr const mechanism& model() const { return mechanism_; }
-  constexpr derivation::reader& reader() { return reader_; }
+  constexpr deriving::reader& reader() { return reader_; }
 
   /// Only without a mistake, and after `derive`.
   constexpr mechanics::equations& equations() { return *equations_; }
@@ -81,9 +81,9 @@ public:
 private:
   symbolic::graph graph_{};
   mechanism mechanism_;
-  derivation::reader reader_;
-  problem mistake_{};
+  deriving::reader reader_;
+  sentence mistake_{};
   std::optional<mechanics::equations> equations_{};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

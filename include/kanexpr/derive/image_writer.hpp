@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
 /// order.
@@ -55,8 +55,8 @@ private:
     return count < most;
   }
 
-  constexpr void write(int word) {
-    if (has_room(into_.words, image::most_words)) into_.word[into_.words++] = word;
+  constexpr void write(int integer) {
+    if (has_room(into_.integers, image::most_integers)) into_.integer[into_.integers++] = integer;
   }
 
   constexpr void write_nodes(const symbolic::graph& g) {
@@ -91,4 +91,4 @@ constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : in
   (*this)(g.symbols());
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

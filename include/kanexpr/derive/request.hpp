@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::quantity;
 
@@ -96,7 +96,7 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
       continue;
     }
     const bool is_put_in_axes =
-        p.tokens[p.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
+        p.tokens[p.size - 1].what == describe::token_kind::in_axes && v.vector.parts.size() == 1;
     const components c =
         is_put_in_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
     for (int k = 0; k < 3; ++k) column.entries.push(c[k]);
@@ -171,4 +171,4 @@ struct requested<wanted> {
       .what = request::kind::jacobian, .phrases = words, .whom = "a jacobian", .by = wanted.by};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -9,7 +9,7 @@ struct mechanism;
 class equations;
 } // namespace kanexpr::mechanics
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 class derived_system;
 
@@ -17,7 +17,7 @@ class derived_system;
 struct survey {
   static constexpr int room = 512;
 
-  mechanics::problem mistake{};
+  mechanics::sentence mistake{};
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -100,4 +100,4 @@ struct survey {
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,7 +4,7 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 constexpr void survey::take(derived_system& system) {
   take(system.model(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
@@ -33,4 +33,4 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   for (int i : derived->speeds().dependent) dependent[coordinates + i] = true;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

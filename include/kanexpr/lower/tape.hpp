@@ -19,19 +19,19 @@ struct instruction {
 
 /// A step on many slots, on the way to solve a linear system: it fills slots from `step` on, as many as its
 /// operation asks for; in the list of steps they are marked as components of it.
-struct elimination {
+struct linear_step {
   operation op = operation::factorization;
   int order = 0;
   int step = 0;
   int factors = 0;  ///< first slot of the factorization that it uses
-  int operands = 0; ///< where its operands begin among those of all eliminations
+  int operands = 0; ///< where its operands begin among those of all linear steps
 
   constexpr int inputs() const {
-    return op == operation::factorization || op == operation::regularity ? order * order : order;
+    return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
   }
   constexpr int outputs() const {
     if (op == operation::factorization) return numeric::factors{order}.size();
-    return op == operation::regularity ? 1 : order;
+    return op == operation::singularity_measure ? 1 : order;
   }
 };
 
@@ -51,7 +51,7 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
-  sequence<elimination> eliminations{};
+  sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   int first_angle = 0;
   int angle_count = 0;
@@ -171,7 +171,7 @@ private:
       return;
     }
     const bool factorizes = n.op == operation::factorization;
-    const elimination added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
+    const linear_step added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
                             factorizes ? 0 : slot_[n.a], tape_.operands.size()};
     sequence<int> inputs;
     if (factorizes)
@@ -179,7 +179,7 @@ private:
     else
       inputs = symbolic::elements_of(g_, n.b);
     for (int input : inputs) tape_.operands.push(slot_[input]);
-    tape_.eliminations.push(added);
+    tape_.linear_steps.push(added);
     slot_[id] = first_step_ + added.step;
     for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
   }
@@ -219,11 +219,11 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
 /// What one evaluation of a tape does.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
-  for (const elimination& e : t.eliminations) {
+  for (const linear_step& e : t.linear_steps) {
     if (e.op == operation::factorization)
       total.count_factorization(e.order);
-    else if (e.op == operation::regularity)
-      total.count_regularity(e.order);
+    else if (e.op == operation::singularity_measure)
+      total.count_singularity_measure(e.order);
     else
       total.count_substitution(e.order);
   }

@@ -8,7 +8,7 @@
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
-#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -56,7 +56,7 @@ public:
     constraints_ = no_constraints(*m_);
     if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
       constraints_ = form_constraints(moving());
-    configuration_ = mechanics::configuration_jacobian(*m_);
+    configuration_ = mechanics::configuration_jacobian_by_all(*m_);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
@@ -77,14 +77,14 @@ public:
   constexpr const partition& coordinates() const { return coordinates_; }
 
   /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
-  constexpr problem check_bodies(quantity wanted) const {
+  constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
     return sentence(
         {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
   }
 
   /// A mistake that only the derivation could find.
-  constexpr const problem& mistake() const { return mistake_; }
+  constexpr const sentence& mistake() const { return mistake_; }
 
   constexpr symbolic::matrix get(quantity wanted) {
     if (!is_constrained_) constrain();
@@ -107,9 +107,9 @@ public:
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
     case quantity::configuration_residual: return column(m_->configuration_constraints);
     case quantity::configuration_terms: return column(terms_of(m_->configuration_constraints));
-    case quantity::configuration_jacobian:
+    case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
-    case quantity::configuration_jacobian_full: return configuration_;
+    case quantity::configuration_jacobian_by_all: return configuration_;
     case quantity::configuration_step: return step_of_configuration();
     case quantity::velocity_residual: return column(velocity_residual());
     case quantity::velocity_terms: return column(terms_of(velocity_residual()));
@@ -119,7 +119,7 @@ public:
     case quantity::dependency: return dynamics_.dependent().on_independent;
     case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
     case quantity::multipliers: return dynamics_.lambda();
-    case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
+    case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
     case quantity::state_matrix:
     case quantity::input_matrix:
     case quantity::state_jacobian:
@@ -201,22 +201,24 @@ public:
   }
 
   /// What may be singular at a state in the way to some results; last, whether they are finite.
-  constexpr sequence<guard> guards_of(const sequence<int>& outputs) {
-    sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
+  constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
+    sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
-      for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
-    for (const guard& g : guards_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
+      for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
+        all.push(g);
+    for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
     const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
     if (any)
-      for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
+      for (const singularity_check& g :
+           checks_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
-      for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
-    sequence<guard> live = live_guards(*m_->g, all, outputs);
-    for (const guard& g : guards_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
+      for (const singularity_check& g : checks_of_mass(*m_, speeds_, pivots())) all.push(g);
+    sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
+    for (const singularity_check& g : checks_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
     return live;
   }
 
@@ -333,7 +335,7 @@ private:
 
   skeleton s_;
   const mechanism* m_;
-  problem mistake_{};
+  sentence mistake_{};
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};

@@ -59,8 +59,8 @@ public:
   builder& operator=(const builder&) = delete;
 
   /// The first mistake made while building, or else the first that the mechanism holds; empty: none.
-  problem(check)() const;
-  const problem& mistake() const { return inspect_.mistake(); }
+  sentence(check)() const;
+  const sentence& mistake() const { return inspect_.mistake(); }
 
   const mechanics::mechanism& mechanism() const { return m_; }
   symbolic::graph& graph() { return *graph_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/runtime/guarded_code.hpp>
+#include <kanexpr/runtime/checked_code.hpp>
 
 #include <Eigen/Core>
 
@@ -17,10 +17,10 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `guards`: what may be singular on the way to the results.
+  /// `checks`: what may be singular on the way to the results.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
-              const symbolic::sequence<mechanics::guard>& guards = {})
-      : code_(g, wanted, guards), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {
+              const symbolic::sequence<mechanics::singularity_check>& checks = {})
+      : code_(g, wanted, checks), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {
     for (const lower::load& each : code_.code().loads)
       if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);
   }
@@ -127,10 +127,10 @@ private:
     }
   }
 
-  guarded_code<Scalar> code_;
+  checked_code<Scalar> code_;
   int coordinates_;
   need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"};
-  mechanics::problem too_short_{};
+  mechanics::sentence too_short_{};
   matrix result_;
 };
 

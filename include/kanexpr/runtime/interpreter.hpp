@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/lower/eliminate.hpp>
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/unrolled_elimination.hpp>
 
 namespace kanexpr::runtime {
 
@@ -30,7 +30,7 @@ private:
   void run();
   void run(int begin, int end);
   static void run(const lower::instruction& step, const T* values, T* out);
-  void eliminate(const lower::elimination& e);
+  void eliminate(const lower::linear_step& e);
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
@@ -42,7 +42,7 @@ private:
 template <class T>
 interpreter<T>::interpreter(const lower::tape& code)
     : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
-  for (const lower::elimination& e : code_.eliminations)
+  for (const lower::linear_step& e : code_.linear_steps)
     if (e.inputs() > squares_.size()) squares_.resize(e.inputs(), lower::scalar_math<T>::from(0));
   for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
 }
@@ -50,7 +50,7 @@ interpreter<T>::interpreter(const lower::tape& code)
 template <class T>
 void interpreter<T>::run() {
   int next = 0;
-  for (const lower::elimination& e : code_.eliminations) {
+  for (const lower::linear_step& e : code_.linear_steps) {
     run(next, e.step);
     eliminate(e);
     next = e.step + e.outputs();
@@ -66,17 +66,17 @@ void interpreter<T>::run(int begin, int end) {
 }
 
 template <class T>
-void interpreter<T>::eliminate(const lower::elimination& e) {
+void interpreter<T>::eliminate(const lower::linear_step& e) {
   using symbolic::operation;
   using math = lower::elimination_math<T>;
   T* const out = slots_.begin() + code_.first_step() + e.step;
-  T* const into = e.op == operation::regularity ? squares_.begin() : out;
+  T* const into = e.op == operation::singularity_measure ? squares_.begin() : out;
   const T* const factors = slots_.begin() + e.factors;
   for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
-  else if (e.op == operation::regularity)
-    *out = numeric::regularity_of<math>(e.order, factors, into);
+  else if (e.op == operation::singularity_measure)
+    *out = numeric::singularity_measure_of<math>(e.order, factors, into);
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);
   else
@@ -111,7 +111,7 @@ void interpreter<T>::run(const lower::instruction& step, const T* values, T* out
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: return; // belong to an elimination
+  case form::singularity_measure: return; // belong to an elimination
   }
 }
 

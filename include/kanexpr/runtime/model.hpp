@@ -16,7 +16,7 @@
 
 namespace kanexpr {
 
-namespace derivation {
+namespace deriving {
 struct survey;
 }
 
@@ -26,7 +26,7 @@ struct survey;
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use.
-  explicit model(const describe::system_record& from, std::span<const derivation::request> also = {});
+  explicit model(const describe::system_record& from, std::span<const deriving::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
@@ -55,7 +55,7 @@ public:
   symbolic::matrix udot() { return get(mechanics::quantity::udot); }
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
-  symbolic::matrix auxiliary_forces() { return get(mechanics::quantity::auxiliary_forces); }
+  symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
@@ -65,10 +65,10 @@ public:
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
   template <auto... measured>
   symbolic::matrix measured_by() {
-    const derivation::request all[]{derivation::requested<measured>::value...};
+    const deriving::request all[]{deriving::requested<measured>::value...};
     return measured_by(all);
   }
-  symbolic::matrix measured_by(std::span<const derivation::request> measured);
+  symbolic::matrix measured_by(std::span<const deriving::request> measured);
 
   /// An expression with the rates q̇ and u̇ as the equations of motion give them; as it is where the system has
   /// a mistake.
@@ -82,9 +82,9 @@ public:
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
   template <auto wanted>
   symbolic::matrix get() {
-    return get(derivation::requested<wanted>::value);
+    return get(deriving::requested<wanted>::value);
   }
-  symbolic::matrix get(const derivation::request& wanted);
+  symbolic::matrix get(const deriving::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted>
@@ -102,11 +102,11 @@ public:
   /// last bit.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    return {graph(), result, coordinates(), guards_of(result)};
+    return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
 
   /// Its symbols in order, and which of them are dependent.
-  std::shared_ptr<const derivation::survey> known() const;
+  std::shared_ptr<const deriving::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
@@ -116,7 +116,7 @@ public:
 private:
   int coordinates() const;
   /// What may be singular on the way to a result.
-  symbolic::sequence<mechanics::guard> guards_of(const symbolic::matrix& result);
+  symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 
   std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };
@@ -127,7 +127,7 @@ model derive() {
   if constexpr (sizeof...(also) == 0) {
     return model(System::record);
   } else {
-    const derivation::request all[]{derivation::requested<also>::value...};
+    const deriving::request all[]{deriving::requested<also>::value...};
     return model(System::record, all);
   }
 }

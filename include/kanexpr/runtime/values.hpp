@@ -26,7 +26,7 @@ public:
   using Eigen::VectorXd::operator[];
 
   value_vector() = default;
-  value_vector(std::shared_ptr<const derivation::survey> known, symbols_of which)
+  value_vector(std::shared_ptr<const deriving::survey> known, symbols_of which)
       : known_(std::move(known)), which_(which) {
     setConstant(range().size, which == symbols_of::state ? 0 : number_for(compiled::gap::never_set));
   }
@@ -63,13 +63,13 @@ public:
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
   /// The last name that was asked for and is not there, as a sentence; empty: there was none.
-  mechanics::problem problem() const {
+  mechanics::sentence mistake() const {
     if (unknown_.empty()) return {};
     return mechanics::sentence({"the model has no ", range().symbol, " ", unknown_});
   }
 
   /// The symbols of the model; null: it was not made of one.
-  const std::shared_ptr<const derivation::survey>& known() const { return known_; }
+  const std::shared_ptr<const deriving::survey>& known() const { return known_; }
 
 private:
   static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -91,7 +91,7 @@ private:
     return found;
   }
 
-  std::shared_ptr<const derivation::survey> known_{};
+  std::shared_ptr<const deriving::survey> known_{};
   symbols_of which_ = symbols_of::state;
   mutable std::string unknown_{};
   double nothing_ = not_a_number; ///< takes what is assigned to no symbol
@@ -116,10 +116,10 @@ public:
   given_values(const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
 
   Vector values{};
-  mechanics::problem problem{}; ///< the first mistake in the values, as a sentence; empty: there is none
+  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
 
   /// Puts the values into their places among the symbols of a model.
-  void read(const std::shared_ptr<const derivation::survey>& known) {
+  void read(const std::shared_ptr<const deriving::survey>& known) {
     const compiled::symbol_range range = compiled::range_of(which, *known);
     static constexpr describe::system_record nothing_bound{};
     values = Vector(value_vector(known, which));

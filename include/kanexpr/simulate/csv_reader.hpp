@@ -118,10 +118,10 @@ public:
   table_reader(std::istream& in, const std::string& called) : in_(in), called_(called), records_(in) {}
 
   csv_table read() {
-    if (!header()) return csv_table(wrong_);
+    if (!header()) return csv_table(failure_);
     while (records_.next())
-      if (!row()) return csv_table(wrong_);
-    if (!well_formed()) return csv_table(wrong_);
+      if (!row()) return csv_table(failure_);
+    if (!well_formed()) return csv_table(failure_);
     csv_table all;
     for (std::size_t j = 0; j < columns_.size(); ++j)
       if (outcome added = all.add(header_.names()[j], std::move(columns_[j])); !added)
@@ -175,7 +175,7 @@ private:
     return "line " + std::to_string(records_.line()) + (called_.empty() ? "" : " of " + called_);
   }
   bool refuse(std::string why) {
-    wrong_ = outcome(std::move(why));
+    failure_ = outcome(std::move(why));
     return false;
   }
 
@@ -184,7 +184,7 @@ private:
   csv_records records_;
   table header_{}; ///< the names, without rows
   std::vector<std::vector<double>> columns_{};
-  outcome wrong_{};
+  outcome failure_{};
 };
 
 } // namespace simulated

@@ -54,8 +54,8 @@ public:
   }
 
   /// A mistake in constants, as a sentence.
-  const mechanics::problem& problem() const {
-    static constexpr mechanics::problem none{};
+  const mechanics::sentence& mistake() const {
+    static constexpr mechanics::sentence none{};
     return constants_ ? constants_->problem : none;
   }
   bool depends_on_state() const { return depends_on_state_; }

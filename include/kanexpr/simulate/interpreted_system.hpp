@@ -24,9 +24,9 @@ inline std::string check_model(model& m) {
   if (!m.mistake().empty()) return m.mistake();
   const mechanics::mechanism& of = m.mechanism();
   const int symbols = of.coordinates.size() + of.speeds.size() + of.parameters.size() + of.inputs.size();
-  if (symbols <= derivation::survey::room) return {};
+  if (symbols <= deriving::survey::room) return {};
   return "the model has " + std::to_string(symbols) + " symbols; a simulation has room for " +
-         std::to_string(derivation::survey::room);
+         std::to_string(deriving::survey::room);
 }
 
 /// Some results of a model, interpreted together as their compiled function evaluates them.
@@ -80,7 +80,7 @@ class interpreted_system final : public system {
   using argument = Eigen::Map<const vector<T>>;
 
 public:
-  interpreted_system(model& m, const derivation::survey& of, integrator by, const parameter_values<model>& p,
+  interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
                      const input_source<model>& inputs, const simulation_options<model>& options,
                      trajectory<model>& kept)
       : system(of, nothing_bound(), runtime::name_of_models), p_(p), inputs_(inputs), options_(options),
@@ -185,7 +185,7 @@ private:
     return none;
   }
   static constexpr std::initializer_list<quantity> configuration_and_derivatives{
-      quantity::configuration_residual, quantity::configuration_jacobian_full};
+      quantity::configuration_residual, quantity::configuration_jacobian_by_all};
   static constexpr std::initializer_list<quantity> velocities_and_derivatives{quantity::velocity_residual,
                                                                               quantity::constraint_jacobian};
 
@@ -193,13 +193,13 @@ private:
   template <class T>
   class multiplier_equations {
   public:
-    multiplier_equations(model& m, const derivation::survey& of, const parameter_values<model>& p)
+    multiplier_equations(model& m, const deriving::survey& of, const parameter_values<model>& p)
         : p_(p.template cast<T>()), qdot_(m, {quantity::qdot}), forces_(m, {quantity::unreduced_forces}) {
       if (of.constraints != 0) velocities_.emplace(m, velocities_and_derivatives);
       if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
     }
 
-    status residual(const derivation::survey& of, double time, const T* y, const T* ydot, const T* inputs_at,
+    status residual(const deriving::survey& of, double time, const T* y, const T* ydot, const T* inputs_at,
                     T* out) {
       const int n = of.coordinates, o = of.speeds, m = of.constraints, l = of.configuration_constraints;
       const T t = lower::scalar_math<T>::from(time);
@@ -249,9 +249,9 @@ private:
   void check(const runtime::value_vector& left, compiled::symbols_of which) const {
     const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
     for (const runtime::value_vector* each : all)
-      if (const mechanics::problem found = each->problem()) throw misnamed(found);
+      if (const mechanics::sentence found = each->problem()) throw misnamed(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
-    if (const mechanics::problem found =
+    if (const mechanics::sentence found =
             compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))
       throw misnamed(found);
   }

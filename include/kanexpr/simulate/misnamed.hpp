@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 
 #include <exception>
 
@@ -10,11 +10,11 @@ namespace kanexpr::simulated {
 /// program.
 class misnamed : public std::exception {
 public:
-  explicit misnamed(const mechanics::problem& why) : why_(why) {}
+  explicit misnamed(const mechanics::sentence& why) : why_(why) {}
   const char* what() const noexcept override { return why_.letters; }
 
 private:
-  mechanics::problem why_;
+  mechanics::sentence why_;
 };
 
 } // namespace kanexpr::simulated

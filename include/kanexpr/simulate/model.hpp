@@ -27,7 +27,7 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
   result.time = span.from;
   result.reason = simulated::check_model(m);
   if (!result.reason.empty()) return result;
-  const std::shared_ptr<const derivation::survey> known = m.known();
+  const std::shared_ptr<const deriving::survey> known = m.known();
   input_source<model> inputs = options.inputs;
   x.read(known), p.read(known), inputs.read(known);
   result.trajectory = trajectory<model>(m, p.values);

@@ -26,7 +26,7 @@ public:
   /// name.
   std::vector<double> operator[](std::string_view name) const {
     if (empty()) return {};
-    const derivation::survey& known = *front().x.known();
+    const deriving::survey& known = *front().x.known();
     for (int i = 0; i < known.symbols(); ++i) {
       if (known.names[i].view() != name) continue;
       const int states = known.coordinates + known.speeds, input = i - states - known.parameters;

@@ -15,7 +15,7 @@ namespace kanexpr {
 template <class System, text called, int index, class Function>
 void prescribe(input_values<System>& r, const prescribed<called, index>& quantity, double t,
                const Function& f) {
-  constexpr const derivation::survey& known = compiled::survey_of<System>;
+  constexpr const deriving::survey& known = compiled::survey_of<System>;
   constexpr auto place = [](const describe::symbol_record& s) {
     return known.place(symbolic::symbol_kind::input, s.called);
   };

@@ -83,7 +83,7 @@ protected:
     return found;
   }
 
-  kanexpr::table table_of(const derivation::survey& known) const {
+  kanexpr::table table_of(const deriving::survey& known) const {
     kanexpr::table all;
     const auto put = [&](std::string_view name, std::vector<double> values) {
       static_cast<void>(all.add(std::string(name), std::move(values))); // no two symbols have one name

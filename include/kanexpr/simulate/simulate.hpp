@@ -30,7 +30,7 @@ settings settings_of(const simulation_options<System>& o) {
              o.analytic_jacobian,
              {},
              o.progress,
-             o.inputs.problem().view(),
+             o.inputs.mistake().view(),
              o.inputs.depends_on_state(),
              sizeof(sample<System>)};
   for (const event<System>& e : o.events)
@@ -48,7 +48,7 @@ void run_into(simulation<System>& result, system& moved, time_span span, const s
   result.events = std::move(end.events);
   result.statistics = end.statistics;
   result.stopped_by_event = end.stopped_by_event;
-  result.reason = std::move(end.reason);
+  result.failure = std::move(end.failure);
 }
 
 } // namespace simulated
@@ -66,8 +66,8 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   result.trajectory = trajectory<System>(p.values);
   result.time = span.from;
   result.state = x.values;
-  result.reason = (p.problem ? p.problem : x.problem).view();
-  if (!result.reason.empty()) return result;
+  result.failure = (p.mistake ? p.mistake : x.mistake).view();
+  if (!result.failure.empty()) return result;
   simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
   simulated::run_into<by>(result, moved, span, simulated::settings_of(options));
   return result;

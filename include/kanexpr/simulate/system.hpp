@@ -22,11 +22,11 @@ namespace simulated {
 /// and is compiled without one.
 class system {
 public:
-  system(const derivation::survey& of, const describe::system_record& record, std::string_view called)
+  system(const deriving::survey& of, const describe::system_record& record, std::string_view called)
       : known(of), told(record), name(called) {}
   virtual ~system() = default;
 
-  const derivation::survey& known;
+  const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
 

@@ -23,14 +23,15 @@ struct wishes {
 
 /// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r], and what could not be
 /// solved there, as a sentence.
-using evaluation = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
+using values_of_equations = std::string_view (*)(double t, const std::complex<double>* at,
+                                                 std::complex<double>* all);
 
 /// A system as the search sees it.
 struct subject {
-  const derivation::survey& known;
+  const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
-  evaluation evaluate;
+  values_of_equations evaluate;
 };
 
 /// An equation with its name, "the rate of speed u2", and what it leaves.
@@ -45,7 +46,7 @@ struct finding {
   Eigen::VectorXd left{};   ///< of each equation
   int iterations = 0;
   int freedom = 0;
-  std::string cause{};
+  std::string failure{};
   std::vector<residual> residuals{};
 };
 

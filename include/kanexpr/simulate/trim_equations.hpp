@@ -18,7 +18,8 @@ using complex_vector = Eigen::VectorXcd;
 /// steps.
 class trim_equations final : public solvers::nonlinear_equations {
 public:
-  trim_equations(const conditions& asked, evaluation evaluate, double t, const Eigen::VectorXd& guess)
+  trim_equations(const conditions& asked, values_of_equations evaluate, double t,
+                 const Eigen::VectorXd& guess)
       : asked_(asked), evaluate_(evaluate), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
 
   int equations() const override { return static_cast<int>(asked_.equations().size()); }
@@ -109,7 +110,7 @@ private:
 
   /// Which coordinates are angles, and how long the others are, at the guess.
   void look_at_kinds() {
-    const derivation::survey& known = asked_.known();
+    const deriving::survey& known = asked_.known();
     kinds_.coordinates = known.coordinates;
     kinds_.speeds = known.speeds;
     kinds_.residuals = asked_.residuals();
@@ -131,7 +132,7 @@ private:
   static constexpr double step = 1e-40;
 
   const conditions& asked_;
-  evaluation evaluate_;
+  values_of_equations evaluate_;
   double t_;
   complex_vector at_, all_;
   std::string_view unsolved_{};

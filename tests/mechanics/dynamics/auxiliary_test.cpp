@@ -35,7 +35,7 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   const Vector3d acceleration = to_center * (alpha * z.cross(x) - omega * omega * x);
   const Vector3d pin_force = mass * acceleration - weight - pull;
   expect_equal(found(b, e, quantity::udot).head(1), VectorXd::Constant(1, alpha));
-  expect_equal(found(b, e, quantity::auxiliary_forces), pin_force.head(2));
+  expect_equal(found(b, e, quantity::noncontributing_forces), pin_force.head(2));
   // nothing else knows of them
   expect_equal(b.in_ground(mechanics::velocity_of_point(e.moving(), place(center))),
                to_center * omega * z.cross(x));
@@ -56,7 +56,7 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
     ASSERT_EQ(b.check().view(), "");
     mechanics::equations e(b.mechanism());
     udot[held] = found(b, e, quantity::udot);
-    force[held] = found(b, e, quantity::auxiliary_forces);
+    force[held] = found(b, e, quantity::noncontributing_forces);
   }
   expect_equal(udot[1], udot[0]);
   expect_equal(force[1], force[0]);
@@ -94,7 +94,7 @@ TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   const Vector3d on_rotor = inertia * (udot(1) * x + udot(0) * z) + rest;
   EXPECT_NEAR(on_rotor(0), 0, 1e-14);
   expect_equal(found(b, e, quantity::udot).head(2), udot);
-  expect_equal(found(b, e, quantity::auxiliary_forces), on_rotor.tail(2));
+  expect_equal(found(b, e, quantity::noncontributing_forces), on_rotor.tail(2));
 }
 
 // ---- the rolling disc: what acts where it touches the ground is m a less its weight
@@ -149,7 +149,7 @@ TEST(auxiliary_speeds, give_the_contact_force_of_a_rolling_disc) {
   Vector3d udot;
   const Vector3d force = disc::contact_force(b, udot);
   expect_equal(found(b, e, quantity::udot), udot);
-  expect_equal(found(b, e, quantity::auxiliary_forces), force);
+  expect_equal(found(b, e, quantity::noncontributing_forces), force);
 }
 
 // Rolling as constraints: the multipliers are forces along the directions in which the rim does not slip, and
@@ -186,7 +186,7 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     expect_equal(found(b, e, quantity::velocity_residual), VectorXd::Zero(2));
     expect_equal(found(b, e, quantity::udot).head(3), udot);
     const VectorXd lambda = found(b, e, quantity::multipliers),
-                   lift = found(b, e, quantity::auxiliary_forces);
+                   lift = found(b, e, quantity::noncontributing_forces);
     expect_equal(Vector3d(lambda(0), lambda(1), lift(0) + slope * lambda(0)), force);
   }
 }

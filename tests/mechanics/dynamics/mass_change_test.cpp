@@ -213,7 +213,7 @@ TEST(prescribed, turns_a_tube) {
   const double q = b.q_now[0], u = b.u_now[0], rate = b.r_now[1];
   expect_equal(found(b, e, quantity::udot).head(1),
                VectorXd::Constant(1, q * rate * rate - 9.81 * std::sin(b.r_now[0])));
-  expect_equal(found(b, e, quantity::auxiliary_forces),
+  expect_equal(found(b, e, quantity::noncontributing_forces),
                VectorXd::Constant(1, mass * (q * b.r_now[2] + 2 * u * rate + 9.81 * std::cos(b.r_now[0]))));
 }
 

@@ -82,7 +82,7 @@ TEST(springs, keep_what_dampers_do_not_take) {
     mechanics::sequence<expression> udot;
     const kanexpr::symbolic::matrix rates = e.get(quantity::udot);
     for (const expression& rate : rates.entries) udot.push(rate);
-    kanexpr::symbolic::derivation along_time =
+    kanexpr::symbolic::differentiation along_time =
         mechanics::time_derivative(a.mechanism(), e.skeleton_used().coordinate_rates, udot);
     kanexpr::symbolic::matrix energy(a.graph(), 1, 1);
     energy.entries[0] = along_time.of(e.get(quantity::kinetic_energy).entries[0] +
@@ -150,7 +150,7 @@ TEST(springs, act_on_auxiliary_speeds) {
     }
     ASSERT_EQ(b.check().view(), "");
     mechanics::equations e(b.mechanism());
-    force[by_vectors] = found(b, e, quantity::auxiliary_forces);
+    force[by_vectors] = found(b, e, quantity::noncontributing_forces);
   }
   EXPECT_GT(std::abs(force[1](0)), 0.1);
   expect_equal(force[0], force[1]);

@@ -3,7 +3,7 @@
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/constraint.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::velocity_constraint;
 
@@ -37,7 +37,7 @@ protected:
 
   constexpr void read_dependent(const phrase& p) {
     constexpr std::string_view whom = "dependent<...>";
-    const bool alone = p.size == 1 && p.tokens[0].what == describe::word::symbol;
+    const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     const bool coordinate = s != nullptr && s->kind == symbolic::symbol_kind::coordinate;
     const symbolic::symbol_kind rate =
@@ -107,4 +107,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -5,7 +5,7 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::point_record;
 
@@ -208,4 +208,4 @@ private:
   sequence<const point_record*> open_points_{};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

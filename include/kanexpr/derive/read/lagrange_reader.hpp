@@ -3,7 +3,7 @@
 #include <kanexpr/derive/read/constraint_reader.hpp>
 #include <kanexpr/describe/lagrange_system.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// What only Lagrange's method needs: the rates of the coordinates as speeds, and the Lagrangian where the
 /// model gives it. It is read with its symbols, and evaluated when velocities are known.
@@ -42,4 +42,4 @@ private:
   static constexpr std::string_view the_lagrangian = "the Lagrangian";
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

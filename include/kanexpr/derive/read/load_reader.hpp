@@ -5,7 +5,7 @@
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/model/loads.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The loads of a model. Those that speak of motion are read with their symbols and entities like all others,
 /// and evaluated when velocities are known.
@@ -33,7 +33,7 @@ protected:
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
         r.what == load_word::torsional_spring)
       return fail({name_of(r).view(), " holds a velocity or derivative; it may hold coordinates only"});
-    const problem whom = name_of(r);
+    const sentence whom = name_of(r);
     for (const point_record* p : {r.point, r.other_point})
       if (p != nullptr) point(p, whom.view());
     for (const frame_record* f : {r.frame, r.other_frame})
@@ -66,7 +66,7 @@ private:
     case load_word::torque: return evaluate_torque(r);
     case load_word::gravity: return evaluate_gravity(r);
     case load_word::potential_energy: {
-      const problem whom = name_of(r);
+      const sentence whom = name_of(r);
       const expression energy = scalar_of(r.value, {"", whom.view()}, whom.view());
       if (mistake_) return;
       if (energy.is_zero() && !holds_bound(r.value))
@@ -77,14 +77,14 @@ private:
     case load_word::spring: return evaluate_spring(r);
     case load_word::torsional_spring: return evaluate_torsional_spring(r);
     case load_word::damper: {
-      const problem whom = name_of(r);
+      const sentence whom = name_of(r);
       const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
       const expression damping = damping_of(r, whom.view());
       if (!mistake_) mechanics::add_damper(m_, at, other, damping);
       break;
     }
     case load_word::torsional_damper: {
-      const problem whom = name_of(r);
+      const sentence whom = name_of(r);
       const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
       const expression damping = damping_of(r, whom.view());
       if (!mistake_) mechanics::add_torsional_damper(m_, on, other, damping);
@@ -99,28 +99,28 @@ private:
 
   constexpr void evaluate_force(const load_record& r) {
     if (r.other_point != nullptr) {
-      const problem whom = name_of(r);
+      const sentence whom = name_of(r);
       const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
       const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
       if (!mistake_) mechanics::add_force(m_, at, v, other);
       return;
     }
     const int at = point(r.point, "a force");
-    const problem word = mechanics::sentence({r.word, " at "});
+    const sentence word = mechanics::sentence({r.word, " at "});
     const mechanics::vector v = vector_of(r.value, {word.view(), r.point->called}, r.point->called);
     if (!mistake_) mechanics::add_force(m_, at, v);
   }
 
   constexpr void evaluate_torque(const load_record& r) {
     if (r.other_frame != nullptr) {
-      const problem whom = name_of(r);
+      const sentence whom = name_of(r);
       const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
       const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
       if (!mistake_) mechanics::add_torque(m_, on, v, other);
       return;
     }
     const int on = frame(r.frame, "a torque");
-    const problem word = mechanics::sentence({r.word, " on "});
+    const sentence word = mechanics::sentence({r.word, " on "});
     const mechanics::vector v = vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
     if (!mistake_) mechanics::add_torque(m_, on, v);
   }
@@ -132,7 +132,7 @@ private:
   }
 
   constexpr void evaluate_spring(const load_record& r) {
-    const problem whom = name_of(r);
+    const sentence whom = name_of(r);
     const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
     const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
     const expression length = scalar_of(r.rest, {"the natural length of ", whom.view()}, whom.view());
@@ -140,7 +140,7 @@ private:
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r) {
-    const problem whom = name_of(r);
+    const sentence whom = name_of(r);
     const expression angle = scalar_of(r.angle, {"the angle of ", whom.view()}, whom.view());
     const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
     const expression rest = scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
@@ -153,4 +153,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -8,7 +8,7 @@
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Evaluates the postfix phrases of a model. `Entities` is the class derived from this one, which knows the
 /// frames and points that phrases mention.
@@ -19,7 +19,7 @@ public:
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
-    if (p.kind == shape::vanishing || p.kind == shape::turning)
+    if (p.kind == shape::vanishing || p.kind == shape::kinematics)
       fail({part_, whom, is_a(p.kind), "it must be an expression"});
     const sequence<value> found = evaluate_each(p, whom);
     if (mistake_ || found.empty()) return value::of(m_.zero());
@@ -38,7 +38,7 @@ protected:
     for (int i = 0; i < p.size && !mistake_; ++i) {
       const int known = m_.g->size();
       step(p.tokens[i], stack, whom);
-      if (p.tokens[i].what <= describe::word::normalized && m_.g->size() != known)
+      if (p.tokens[i].what <= describe::token_kind::normalized && m_.g->size() != known)
         look_for_no_number(known, p.tokens[i], whom);
     }
     reading_ = before;
@@ -54,14 +54,14 @@ protected:
     return v;
   }
 
-  constexpr expression scalar_of(const phrase& p, words what, std::string_view whom) {
+  constexpr expression scalar_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
     if (mistake_) return m_.zero();
     if (p.kind == shape::scalar) return v.scalar;
     fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a scalar"});
     return m_.zero();
   }
-  constexpr mechanics::vector vector_of(const phrase& p, words what, std::string_view whom) {
+  constexpr mechanics::vector vector_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
     if (mistake_) return {};
     if (p.kind == shape::vector) return v.vector;
@@ -85,7 +85,7 @@ protected:
   /// Words that C++ has and models do not.
   constexpr void check_written(const phrase& p, std::string_view whom) {
     for (int i = 0; i < p.size && !mistake_; ++i) {
-      if (p.tokens[i].what != describe::word::misused) continue;
+      if (p.tokens[i].what != describe::token_kind::misused) continue;
       const bool named = !part_.empty() || whom.substr(0, 4) == "the ";
       const std::string_view held = named ? "" : name_in(p);
       fail({part_, whom, held.empty() ? "" : " with ", held,
@@ -95,12 +95,12 @@ protected:
 
   /// What a step adds to the graph must be numbers where it holds no symbols.
   constexpr void look_for_no_number(int known, const describe::token& t, std::string_view whom) {
-    using describe::word;
+    using describe::token_kind;
     for (int id = known; id < m_.g->size() && !mistake_; ++id) {
       if (!mechanics::has_no_value(*m_.g, id)) continue;
-      if (t.what == word::normalized)
+      if (t.what == token_kind::normalized)
         fail({part_, whom, " holds normalized of a vector of no length"});
-      else if (t.what != word::scalar_function)
+      else if (t.what != token_kind::scalar_function)
         fail({part_, whom, " holds a number that is not finite"});
       else if (t.operation == symbolic::operation::power)
         fail({part_, whom, " holds pow of numbers for which it has no value"});
@@ -111,16 +111,16 @@ protected:
   }
 
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    using describe::word;
+    using describe::token_kind;
     const auto pop = [&] {
       value v = static_cast<value&&>(stack.back());
       stack.pop();
       return v;
     };
     switch (t.what) {
-    case word::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
-    case word::symbol: stack.push(value::of(symbol(*t.symbol, whom))); break;
-    case word::basis: {
+    case token_kind::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
+    case token_kind::symbol: stack.push(value::of(symbol(*t.symbol, whom))); break;
+    case token_kind::basis: {
       mechanics::vector v;
       const int f = t.frame != nullptr ? entities().frame(t.frame, whom) : describing_;
       if (f == none)
@@ -130,7 +130,7 @@ protected:
       stack.push(value::of(static_cast<mechanics::vector&&>(v)));
       break;
     }
-    case word::scalar_function: {
+    case token_kind::scalar_function: {
       const value b = pop();
       if (!symbolic::is_binary(t.operation)) {
         if (is_senseless(t, b, whom)) return;
@@ -142,26 +142,26 @@ protected:
       stack.push(value::of({*m_.g, symbolic::build(*m_.g, t.operation, a.scalar.node(), b.scalar.node())}));
       break;
     }
-    case word::negate: stack.push(negative(m_, pop())); break;
-    case word::add: {
+    case token_kind::negate: stack.push(negative(m_, pop())); break;
+    case token_kind::add: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       stack.push(sum(a, b));
       break;
     }
-    case word::subtract: {
+    case token_kind::subtract: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       stack.push(sum(a, negative(m_, b)));
       break;
     }
-    case word::multiply: {
+    case token_kind::multiply: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       stack.push(scaled(a.scalar, b));
       break;
     }
-    case word::divide: {
+    case token_kind::divide: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       if (b.scalar.is_zero()) return fail({part_, whom, " is divided by zero"});
@@ -171,7 +171,7 @@ protected:
         stack.push(scaled(1 / b.scalar, a));
       break;
     }
-    case word::dot: {
+    case token_kind::dot: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       if (a.kind == shape::dyadic)
@@ -180,31 +180,31 @@ protected:
         stack.push(value::of(dot(m_, a.vector, b.vector)));
       break;
     }
-    case word::cross: {
+    case token_kind::cross: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       stack.push(value::of(cross(m_, a.vector, b.vector)));
       break;
     }
-    case word::outer: {
+    case token_kind::outer: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
       stack.push(value::of(outer(m_, a.vector, b.vector)));
       break;
     }
-    case word::magnitude: {
+    case token_kind::magnitude: {
       const value a = pop();
       if (is_senseless(t, a, whom)) return;
       stack.push(value::of(sqrt(dot(m_, a.vector, a.vector))));
       break;
     }
-    case word::normalized: {
+    case token_kind::normalized: {
       const value a = pop();
       if (is_senseless(t, a, whom)) return;
       stack.push(value::of(normalized(m_, a.vector)));
       break;
     }
-    case word::partial: {
+    case token_kind::partial: {
       const expression by = symbol(*t.symbol, whom);
       value& of = stack.back();
       if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
@@ -212,40 +212,40 @@ protected:
         for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
       break;
     }
-    case word::in_axes: {
+    case token_kind::in_axes: {
       const int axes = entities().frame(t.frame, whom);
       mechanics::vector v;
       v.add(axes, mechanics::express(m_, stack.back().vector, axes));
       stack.back().vector = v;
       break;
     }
-    case word::misused: return check_written(*reading_, whom);
-    case word::position:
-    case word::velocity:
-    case word::acceleration:
-    case word::angular_velocity:
-    case word::angular_acceleration:
-    case word::derivative: return motion(t, stack, whom);
+    case token_kind::misused: return check_written(*reading_, whom);
+    case token_kind::position:
+    case token_kind::velocity:
+    case token_kind::acceleration:
+    case token_kind::angular_velocity:
+    case token_kind::angular_acceleration:
+    case token_kind::derivative: return motion(t, stack, whom);
     }
   }
 
   /// What a point or frame does, which only a model that has been read knows.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    using describe::word;
-    if (t.what == word::position) {
+    using describe::token_kind;
+    if (t.what == token_kind::position) {
       const int at = entities().point(t.point, whom);
       if (!mistake_) stack.push(value::of(mechanics::position_from_origin(m_, at)));
       return;
     }
     if (derived_ == nullptr) return declared_motion(t, stack, whom);
     mechanics::motion& k = derived_->moving();
-    if (t.what == word::velocity)
+    if (t.what == token_kind::velocity)
       stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
-    else if (t.what == word::acceleration)
+    else if (t.what == token_kind::acceleration)
       stack.push(value::of(mechanics::acceleration_of_point(k, entities().point(t.point, whom))));
-    else if (t.what == word::angular_velocity)
+    else if (t.what == token_kind::angular_velocity)
       stack.push(value::of(mechanics::angular_velocity_of_frame(k, entities().frame(t.frame, whom))));
-    else if (t.what == word::angular_acceleration)
+    else if (t.what == token_kind::angular_acceleration)
       stack.push(value::of(mechanics::angular_acceleration_of_frame(k, entities().frame(t.frame, whom))));
     else if (t.frame == nullptr)
       stack.back().scalar = k.rate(k.known(stack.back().scalar));
@@ -256,10 +256,11 @@ protected:
   /// Whether a word is known while a model is read: of velocities, only those are that it declares in the
   /// inertial frame.
   constexpr bool is_declared(const describe::token& t) const {
-    using describe::word;
-    if (t.what == word::velocity) return t.point->reference == from_.inertial;
-    if (t.what == word::angular_velocity) return t.frame->reference == from_.inertial;
-    return t.what != word::acceleration && t.what != word::angular_acceleration && t.what != word::derivative;
+    using describe::token_kind;
+    if (t.what == token_kind::velocity) return t.point->reference == from_.inertial;
+    if (t.what == token_kind::angular_velocity) return t.frame->reference == from_.inertial;
+    return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
+           t.what != token_kind::derivative;
   }
 
   constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
@@ -285,4 +286,4 @@ private:
   constexpr Entities& entities() { return static_cast<Entities&>(*this); }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,7 +4,7 @@
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::body_record;
 
@@ -86,7 +86,7 @@ private:
 
   constexpr void read_kinematics(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
-    if (p.kind == shape::turning) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
+    if (p.kind == shape::kinematics) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)
       return fail({"kinematics<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
                    name_in(p), "; write dot(q) == u"});
@@ -158,4 +158,4 @@ private:
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,18 +1,17 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/symbol_list.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::system_record;
 using mechanics::mechanism;
 using mechanics::none;
-using mechanics::problem;
 using mechanics::sentence;
 using symbolic::expression;
 using symbolic::sequence;
@@ -23,7 +22,7 @@ class symbol_reader {
 public:
   constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
 
-  constexpr const problem& mistake() const { return mistake_; }
+  constexpr const sentence& mistake() const { return mistake_; }
   /// Whether the mistake is that of a type of which the compiler has reported one already.
   constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
   /// Makes this sentence the mistake, if it is the first.
@@ -84,12 +83,12 @@ public:
   }
 
 protected:
-  using words = std::initializer_list<std::string_view>;
+  using text_pieces = std::initializer_list<std::string_view>;
 
   /// Of Lagrange's method.
   constexpr bool takes_rates_as_speeds() const { return from_.derived_by == describe::method::lagrange; }
 
-  constexpr void fail(words pieces) {
+  constexpr void fail(text_pieces pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
   }
 
@@ -100,14 +99,14 @@ protected:
 
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
                                                symbol_list list) {
-    if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", derivation::called(list), " holds something that is not a symbol",
+    if (p.size != 1 || p.tokens[0].what != describe::token_kind::symbol) {
+      fail({"the list of ", deriving::called(list), " holds something that is not a symbol",
             p.size > 1 ? ", with " : "", name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({kind_of(*s), s->called.view(), " is in the list of ", derivation::called(list)});
+      fail({kind_of(*s), s->called.view(), " is in the list of ", deriving::called(list)});
       return nullptr;
     }
     claim(*s, list);
@@ -143,7 +142,7 @@ protected:
           {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
-    fail({mechanics::check_name(called, derivation::called(list)).view()});
+    fail({mechanics::check_name(called, deriving::called(list)).view()});
   }
 
   /// A name means one thing in a system.
@@ -151,14 +150,14 @@ protected:
     for (const claimed& other : claimed_)
       if (other.called == called) {
         if (other.list == list && other.mark != mark)
-          fail({"two of the ", derivation::called(list), " are called ", called.view()});
+          fail({"two of the ", deriving::called(list), " are called ", called.view()});
         else if (other.list == list)
-          fail({called.view(), " is listed twice among the ", derivation::called(list)});
+          fail({called.view(), " is listed twice among the ", deriving::called(list)});
         else if (other.list == symbol_list::values)
           fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
         else
-          fail({"the name ", called.view(), " is used twice: among the ", derivation::called(other.list),
-                " and among the ", derivation::called(list)});
+          fail({"the name ", called.view(), " is used twice: among the ", deriving::called(other.list),
+                " and among the ", deriving::called(list)});
       }
     claimed_.push({called, list, mark});
   }
@@ -186,7 +185,7 @@ protected:
 
   const system_record& from_;
   mechanism& m_;
-  problem mistake_{};
+  sentence mistake_{};
   std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
 
 private:
@@ -285,4 +284,4 @@ private:
   bool is_time_claimed_ = false;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -11,10 +11,10 @@
 namespace kanexpr::mechanics {
 
 /// The derivatives of the configuration constraints by all coordinates.
-constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
+constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m) {
   symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
   for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
-    symbolic::derivation by_coordinate(*m.g);
+    symbolic::differentiation by_coordinate(*m.g);
     by_coordinate.set_rate(m.coordinates[j], m.one());
     for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(m.configuration_constraints[i]);
   }
@@ -22,7 +22,7 @@ constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
 }
 
 /// What the constraints of a model hold.
-constexpr problem check_contents_of_constraints(const mechanism& m) {
+constexpr sentence check_contents_of_constraints(const mechanism& m) {
   using kind = symbolic::symbol_kind;
   if (m.configuration_constraints.empty() && m.velocity_constraints.empty() &&
       m.acceleration_constraints.empty())
@@ -31,7 +31,7 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
   for (int i = 0; i < m.configuration_constraints.size(); ++i) {
     const expression f = m.configuration_constraints[i];
     const name which = counted(i + 1);
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
@@ -43,8 +43,8 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
       return sentence({"configuration constraint ", which.view(), " holds the ",
                        speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
                        "; it may hold coordinates only"});
-    for (const word& w : {word{kind::auxiliary_speed, " holds the auxiliary speed "},
-                          word{kind::coordinate_rate, " holds the rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " holds the auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " holds the rate of coordinate "}})
       if (held.holds(f, w.what))
         return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
                          "; it may hold coordinates only"});
@@ -65,7 +65,7 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
                        " is not known"});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
       return sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
-    const problem not_linear =
+    const sentence not_linear =
         check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
     if (not_linear) return not_linear;
   }
@@ -91,8 +91,8 @@ constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
 }
 
 /// The rates of configuration constraints that are left out because velocity constraints bind the same.
-constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
-                                       const symbolic::matrix& configuration) {
+constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
+                                        const symbolic::matrix& configuration) {
   if (c.repeated.empty()) return {};
   consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
   if (first_that_never_vanishes(anywhere, c.repeated) == none) return {}; // as most, in any configuration
@@ -108,9 +108,9 @@ constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
 
 /// Constraints that leave nothing to move, that say nothing that those before them have not said, or that
 /// contradict them. Both Jacobians are given at generic states too, equilibrated.
-constexpr problem check_constraints(const skeleton& s, const constraints& c,
-                                    const symbolic::matrix& configuration, const sequence<numbers>& by_q,
-                                    const sequence<numbers>& by_u) {
+constexpr sentence check_constraints(const skeleton& s, const constraints& c,
+                                     const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                     const sequence<numbers>& by_u) {
   const mechanism& m = *s.model;
   const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
@@ -150,7 +150,7 @@ constexpr problem check_constraints(const skeleton& s, const constraints& c,
                      is_false ? " contradicts the other constraints"
                               : " follows from the other constraints in every configuration"});
   }
-  if (const problem contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
+  if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
     return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
   return {};
@@ -175,9 +175,9 @@ constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int
 } // namespace detail
 
 /// The dependent speeds and coordinates that the user chose; both Jacobians are given as above.
-constexpr problem check_choice(const mechanism& m, const constraints& c,
-                               const symbolic::matrix& configuration, const sequence<numbers>& by_q,
-                               const sequence<numbers>& by_u) {
+constexpr sentence check_choice(const mechanism& m, const constraints& c,
+                                const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                const sequence<numbers>& by_u) {
   for (int j : m.dependent_speeds) {
     bool appears = false;
     for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();

@@ -3,7 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 /// Mistakes that Lagrange's method alone minds.
@@ -28,9 +28,9 @@ public:
   constexpr explicit checking_lagrange(motion& k)
       : k_(k), s_(k.skeleton_used()), m_(*s_.model), held_(*m_.g) {}
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (m_.has_lagrangian) check_lagrangian();
-    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_turning(f);
+    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_angular_velocity(f);
     for (const body& b : m_.bodies) {
       if (found_) break;
       check_velocity(b);
@@ -61,14 +61,14 @@ private:
   }
 
   /// A declared angular velocity against that of the orientation.
-  constexpr void check_turning(int place) {
+  constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
-    symbolic::derivation along_time = time_derivative(m_, m_.speeds);
+    symbolic::differentiation along_time = time_derivative(m_, m_.speeds);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
     for (int f = place; f != mechanism::inertial; f = m_.frames[f].parent) {
-      w -= express(m_, turning_of_orientation(m_, f, along_time), mechanism::inertial);
+      w -= express(m_, relative_angular_velocity(m_, f, along_time), mechanism::inertial);
       normalize(m_.frames[f].quaternion, at_norm_one, along_time);
     }
     if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
@@ -78,7 +78,7 @@ private:
 
   /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
   constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
-                           symbolic::derivation& along_time) const {
+                           symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
     for (const expression& e : quaternion) squares += e * e;
     for (const expression& e : quaternion)
@@ -95,9 +95,9 @@ private:
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
     if (!declared) return;
-    const node& at = s_.nodes[s_.node_of_point[b.center]];
+    const station& at = s_.stations[s_.station_of_point[b.center]];
     const int ground = mechanism::inertial;
-    components v = express(m_, k_.velocity(s_.node_of_point[b.center]), s_.working_axes[at.axes], ground);
+    components v = express(m_, k_.velocity(s_.station_of_point[b.center]), s_.working_axes[at.axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
     if (!vanish(m_, {v.x, v.y, v.z}))
       fail({"the velocity of ", b.called.view(),
@@ -137,12 +137,12 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   contents held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
 /// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
-constexpr problem check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
+constexpr sentence check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
 
 } // namespace kanexpr::mechanics

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/checks/check_turning.hpp>
+#include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
 /// What is given along axes of frames whose orientation leaves an angle out, and depends on that angle.
@@ -25,7 +25,7 @@ public:
     }
   }
 
-  constexpr problem run() const {
+  constexpr sentence run() const {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
     for (const doubt& d : doubtful_)
@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  enum class what { axis, turning, offset, force, torque, direction };
+  enum class what { axis, angular_velocity, offset, force, torque, direction };
 
   struct doubt {
     const left_out_angle* angle = nullptr;
@@ -62,7 +62,7 @@ private:
   constexpr void collect(const left_out_angle& l, const vector& v, what is, int of) {
     for (const vector::part& p : v.parts) {
       bool is_sound = p.value.is_zero() || !turns_with(p.frame, l.frame);
-      for (int i = 0; i < 3 && is != what::turning; ++i)
+      for (int i = 0; i < 3 && is != what::angular_velocity; ++i)
         is_sound =
             is_sound || held_.holds_any(p.value[i], {contents::kind::speed, contents::kind::coordinate_rate});
       if (!is_sound) doubtful_.push({&l, p.frame, p.value, is, of});
@@ -70,7 +70,7 @@ private:
   }
 
   constexpr void collect_frames(const left_out_angle& l) {
-    collect(l, m_.frames[l.frame].angular_velocity, what::turning, l.frame);
+    collect(l, m_.frames[l.frame].angular_velocity, what::angular_velocity, l.frame);
     for (int f = 0; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       if (f == l.frame || own.turns_by_declaration() || !turns_with(f, l.frame)) continue;
@@ -107,13 +107,13 @@ private:
     const int f = d.angle->frame;
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
     // a ball that turns in a frame at rest turns there as it does in axes of its own
-    if (d.is == what::turning && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
+    if (d.is == what::angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
       return false;
     const triple v = motion.basis(f).along(motion.basis(d.axes) * motion.value(d.value));
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
-  constexpr problem told(const doubt& d) const {
+  constexpr sentence told(const doubt& d) const {
     const auto said = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
       return sentence({of, whose, " is given along axes of ", m_.frames[d.axes].called.view(),
@@ -122,7 +122,7 @@ private:
     };
     switch (d.is) {
     case what::axis: return said("the axis of frame ", m_.frames[d.of].called.view());
-    case what::turning: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
+    case what::angular_velocity: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
     case what::offset: return said("the offset of point ", m_.points[d.of].called.view());
     case what::force: return said("a force on ", m_.points[d.of].called.view());
     case what::torque: return said("a torque on ", m_.frames[d.of].called.view());

@@ -10,8 +10,8 @@
 namespace kanexpr::mechanics {
 
 /// Speeds or rates in what must be a function of coordinates, parameters, inputs and time.
-constexpr problem check_stillness(const mechanism& m, const contents& held, expression e, std::string_view of,
-                                  std::string_view whose) {
+constexpr sentence check_stillness(const mechanism& m, const contents& held, expression e,
+                                   std::string_view of, std::string_view whose) {
   using kind = symbolic::symbol_kind;
   if (held.holds(e, kind::speed))
     return sentence({of, whose, " holds the ", speed_called(m, held.name_of(e, kind::speed)).view(),
@@ -33,7 +33,7 @@ class checking_loads {
 public:
   constexpr checking_loads(const mechanism& m, const contents& held) : m_(m), held_(held) {}
 
-  constexpr problem run() {
+  constexpr sentence run() {
     for (const force& f : m_.forces) look_at(f);
     for (const torque& t : m_.torques) look_at(t);
     check_gravity();
@@ -69,10 +69,10 @@ private:
 
   constexpr std::string_view frame(int f) const { return m_.frames[f].called.view(); }
   constexpr std::string_view point(int p) const { return m_.points[p].called.view(); }
-  constexpr problem both_frames(int f, int other) const {
+  constexpr sentence both_frames(int f, int other) const {
     return sentence({frame(f), " and ", frame(other)});
   }
-  constexpr problem both_points(int p, int other) const {
+  constexpr sentence both_points(int p, int other) const {
     return sentence({point(p), " and ", point(other)});
   }
 
@@ -101,7 +101,7 @@ private:
   constexpr void look_at(const spring_damper& e) {
     const std::string_view what = e.stiffness.is_zero() ? "damper" : "spring";
     if (e.point == e.other) return fail({"a ", what, " lies between point ", point(e.point), " and itself"});
-    const problem names = both_points(e.point, e.other);
+    const sentence names = both_points(e.point, e.other);
     const int origin = origin_of(e.point), other_origin = origin_of(e.other);
     if (origin != other_origin)
       return fail({"the ", what, " between ", names.view(), " hangs on two origins, ",
@@ -169,18 +169,18 @@ private:
     free_of_rates(e, of, whose);
   }
   constexpr void free_of_rates(expression e, std::string_view of, std::string_view whose) {
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
-    for (const word& w : {word{kind::auxiliary_speed, "auxiliary speed "},
-                          word{kind::coordinate_rate, "rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, "auxiliary speed "},
+                                named_kind{kind::coordinate_rate, "rate of coordinate "}})
       if (held_.holds(e, w.what)) varies(of, whose, sentence({w.called, held_.name_of(e, w.what)}));
     if (held_.holds(e, kind::speed)) varies(of, whose, speed_called(m_, held_.name_of(e, kind::speed)));
     if (held_.holds(e, kind::speed_rate))
       varies(of, whose, speed_rate_called(m_, held_.name_of(e, kind::speed_rate)));
   }
-  constexpr void varies(std::string_view of, std::string_view whose, const problem& with) {
+  constexpr void varies(std::string_view of, std::string_view whose, const sentence& with) {
     fail({of, whose, " holds the ", with.view(), "; it may hold parameters, inputs and time only"});
   }
 
@@ -191,12 +191,12 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
 /// Of loads alone: the first mistake, or nothing.
-constexpr problem check_loads(const mechanism& m) { return detail::checking_loads(m, contents(*m.g)).run(); }
+constexpr sentence check_loads(const mechanism& m) { return detail::checking_loads(m, contents(*m.g)).run(); }
 
 } // namespace kanexpr::mechanics

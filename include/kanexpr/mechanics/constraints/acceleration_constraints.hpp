@@ -20,7 +20,7 @@ constexpr linear_accelerations linear_in_speed_rates(const skeleton& s) {
   symbolic::substitution at_rest(*m.g);
   for (const expression& rate : m.speed_rates) at_rest.replace(rate, m.zero());
   linear_accelerations out{symbolic::matrix(*m.g, m.acceleration_constraints.size(), m.speeds.size()), {}};
-  symbolic::derivation by_rate(*m.g);
+  symbolic::differentiation by_rate(*m.g);
   for (int j = 0; j < m.speeds.size(); ++j) {
     by_rate.restart();
     by_rate.set_rate(m.speed_rates[j], m.one());
@@ -41,8 +41,8 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
 
 /// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
 /// these hold.
-constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c,
-                                                 const symbolic::matrix& configuration) {
+constexpr sentence check_acceleration_constraints(const skeleton& s, const constraints& c,
+                                                  const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;
   if (m.acceleration_constraints.empty()) return {};
   const contents held(*m.g);

@@ -148,10 +148,10 @@ public:
   }
 
   /// The forces that keep the auxiliary speeds zero.
-  constexpr sequence<expression> auxiliary_forces() {
+  constexpr sequence<expression> noncontributing_forces() {
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
-    return mechanics::auxiliary_forces(constraints_, lambda(), imbalance_of(auxiliary));
+    return mechanics::noncontributing_forces(constraints_, lambda(), imbalance_of(auxiliary));
   }
 
 private:

@@ -12,7 +12,7 @@ constexpr expression kinetic_energy(motion& k) {
   expression twice = m.zero();
   for (const link& l : s.links) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
-    const components v = k.velocity(l.node, l.frame), w = k.angular_velocity(l.frame);
+    const components v = k.velocity(l.station, l.frame), w = k.angular_velocity(l.frame);
     const components h = to_working.turn(l.mass.first_moment);
     twice += l.mass.mass * dot(v, v) + 2 * dot(v, cross(w, h)) + dot(w, to_working.turn(l.mass.inertia) * w);
   }
@@ -46,7 +46,7 @@ constexpr components linear_momentum(motion& k) {
   components total(*m.g);
   for (const link& l : s.links) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
-    const components p = l.mass.mass * k.velocity(l.node, l.frame) +
+    const components p = l.mass.mass * k.velocity(l.station, l.frame) +
                          cross(k.angular_velocity(l.frame), to_working.turn(l.mass.first_moment));
     total += express(m, p, s.working_axes[l.frame], mechanism::inertial);
   }
@@ -76,8 +76,8 @@ constexpr components angular_momentum(motion& k) {
   const mechanism& m = *s.model;
   components total(*m.g);
   for (const body& b : m.bodies) {
-    const int n = s.node_of_point[b.center];
-    const components v = express(m, k.velocity(n), s.working_axes[s.nodes[n].axes], mechanism::inertial);
+    const int n = s.station_of_point[b.center];
+    const components v = express(m, k.velocity(n), s.working_axes[s.stations[n].axes], mechanism::inertial);
     total += cross(position(m, b.center), b.mass * v);
   }
   for (const body& b : m.bodies) {

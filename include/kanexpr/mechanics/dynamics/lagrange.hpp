@@ -39,7 +39,7 @@ public:
   constexpr symbolic::matrix mass_matrix() {
     const sequence<expression>& p = gradient().momenta;
     symbolic::matrix mass(*m_.g, p.size(), p.size());
-    symbolic::derivation by_rate(*m_.g);
+    symbolic::differentiation by_rate(*m_.g);
     for (int j = 0; j < p.size(); ++j) {
       by_rate.restart();
       by_rate.set_rate(m_.speeds[j], m_.one());
@@ -87,7 +87,7 @@ private:
 
   constexpr sequence<expression> inertia_of(const lagrangian_gradient& l,
                                             const sequence<expression>& udot) const {
-    symbolic::derivation along_time = time_derivative(m_, m_.speeds, udot);
+    symbolic::differentiation along_time = time_derivative(m_, m_.speeds, udot);
     sequence<expression> bias = l.by_coordinates;
     for (int i = 0; i < bias.size(); ++i) bias[i] -= along_time.of(l.momenta[i]);
     return bias;

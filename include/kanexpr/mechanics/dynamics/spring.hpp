@@ -45,7 +45,7 @@ constexpr stretch stretch_of(const skeleton& s, const spring_damper& e) {
   stretch line;
   int depth = 0;
   for (int p : {e.point, e.other}) {
-    const int axes = s.working_axes[s.nodes[s.node_of_point[p]].axes];
+    const int axes = s.working_axes[s.stations[s.station_of_point[p]].axes];
     if (path::depth(m, axes) > depth) line.axes = axes, depth = path::depth(m, axes);
   }
   line.d = express(m, detail::line_of(m, e), line.axes);
@@ -61,7 +61,7 @@ constexpr expression spring_pull(const spring_damper& e, const components& d) {
 /// The rate of the length over the length, v·d / d·d with the relative velocity v of the points.
 constexpr expression rate_of_stretch(motion& k, const spring_damper& e, const stretch& line) {
   const skeleton& s = k.skeleton_used();
-  const vector v = velocity_between(k, s.node_of_point[e.point], s.node_of_point[e.other]);
+  const vector v = velocity_between(k, s.station_of_point[e.point], s.station_of_point[e.other]);
   return dot(line.d, express(*s.model, v, line.axes)) / dot(line.d, line.d);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
 /// Parts of sentences about a mechanism.
@@ -11,14 +11,14 @@ constexpr std::string_view called(const mechanism& m, expression symbol) {
 }
 
 /// "3 configuration constraints".
-constexpr problem several(int n, std::string_view one, std::string_view what = {}) {
+constexpr sentence several(int n, std::string_view one, std::string_view what = {}) {
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
 /// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be.
-constexpr problem enumerated(const mechanism& m, const sequence<expression>& symbols,
-                             const sequence<int>& places, std::string_view noun = {}) {
-  problem p = sentence({noun, noun.empty() ? "" : places.size() == 1 ? " " : "s "});
+constexpr sentence enumerated(const mechanism& m, const sequence<expression>& symbols,
+                              const sequence<int>& places, std::string_view noun = {}) {
+  sentence p = sentence({noun, noun.empty() ? "" : places.size() == 1 ? " " : "s "});
   for (int i = 0; i < places.size(); ++i)
     p = sentence({p.view(),
                   i == 0                  ? ""
@@ -29,19 +29,19 @@ constexpr problem enumerated(const mechanism& m, const sequence<expression>& sym
 }
 
 /// "speed u1"; of Lagrange's method "rate of coordinate q1".
-constexpr problem speed_called(const mechanism& m, std::string_view speed) {
+constexpr sentence speed_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"speed ", speed});
   return sentence({"rate of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
 /// "rate of speed u1"; of Lagrange's method "second derivative of coordinate q1".
-constexpr problem speed_rate_called(const mechanism& m, std::string_view speed) {
+constexpr sentence speed_rate_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"rate of speed ", speed});
   return sentence({"second derivative of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
 /// "speeds u1 and u2"; of Lagrange's method "rates of coordinates q1 and q2".
-constexpr problem speeds_called(const mechanism& m, const sequence<int>& places) {
+constexpr sentence speeds_called(const mechanism& m, const sequence<int>& places) {
   if (m.derived_by == method::kane) return enumerated(m, m.speeds, places, "speed");
   return sentence({places.size() == 1 ? "rate of " : "rates of ",
                    enumerated(m, m.coordinates, places, "coordinate").view()});

@@ -21,7 +21,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : m_(*graph_), 
   mechanics::add_inertial_frame(m_, inertial_frame);
 }
 
-KANEXPR_ENGINE problem(builder::check)() const {
+KANEXPR_ENGINE sentence(builder::check)() const {
   return mistake() ? mistake() : mechanics::check_mechanism(m_);
 }
 
@@ -91,7 +91,7 @@ KANEXPR_ENGINE void builder::kinematic_equation(expression vanishes) {
 KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
   constexpr std::string_view whose = "kinematics_of";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
-  if (const problem found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
+  if (const sentence found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
     inspect_.fail({found.view()});
     return;
   }
@@ -115,7 +115,7 @@ KANEXPR_ENGINE vector builder::along(frame_id axes, const number_or_expression& 
 KANEXPR_ENGINE expression builder::dot(const vector& a, const vector& b) {
   constexpr std::string_view whose = "a dot product";
   if (!inspect_.own(a, whose) || !inspect_.own(b, whose)) return m_.zero();
-  return derivation::dot(m_, a, b);
+  return deriving::dot(m_, a, b);
 }
 
 KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
@@ -296,7 +296,7 @@ KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damp
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
   constexpr std::string_view whose = "a torsional spring";
   if (!inspect_.own(angle, whose) || !inspect_.own({stiffness, rest}, whose)) return;
-  if (const problem found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
+  if (const sentence found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
     inspect_.fail({found.view()});
   else
     mechanics::add_torsional_spring(m_, angle, stiffness, rest);
@@ -325,7 +325,7 @@ KANEXPR_ENGINE void builder::configuration_constraint(const vanishing& v) {
   if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " is given no direction"});
   for (const vector& direction : v.directions)
     if (may_vanish(v.value, direction, whose))
-      m_.configuration_constraints.push(derivation::dot(m_, v.value, direction));
+      m_.configuration_constraints.push(deriving::dot(m_, v.value, direction));
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {

@@ -15,7 +15,7 @@ namespace kanexpr::runtime {
 class derived_from_mechanism final : public derived {
 public:
   derived_from_mechanism(std::shared_ptr<symbolic::graph> g, const mechanics::mechanism& built,
-                         const mechanics::problem& mistake)
+                         const mechanics::sentence& mistake)
       : graph_(std::move(g)), mechanism_(built), mistake_(mistake) {
     if (built.derived_by == mechanics::method::lagrange) no_words_.derived_by = describe::method::lagrange;
     if (!mistake_) mistake_ = mechanics::check_mechanism(mechanism_);
@@ -25,21 +25,21 @@ public:
     equations_->constrain();
   }
 
-  const mechanics::problem& mistake() const override {
+  const mechanics::sentence& mistake() const override {
     if (mistake_) return mistake_;
     return reader_.mistake() ? reader_.mistake() : equations_->mistake();
   }
   symbolic::graph& graph() override { return *graph_; }
   const mechanics::mechanism& mechanism() const override { return mechanism_; }
-  derivation::reader& reader() override { return reader_; }
+  deriving::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
 
 private:
   std::shared_ptr<symbolic::graph> graph_;
   mechanics::mechanism mechanism_;
-  mechanics::problem mistake_;
+  mechanics::sentence mistake_;
   describe::system_record no_words_{};
-  derivation::reader reader_{no_words_, mechanism_}; ///< of symbols, by their names
+  deriving::reader reader_{no_words_, mechanism_}; ///< of symbols, by their names
   std::optional<mechanics::equations> equations_{};
 };
 

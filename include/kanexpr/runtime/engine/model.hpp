@@ -30,16 +30,16 @@ auto asked_of(derived& system, const Form& form) {
 }
 
 /// A result that belongs to what the system has.
-inline symbolic::matrix result_of(derived& system, const derivation::request& wanted) {
-  if (wanted.what == derivation::request::kind::result)
+inline symbolic::matrix result_of(derived& system, const deriving::request& wanted) {
+  if (wanted.what == deriving::request::kind::result)
     system.refused = system.equations()->check_bodies(wanted.wanted);
   if (system.refused) return {};
-  return derivation::form(wanted, system.reader(), *system.equations());
+  return deriving::form(wanted, system.reader(), *system.equations());
 }
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const derivation::request> also)
+KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const deriving::request> also)
     : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
 
 KANEXPR_ENGINE std::string model::mistake() const {
@@ -54,19 +54,19 @@ KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
-  return get({.what = derivation::request::kind::result, .wanted = wanted});
+  return get({.what = deriving::request::kind::result, .wanted = wanted});
 }
 
-KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
+KANEXPR_ENGINE symbolic::matrix model::get(const deriving::request& wanted) {
   return runtime::asked_of(*system_, [&] { return runtime::result_of(*system_, wanted); });
 }
 
-KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
+KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::request> measured) {
   return runtime::asked_of(*system_, [&] {
     symbolic::matrix all(graph(), 0, 1);
-    for (const derivation::request& each : measured)
+    for (const deriving::request& each : measured)
       for (const symbolic::expression& e :
-           derivation::form_with_rates(each, system_->reader(), equations()).entries)
+           deriving::form_with_rates(each, system_->reader(), equations()).entries)
         all.entries.push(e);
     all.rows = all.entries.size();
     return all;
@@ -105,19 +105,20 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
   return mechanics::latex(mechanism(), v, style);
 }
 
-KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
-  auto found = std::make_shared<derivation::survey>();
+KANEXPR_ENGINE std::shared_ptr<const deriving::survey> model::known() const {
+  auto found = std::make_shared<deriving::survey>();
   found->take(mechanism(), !system_->mistake(), system_->equations());
   return found;
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
-KANEXPR_ENGINE symbolic::sequence<mechanics::guard> model::guards_of(const symbolic::matrix& result) {
+KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
+model::singularity_checks_of(const symbolic::matrix& result) {
   if (system_->equations() == nullptr) return {};
   symbolic::sequence<int> outputs;
   for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-  return equations().guards_of(outputs);
+  return equations().singularity_checks_of(outputs);
 }
 
 } // namespace kanexpr

@@ -32,7 +32,7 @@ public:
         back_through(id, n);
         continue;
       }
-      if (n.op == operation::regularity) continue;
+      if (n.op == operation::singularity_measure) continue;
       const expression adjoint{graph_, adjoints_[id]};
       if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
         collect(n.a, (2 * adjoint) * expression{graph_, n.a});

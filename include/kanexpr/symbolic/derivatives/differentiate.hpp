@@ -32,8 +32,8 @@ constexpr partials local_partials(graph& g, int id) {
   }
   case form::constant: // have no operands
   case form::symbol:
-  case form::regularity: // is never differentiated
-  case form::pair:       // have derivatives of their own, below
+  case form::singularity_measure: // is never differentiated
+  case form::pair:                // have derivatives of their own, below
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
@@ -45,14 +45,14 @@ constexpr partials local_partials(graph& g, int id) {
 /// Directional derivatives: every symbol has a rate, and an expression's rate follows by the chain rule.
 ///
 /// Results are remembered, so that many expressions share their common parts.
-class derivation {
+class differentiation {
 public:
-  constexpr derivation() = default;
-  derivation(const derivation&) = default;
-  derivation(derivation&&) = default;
-  derivation& operator=(const derivation&) = default;
-  derivation& operator=(derivation&&) = default;
-  constexpr explicit derivation(graph& g) : graph_(&g) {}
+  constexpr differentiation() = default;
+  differentiation(const differentiation&) = default;
+  differentiation(differentiation&&) = default;
+  differentiation& operator=(const differentiation&) = default;
+  differentiation& operator=(differentiation&&) = default;
+  constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
   /// The rate of a symbol's node; zero where none is set. To be set before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
@@ -80,7 +80,7 @@ private:
     int rate = graph::zero;
     if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
-    } else if (!is_leaf(n.op) && n.op != operation::regularity) {
+    } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
       const expression a{*graph_, of(n.a)};
       const expression b{*graph_, is_binary(n.op) ? of(n.b) : graph::zero};
       if (n.op == operation::divide) {
@@ -122,7 +122,7 @@ private:
 
 /// The partial derivative of an expression by a symbol.
 constexpr expression differentiate(expression e, expression symbol) {
-  derivation d(e.owner());
+  differentiation d(e.owner());
   d.set_rate(symbol, expression{e.owner(), graph::one});
   return d.of(e);
 }

@@ -206,7 +206,7 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::solve:
   case operation::transposed_solve:
   case operation::component:
-  case operation::regularity: break;
+  case operation::singularity_measure: break;
   }
   __builtin_unreachable();
 }

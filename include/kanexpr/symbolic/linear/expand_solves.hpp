@@ -38,7 +38,7 @@ public:
       const int a = image_[n.a], b = !is_binary(n.op) ? 0 : live_[n.b] != 0 ? image_[n.b] : n.b;
       if (n.op == operation::component)
         image_[id] = element(n, a);
-      else if (n.op == operation::regularity && is_small(n.a))
+      else if (n.op == operation::singularity_measure && is_small(n.a))
         image_[id] = measure(n, a);
       else if (a != n.a || b != n.b)
         image_[id] = build(g_, n.op, a, b);
@@ -60,7 +60,7 @@ private:
       uses_[uses_of_[n.a]].solutions.push(id);
     } else if (n.op == operation::component) {
       ++uses_[uses_of_[g_[n.a].a]].results;
-    } else if (n.op == operation::regularity) {
+    } else if (n.op == operation::singularity_measure) {
       uses_[uses_of_[n.a]].measured = true;
     }
   }

@@ -32,8 +32,8 @@ public:
       return "solve(" + matrix_of(solution.a, solution.op == operation::transposed_solve) + ", " +
              list(elements(solution.b)) + ")[" + std::to_string(integer_at(owner(), n.b) + 1) + "]";
     }
-    if (n.op == operation::regularity)
-      return "regularity(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
+    if (n.op == operation::singularity_measure)
+      return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";

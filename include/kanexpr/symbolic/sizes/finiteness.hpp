@@ -98,7 +98,7 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break;
+    case form::singularity_measure: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
     if (n.op >= operation::pair) found |= may_fail; // and its status is another
@@ -126,7 +126,7 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break; // may be finite all the same
+    case form::singularity_measure: break; // may be finite all the same
     }
   }
 
