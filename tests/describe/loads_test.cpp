@@ -164,6 +164,7 @@ template <class Load>
 Eigen::VectorXd carried_motion() {
   auto derived = derive<carried<Load>>();
   EXPECT_EQ(derived.mistake(), "");
+  EXPECT_EQ(derived.auxiliary_forces()(0, 0), derived.noncontributing_forces()(0, 0));
   const Eigen::Vector4d x(0.4, 0.7, -1.1, 0.9);
   const Eigen::Vector2d p(1.3, 0.6);
   const Eigen::Vector3d r(0.2, -0.8, 0.5);

@@ -89,6 +89,8 @@ struct equations_of_motion {
   static constexpr function<System, mechanics::quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds zero.
   static constexpr function<System, mechanics::quantity::noncontributing_forces> noncontributing_forces{};
+  /// The same by another name.
+  static constexpr auto auxiliary_forces = noncontributing_forces;
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

@@ -194,6 +194,7 @@ struct linked_equations {
   static constexpr linked<of::acceleration_bias> acceleration_bias{};
   static constexpr linked<of::multipliers> multipliers{};
   static constexpr linked<of::noncontributing_forces> noncontributing_forces{};
+  static constexpr auto auxiliary_forces = noncontributing_forces;
 
   /// Several results of one call, as far as the library holds them together: `mass_matrix` with `forcing`,
   /// and both energies.

@@ -95,25 +95,14 @@ constexpr stage stage_for(std::span<const request> all) {
   return furthest;
 }
 
-/// The same out of a stage that is there already; a request that mentions entities which the system itself
-/// does not use is a derivation of its own.
+/// The same out of a stage that is there already.
 template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
-  derived_system known(from, aside);
-  bool has_all = true;
-  for (const request& each : all) has_all = has_all && has_all_of(each, known.reader());
-  if (has_all) {
-    for (const request& each : all) visit(each, known.reader());
-    return cut(known, called, of_system, all);
-  }
-  derived_system own(from);
-  for (const request& each : all) visit(each, own.reader());
-  go_on(own, stage::constrained);
-  if (!own.mistake()) return cut(own, called, of_system, all);
-  cut_code refused(own.mistake());
-  refused.follows_from_unparsed = own.reader().follows_from_unparsed();
-  return refused;
+  derived_system system(from, aside);
+  cut_code code = cut(system, called, of_system, all);
+  code.follows_from_unparsed = system.reader().follows_from_unparsed();
+  return code;
 }
 
 /// The code for what template arguments ask for.

@@ -66,9 +66,9 @@ constexpr image_reader::image_reader(const image& from, symbolic::graph& g, cons
     numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
   symbolic::sequence<symbolic::symbol> symbols;
   (*this)(symbols);
-  g.restart(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
-            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.nodes);
-  for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
+  g.restore(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
+            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b,
+            from.nodes);
 }
 
 } // namespace kanexpr::deriving

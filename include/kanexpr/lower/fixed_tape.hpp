@@ -81,11 +81,12 @@ constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
   out.sizes = sizes_of(t);
   out.cost = cost_of(t);
+  const instruction* const steps = t.steps.begin();
   for (int i = 0; i < out.sizes.steps; ++i) {
-    out.op[i] = t.steps[i].op;
-    out.paired[i] = t.steps[i].paired;
-    out.a[i] = t.steps[i].a;
-    out.b[i] = t.steps[i].b;
+    out.op[i] = steps[i].op;
+    out.paired[i] = steps[i].paired;
+    out.a[i] = steps[i].a;
+    out.b[i] = steps[i].b;
   }
   for (int i = 0; i < out.sizes.numbers; ++i) {
     out.numerators[i] = t.numbers[i].numerator;

@@ -67,18 +67,16 @@ class scheduling {
 public:
   constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
       : g_(g), live_(static_cast<sequence<char>&&>(live)), slots_(g.size(), none), outputs_(outputs),
-        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()), end_(g.size()) {
-    for (int id = 0; id < end_; ++id)
-      if (nodes_[id].op == operation::tan && is_live_[id] != 0 && has_either(id))
-        is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
+        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()) {
+    if (list_live(g.size())) list_live(g.size());
   }
   scheduling(const scheduling&) = delete;
   scheduling& operator=(const scheduling&) = delete;
 
   constexpr tape run() {
     sequence<int> symbols;
-    for (int id = 0; id < end_; ++id) {
-      if (is_live_[id] == 0 || nodes_[id].op > operation::symbol) continue;
+    for (int id : nodes_in_order_) {
+      if (nodes_[id].op > operation::symbol) continue;
       if (nodes_[id].op == operation::symbol)
         symbols.push(id);
       else
@@ -89,15 +87,31 @@ public:
       slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
     }
     first_step_ = tape_.first_step();
+    tape_.steps.reserve(nodes_in_order_.size());
     gather_angles();
-    for (int id = 0; id < end_; ++id)
-      if (is_live_[id] != 0 && slot_[id] == none) put(id);
+    for (int id : nodes_in_order_)
+      if (slot_[id] == none) put(id);
     for (int id : outputs_) tape_.results.push(slot_[id]);
     return static_cast<tape&&>(tape_);
   }
 
 private:
   static constexpr int none = -1;
+
+  /// Lists what is live, and whether tangents made more so.
+  constexpr bool list_live(int end) {
+    bool adds = false;
+    nodes_in_order_.clear();
+    nodes_in_order_.reserve(end);
+    for (int id = 0; id < end; ++id) {
+      if (is_live_[id] == 0) continue;
+      nodes_in_order_.push(id);
+      if (nodes_[id].op != operation::tan || !has_either(id) || has_both(id)) continue;
+      is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
+      adds = true;
+    }
+    return adds;
+  }
 
   constexpr int sine_of(int id) const { return g_.find({operation::sin, nodes_[id].a, 0}); }
   constexpr int cosine_of(int id) const { return g_.find({operation::cos, nodes_[id].a, 0}); }
@@ -115,16 +129,17 @@ private:
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> is_free(end_,
-                           0); // of nodes that depend on no function: sums and products of what is given
+    // of nodes that depend on no function: sums and products of what is given
+    sequence<char> is_free(slots_.size(), 0);
     char* const free = is_free.begin();
     sequence<int> gathered;
-    for (int id = 0; id < end_; ++id) {
+    for (int id : nodes_in_order_) {
       const symbolic::node& n = nodes_[id];
-      if (n.op <= operation::divide)
-        free[id] =
-            n.op <= operation::symbol || (free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0));
-      else if (n.op == operation::sin && is_live_[id] != 0 && free[n.a] != 0 && has_both(id)) {
+      if (n.op <= operation::symbol)
+        free[id] = 1;
+      else if (n.op <= operation::divide)
+        free[id] = free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0);
+      else if (n.op == operation::sin && free[n.a] != 0 && has_both(id)) {
         put_with_operands(n.a);
         gathered.push(id);
       }
@@ -192,8 +207,8 @@ private:
   const sequence<int>& outputs_;
   const symbolic::node* nodes_;
   char* is_live_;
-  int* slot_; ///< by node
-  int end_;   ///< of the nodes
+  int* slot_;                      ///< by node
+  sequence<int> nodes_in_order_{}; ///< those that are live
   int first_step_ = 0;
   tape tape_{};
 };

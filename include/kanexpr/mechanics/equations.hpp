@@ -71,6 +71,16 @@ public:
     has_motion_ = false;
   }
 
+  /// Takes up the frames and points that the mechanism was given since, for expressions that speak of them.
+  constexpr void extend() {
+    if (mistake_ || !s_.lacks_any()) return;
+    mistake_ = check_mechanism(*m_);
+    if (mistake_) return;
+    mechanics::extend(s_);
+    if (is_constrained_ && !m_->auxiliary_speeds.empty()) drop_auxiliary_speeds(s_);
+    has_motion_ = false;
+  }
+
   constexpr const skeleton& skeleton_used() const { return s_; }
   constexpr const constraints& constraints_used() const { return constraints_; }
   constexpr const partition& speeds() const { return speeds_; }

@@ -43,6 +43,7 @@ enum class quantity : unsigned char {
   implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
   implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
   implicit_input_matrix,  ///< B, (n+p+k)×s
+  auxiliary_forces = noncontributing_forces, ///< by another name
 };
 
 /// How many rows or columns a result has, by what there is that many of.

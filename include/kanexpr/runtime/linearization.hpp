@@ -34,7 +34,7 @@ struct output_matrices {
 /// formed.
 class linearization {
 public:
-  /// Of a system with a mistake there are no results, and the mistake is the problem.
+  /// Of a system with a mistake there are no results, and the mistake is the failure.
   linearization(std::shared_ptr<derived> system, const linearization_point& at);
 
   /// Whether the point satisfies all equations, and all that was asked for so far has a value there.

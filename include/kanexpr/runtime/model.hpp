@@ -56,6 +56,8 @@ public:
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
   symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
+  /// The same by another name.
+  symbolic::matrix auxiliary_forces() { return noncontributing_forces(); }
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.

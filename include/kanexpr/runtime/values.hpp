@@ -50,7 +50,7 @@ public:
   }
 
   /// The value of a symbol. Where the model has none of that name it is not a number, what is assigned is
-  /// lost, and `problem` says so.
+  /// lost, and `mistake` says so.
   double& operator[](std::string_view name) {
     const int i = place(name);
     return i >= 0 ? (*this)(i) : nothing_ = not_a_number;
@@ -125,9 +125,9 @@ public:
     values = Vector(value_vector(known, which));
     compiled::values_reader reader(*known, nothing_bound, name_of_models, range, values.data());
     if (numbers_) {
-      problem =
+      mistake =
           compiled::check_size(range.vector, "the model", static_cast<int>(numbers_->size()), range.size);
-      if (problem) return;
+      if (mistake) return;
       values = *numbers_;
     } else {
       values.setZero(); // what may be left out
@@ -135,7 +135,7 @@ public:
       reader.look_for_missing();
     }
     reader.look_for_infinite();
-    problem = reader.problem();
+    mistake = reader.mistake();
   }
 
 private:

@@ -56,7 +56,7 @@ public:
   /// A mistake in constants, as a sentence.
   const mechanics::sentence& mistake() const {
     static constexpr mechanics::sentence none{};
-    return constants_ ? constants_->problem : none;
+    return constants_ ? constants_->mistake : none;
   }
   bool depends_on_state() const { return depends_on_state_; }
 

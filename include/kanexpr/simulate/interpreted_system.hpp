@@ -249,7 +249,7 @@ private:
   void check(const runtime::value_vector& left, compiled::symbols_of which) const {
     const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
     for (const runtime::value_vector* each : all)
-      if (const mechanics::sentence found = each->problem()) throw misnamed(found);
+      if (const mechanics::sentence found = each->mistake()) throw misnamed(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
     if (const mechanics::sentence found =
             compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))

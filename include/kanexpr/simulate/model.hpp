@@ -25,18 +25,18 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
                            const simulation_options<model>& options = {}) {
   simulation<model> result;
   result.time = span.from;
-  result.reason = simulated::check_model(m);
-  if (!result.reason.empty()) return result;
+  result.failure = simulated::check_model(m);
+  if (!result.failure.empty()) return result;
   const std::shared_ptr<const deriving::survey> known = m.known();
   input_source<model> inputs = options.inputs;
   x.read(known), p.read(known), inputs.read(known);
   result.trajectory = trajectory<model>(m, p.values);
   result.state = x.values;
-  result.reason = (p.problem ? p.problem : x.problem).view();
-  if (!result.reason.empty()) return result;
+  result.failure = (p.mistake ? p.mistake : x.mistake).view();
+  if (!result.failure.empty()) return result;
   simulated::interpreted_system moved(m, *known, by, p.values, inputs, options, result.trajectory);
   simulated::settings asked = simulated::settings_of(options);
-  asked.mistake_in_inputs = inputs.problem().view();
+  asked.mistake_in_inputs = inputs.mistake().view();
   asked.bytes_of_sample += sizeof(double) * static_cast<std::size_t>(moved.states() + known->inputs);
   simulated::run_into<by>(result, moved, span, asked);
   return result;

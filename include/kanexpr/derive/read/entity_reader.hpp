@@ -14,23 +14,20 @@ class entity_reader : public phrase_reader<entity_reader> {
 public:
   using phrase_reader::phrase_reader;
 
-  /// Reads the entities that a phrase mentions, before the mechanism is taken as complete.
+  /// Reads the entities that a phrase mentions. A system that is derived takes up those that it does not use
+  /// itself.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
     check_written({shape::scalar, tokens, size}, whom);
+    mechanics::equations* const derived = derived_;
+    if (from_.inertial != nullptr) derived_ = nullptr; // only a system of words has words for more
     for (int i = 0; i < size && !mistake_; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
     }
-  }
-
-  /// Whether the frames and points that a phrase mentions are read already.
-  constexpr bool has_all_of(const phrase& p) const {
-    for (int i = 0; i < p.size; ++i) {
-      const describe::token& t = p.tokens[i];
-      if (t.frame != nullptr && !frames_.contains(t.frame)) return false;
-      if (t.point != nullptr && !points_.contains(t.point)) return false;
-    }
-    return true;
+    derived_ = derived;
+    if (derived_ == nullptr || mistake_) return;
+    derived_->extend();
+    mistake_ = derived_->mistake();
   }
 
   /// What is known of symbols and entities, where there is no mistake and nothing is being read.

@@ -113,4 +113,17 @@ constexpr void choose_working_axes(skeleton& s) {
   }
 }
 
+/// The axes of frames that carry no mass, from the number `from` on: those below where both turn about
+/// parallel axes.
+constexpr void choose_axes_from(skeleton& s, int from) {
+  for (int f = from; f < s.rigid_with.size(); ++f) {
+    const int stands = s.rigid_with[f];
+    const bool is_new = stands == f;
+    s.body_axes.push(is_new ? f : s.body_axes[stands]);
+    s.working_axes.push(!is_new                            ? s.working_axes[stands]
+                        : detail::parallel_to_parent(s, f) ? s.working_axes[s.model->frames[f].parent]
+                                                           : f);
+  }
+}
+
 } // namespace kanexpr::mechanics

@@ -7,8 +7,9 @@ namespace kanexpr::mechanics {
 
 /// A point that is fixed in the same frame as the point it was measured from is measured from that one's
 /// parent.
-constexpr void gather_rigid_steps(skeleton& s) {
-  for (station& n : s.stations) {
+constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
+  for (int i = from; i < s.stations.size(); ++i) {
+    station& n = s.stations[i];
     if (!n.rigid) continue;
     const station& parent = s.stations[n.parent];
     if (!parent.rigid || parent.frame != n.frame) continue;

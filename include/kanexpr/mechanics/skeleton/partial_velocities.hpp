@@ -26,16 +26,17 @@ constexpr sequence<partial_velocity> partials_of(const skeleton& s, symbolic::di
 
 } // namespace detail
 
-/// How each speed enters at each frame and station. Kane & Levinson (1985), section 2.14.
+/// How each speed enters at each frame and station that lacks it. Kane & Levinson (1985), section 2.14.
 constexpr void form_partial_velocities(skeleton& s) {
   symbolic::differentiation by_speed(*s.model->g);
-  for (int f = 0; f < s.relative_angular_velocity.size(); ++f) {
+  for (int f = s.partial_angular_velocities.size(); f < s.relative_angular_velocity.size(); ++f) {
     sequence<partial_velocity> partials;
     if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.relative_angular_velocity[f], f);
     s.partial_angular_velocities.push(partials);
   }
-  for (const station& n : s.stations)
-    s.partial_velocities.push(detail::partials_of(s, by_speed, n.relative_velocity, n.axes));
+  for (int n = s.partial_velocities.size(); n < s.stations.size(); ++n)
+    s.partial_velocities.push(
+        detail::partials_of(s, by_speed, s.stations[n].relative_velocity, s.stations[n].axes));
 }
 
 } // namespace kanexpr::mechanics

@@ -16,8 +16,7 @@ struct station {
   bool carried = true; ///< ṙ = ω_frame × r
   bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
   vector relative_velocity{};
-  int axes =
-      mechanism::inertial; ///< the frame in whose working axes the station's motion and forces are given
+  int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are given
 
   constexpr vector offset() const {
     vector v;
@@ -62,6 +61,11 @@ struct skeleton {
   sequence<link> links{};      ///< every mass, gathered where it moves as one
   sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
+
+  /// Whether the mechanism has frames or points that were added later.
+  constexpr bool lacks_any() const {
+    return rigid_with.size() < model->frames.size() || station_of_point.size() < model->points.size();
+  }
 
   constexpr components offset_in_working_axes(int n) const {
     const station& at = stations[n];

@@ -14,24 +14,24 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Reads a mechanism into stations and links, with every coordinate rate replaced by what the kinematic
-/// equations say.
+/// Reads what a skeleton does not have yet of its mechanism into stations and links, with every coordinate
+/// rate replaced by what the kinematic equations say.
 class skeleton_builder {
 public:
-  constexpr skeleton_builder(const mechanism& m, skeleton& s)
-      : m_(m), s_(s), known_(m, take_rates(m, s)), along_time_(time_derivative(m, s.coordinate_rates)) {
-    s.model = &m;
-  }
+  constexpr explicit skeleton_builder(skeleton& s)
+      : m_(*s.model), s_(s), known_(m_, s.coordinate_rates),
+        along_time_(time_derivative(m_, s.coordinate_rates)) {}
 
   constexpr void frames() {
-    for (int f = 0; f < m_.frames.size(); ++f) {
+    const int before = s_.rigid_with.size();
+    for (int f = before; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       s_.relative_angular_velocity.push(relative_angular_velocity_of(f));
       const bool turns = f != mechanism::inertial &&
                          (own.turns_by_declaration() || !s_.relative_angular_velocity[f].is_zero());
       s_.rigid_with.push(f == mechanism::inertial || turns ? f : s_.rigid_with[own.parent]);
     }
-    for (int f = 0; f < m_.frames.size(); ++f) {
+    for (int f = before; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       const int in = own.turns_by_declaration() ? own.reference : own.parent;
       s_.turns_in.push(in == none ? none : s_.rigid_with[in]);
@@ -39,7 +39,7 @@ public:
   }
 
   constexpr void points() {
-    for (int p = 0; p < m_.points.size(); ++p) {
+    for (int p = s_.station_of_point.size(); p < m_.points.size(); ++p) {
       const point& at = m_.points[p];
       if (at.parent == none)
         s_.station_of_point.push(ground_station());
@@ -61,8 +61,9 @@ public:
   }
 
   /// Offsets that are fixed in their frame are given in its body axes from here on.
-  constexpr void settle_offsets() {
-    for (station& n : s_.stations) {
+  constexpr void settle_offsets(int from = 0) {
+    for (int i = from; i < s_.stations.size(); ++i) {
+      station& n = s_.stations[i];
       if (!n.rigid) continue;
       const int axes = s_.body_axes[n.frame];
       n.r = express(m_, n.r, n.offset_frame, axes);
@@ -71,13 +72,6 @@ public:
   }
 
 private:
-  static constexpr const sequence<expression>& take_rates(const mechanism& m, skeleton& s) {
-    const solved_rates solved = solve_kinematics(m);
-    s.coordinate_rates = solved.rates;
-    s.rate_blocks = solved.blocks;
-    return s.coordinate_rates;
-  }
-
   constexpr vector relative_angular_velocity_of(int f) {
     const frame& own = m_.frames[f];
     if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
@@ -164,8 +158,9 @@ private:
 } // namespace detail
 
 constexpr skeleton skeleton_of(const mechanism& m) {
-  skeleton s;
-  detail::skeleton_builder build(m, s);
+  const solved_rates solved = solve_kinematics(m);
+  skeleton s{.model = &m, .coordinate_rates = solved.rates, .rate_blocks = solved.blocks};
+  detail::skeleton_builder build(s);
   build.frames();
   build.points();
   choose_body_axes(s);
@@ -177,6 +172,19 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   choose_working_axes(s);
   form_partial_velocities(s);
   return s;
+}
+
+/// Takes up the frames and points that were added to the mechanism after its skeleton was formed. What the
+/// skeleton holds stays as it is, so that results do not depend on them.
+constexpr void extend(skeleton& s) {
+  const int frames = s.rigid_with.size(), stations = s.stations.size();
+  detail::skeleton_builder build(s);
+  build.frames();
+  build.points();
+  choose_axes_from(s, frames);
+  build.settle_offsets(stations);
+  gather_rigid_steps(s, stations);
+  form_partial_velocities(s);
 }
 
 } // namespace kanexpr::mechanics

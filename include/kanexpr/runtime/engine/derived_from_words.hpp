@@ -13,8 +13,8 @@ class derived_from_words final : public derived {
 public:
   derived_from_words(const describe::system_record& from, std::span<const deriving::request> also)
       : system_(from) {
-    for (const deriving::request& each : also) deriving::visit(each, system_.reader());
     deriving::go_on(system_, deriving::stage::constrained);
+    for (const deriving::request& each : also) deriving::visit(each, system_.reader());
   }
 
   const mechanics::sentence& mistake() const override { return system_.mistake(); }

@@ -74,8 +74,10 @@ KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::req
 }
 
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
-  return runtime::asked_of(*system_,
-                           [&] { return system_->reader().evaluate(words, "an expression").vector; });
+  return runtime::asked_of(*system_, [&] {
+    system_->reader().visit(words.tokens, words.size);
+    return system_->reader().evaluate(words, "an expression").vector;
+  });
 }
 
 KANEXPR_ENGINE symbolic::expression model::in_motion(symbolic::expression e) {
