@@ -247,6 +247,10 @@ TEST(builder, takes_numbers_beside_expressions) {
                plain = b.along(b.rod, b.number(0), -b.length, b.number(2.5));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(mixed.parts[0].value[i], plain.parts[0].value[i]);
   b.rigid_body("Rod", b.bob, b.rod, b.m, b.inertia(b.rod, 0, 0, b.m * b.length * b.length));
+  EXPECT_EQ(print(1.5 - (0.5 + b.x / 2.5) / 0.25 + 2.5 * b.m - 0.75),
+            print(b.number(1.5) - (b.number(0.5) + b.x / b.number(2.5)) / b.number(0.25) +
+                  b.number(2.5) * b.m - b.number(0.75)));
+  EXPECT_EQ(print(0.5 / b.m + b.x * (b.m + 0.25)), print(b.number(0.5) / b.m + b.x * (b.m + b.number(0.25))));
   EXPECT_EQ(b.check().view(), "");
   EXPECT_EQ(print(b.dot(mixed, b.along(b.n, 1, 0, 0))), "l*sin(theta)");
 }
