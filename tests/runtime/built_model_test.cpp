@@ -1,5 +1,6 @@
 // builds: no-exceptions
 // A model of what a builder built, beside that of the same system described as types.
+#include "no_heap.hpp"
 #include "runtime/agreement.hpp"
 
 #include <kanexpr/runtime/builder.hpp>
@@ -9,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -53,6 +55,34 @@ TEST(built_model, is_printed_and_evaluated_like_one_of_words) {
   EXPECT_NEAR(udot(x, p, Eigen::Matrix<double, 1, 1>(0.6))(0), 0.6 / (1.5 * 4) - 9.81 / 2 * std::sin(0.5),
               1e-15);
   EXPECT_TRUE(udot.status());
+}
+
+TEST(built_model, does_not_read_past_the_end_of_a_vector) {
+  model built = model_of_pendulum();
+  auto udot = built.function(built.udot());
+  const Eigen::Vector2d x(0.5, -1.2);
+  const Eigen::Vector3d p(1.5, 2, 9.81);
+  const Eigen::Matrix<double, 1, 1> r(0.6);
+  const no_heap::guard guard;
+  EXPECT_TRUE(std::isnan(udot(x, p.head<2>(), r)(0)));
+  EXPECT_EQ(udot.status().cause(), "the parameter vector has 2 entries, and none for g");
+  EXPECT_TRUE(std::isnan(udot(x, p, r.head(0))(0)));
+  EXPECT_EQ(udot.status().cause(), "the input vector has 0 entries, and none for T");
+  EXPECT_TRUE(std::isnan(udot(x.head(0), p, r)(0)));
+  EXPECT_EQ(udot.status().cause(), "the state vector has 0 entries, and none for q");
+  EXPECT_TRUE(std::isfinite(udot(x, p, r)(0)));
+  EXPECT_TRUE(udot.status());
+}
+
+TEST(built_model, needs_the_rates_that_a_result_holds) {
+  model built = model_of_pendulum();
+  auto forces = built.function(built.inertia_forces());
+  const Eigen::Vector2d x(0.5, -1.2);
+  const Eigen::Vector3d p(1.5, 2, 9.81);
+  const Eigen::Matrix<double, 1, 1> r(0.6), a(2);
+  EXPECT_TRUE(std::isnan(forces(0, x, p, r, a.head(0))(0)));
+  EXPECT_EQ(forces.status().cause(), "the acceleration vector has 0 entries, and none for u");
+  EXPECT_NEAR(forces(0, x, p, r, a)(0), -1.5 * 4 * 2, 1e-13);
 }
 
 TEST(built_model, is_linearized_with_symbols_by_their_names) {

@@ -83,6 +83,13 @@ public:
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
 
+  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
+  constexpr sentence check_bodies(quantity wanted) const {
+    if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
+    return sentence(
+        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
+  }
+
   /// A mistake that only the derivation could find.
   constexpr const sentence& mistake() const { return mistake_; }
 
@@ -227,13 +234,6 @@ public:
   constexpr known_motion& known() { return known_; }
 
 private:
-  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
-  constexpr sentence check_bodies(quantity wanted) const {
-    if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
-    return sentence(
-        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
-  }
-
   constexpr system_form form() {
     return {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_};
   }

@@ -18,6 +18,7 @@ public:
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
     phrases_.check_written({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
+    const known_entities before{frames_.size(), m_.frames.size(), points_.size()};
     if (reading_.from.inertial != nullptr)
       reading_.known = nullptr; // only a system of words has words for more
     for (int i = 0; i < size && !reading_.mistake; ++i) {
@@ -25,9 +26,13 @@ public:
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
     }
     reading_.known = known;
-    if (reading_.known == nullptr || !reading_.known->lacks_any()) return;
-    if (!reading_.mistake) reading_.mistake = mechanics::check_system(reading_.into);
-    if (!reading_.mistake) reading_.known->extend();
+    if (reading_.known == nullptr) return;
+    const bool lacks_any = reading_.known->lacks_any();
+    if (!reading_.mistake && lacks_any) reading_.mistake = mechanics::check_system(reading_.into);
+    if (reading_.mistake)
+      forget_all_but(before); // the system is sound without them
+    else if (lacks_any)
+      reading_.known->extend();
   }
 
   /// What is known of entities, where there is no mistake and nothing is being read.
@@ -95,6 +100,21 @@ public:
   }
 
 private:
+  struct known_entities {
+    int frames;
+    int frames_with_steps; ///< of turns about several axes
+    int points;
+  };
+
+  constexpr void forget_all_but(const known_entities& known) {
+    for (; frames_.size() > known.frames; frames_.pop()) places_of_frames_.pop();
+    while (m_.frames.size() > known.frames_with_steps) m_.frames.pop();
+    for (; m_.points.size() > known.points; m_.points.pop())
+      if (points_.size() > known.points) points_.pop();
+    open_frames_.clear();
+    open_points_.clear();
+  }
+
   /// What is used as a frame or point and is none.
   constexpr void no_such(std::string_view kind, std::string_view called, std::string_view whom,
                          std::string_view instead, std::string_view its_own) {

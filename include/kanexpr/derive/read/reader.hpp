@@ -28,6 +28,8 @@ public:
   constexpr const sentence& mistake() const { return reading_.mistake; }
   /// Whether the mistake is that of a type of which the compiler has reported one already.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
+  /// Of an expression that was asked for; what was read before is sound.
+  constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { reading_.fail({because}); }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/bodies.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
@@ -97,27 +99,38 @@ KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
     m_.kinematics.push(e);
 }
 
-KANEXPR_ENGINE vector builder::along(frame_id axes, expression x, expression y, expression z) {
+KANEXPR_ENGINE expression builder::of(const number_or_expression& given) {
+  if (const double* value = std::get_if<double>(&given.held())) return number(*value);
+  return std::get<expression>(given.held());
+}
+
+KANEXPR_ENGINE vector builder::along(frame_id axes, const number_or_expression& x,
+                                     const number_or_expression& y, const number_or_expression& z) {
   vector v;
-  const mechanics::components value{x, y, z};
+  const mechanics::components value{of(x), of(y), of(z)};
   if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
   return v;
 }
 
-KANEXPR_ENGINE vector builder::along(frame_id axes, double x, double y, double z) {
-  return along(axes, number(x), number(y), number(z));
+KANEXPR_ENGINE expression builder::dot(const vector& a, const vector& b) {
+  constexpr std::string_view whose = "a dot product";
+  if (!inspect_.own(a, whose) || !inspect_.own(b, whose)) return m_.zero();
+  return deriving::dot(m_, a, b);
 }
 
-KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz,
-                                       expression xy, expression yz, expression zx) {
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
+                                       const number_or_expression& yy, const number_or_expression& zz,
+                                       const number_or_expression& xy, const number_or_expression& yz,
+                                       const number_or_expression& zx) {
   mechanics::symmetric scalars;
-  scalars.xx = xx, scalars.yy = yy, scalars.zz = zz;
-  scalars.xy = xy, scalars.yz = yz, scalars.zx = zx;
+  scalars.xx = of(xx), scalars.yy = of(yy), scalars.zz = of(zz);
+  scalars.xy = of(xy), scalars.yz = of(yz), scalars.zx = of(zx);
   const dyadic d = mechanics::dyadic_of(place(axes), scalars);
   return inspect_.own(d, "an inertia") ? d : dyadic{};
 }
 
-KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz) {
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
+                                       const number_or_expression& yy, const number_or_expression& zz) {
   return inertia(axes, xx, yy, zz, m_.zero(), m_.zero(), m_.zero());
 }
 
@@ -182,6 +195,11 @@ KANEXPR_ENGINE point_id builder::offset(std::string_view called, point_id parent
 KANEXPR_ENGINE void builder::fixed_in(point_id point, frame_id frame) {
   if (inspect_.present(frame, "a fixed point") && unsaid_motion(point))
     mechanics::fix_point(m_, place(point), place(frame));
+}
+
+KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
+  if (!both(point, from, "a position")) return {};
+  return mechanics::position_from_origin(m_, place(point)) - mechanics::position_from_origin(m_, place(from));
 }
 
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
@@ -298,22 +316,35 @@ KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
     system_.constraints.on_configuration.push(vanishes);
 }
 
+KANEXPR_ENGINE bool builder::may_vanish(const vector& v, const vector& direction, std::string_view whose) {
+  if (!inspect_.own(v, whose) || !inspect_.own(direction, whose)) return false;
+  return !direction.is_zero() || inspect_.fail({whose, " is given a direction of no length"});
+}
+
+KANEXPR_ENGINE void builder::configuration_constraint(const vanishing& v) {
+  constexpr std::string_view whose = "a configuration constraint";
+  if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " is given no direction"});
+  for (const vector& direction : v.directions)
+    if (may_vanish(v.value, direction, whose))
+      system_.constraints.on_configuration.push(deriving::dot(m_, v.value, direction));
+}
+
 KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
   if (inspect_.own(vanishes, "a velocity constraint"))
     system_.constraints.on_velocities.push({vanishes, {}, {}});
 }
 
-KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishing, const vector& direction) {
-  constexpr std::string_view whose = "a velocity constraint";
-  if (!inspect_.own(vanishing, whose) || !inspect_.own(direction, whose)) return;
-  if (direction.is_zero()) {
-    inspect_.fail({whose, " is given a direction of no length"});
-    return;
-  }
+KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
+  if (!may_vanish(vanishes, direction, "a velocity constraint")) return;
   const int axes = direction.parts[0].frame;
   const expression value =
-      mechanics::dot(mechanics::express(m_, vanishing, axes), mechanics::express(m_, direction, axes));
-  system_.constraints.on_velocities.push({value, vanishing, direction});
+      mechanics::dot(mechanics::express(m_, vanishes, axes), mechanics::express(m_, direction, axes));
+  system_.constraints.on_velocities.push({value, vanishes, direction});
+}
+
+KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {
+  if (v.directions.empty()) inspect_.fail({"zero_along of a velocity constraint is given no direction"});
+  for (const vector& direction : v.directions) velocity_constraint(v.value, direction);
 }
 
 KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
