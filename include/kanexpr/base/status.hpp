@@ -24,6 +24,12 @@ private:
   std::string_view cause_{};
 };
 
+/// The cause; nothing where there is none.
+template <class Stream>
+auto operator<<(Stream& to, const status& told) -> decltype(to << told.cause()) {
+  return to << told.cause();
+}
+
 namespace mechanics {
 
 /// How near to singular is too near: what is left beside what it was made of, so small that rounding decides.

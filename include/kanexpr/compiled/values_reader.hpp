@@ -10,7 +10,8 @@
 
 namespace kanexpr::compiled {
 
-/// Puts values that are given by name into their places, and keeps the first mistake.
+/// Puts values that are given by name into their places, and keeps the first mistake. A model that was
+/// derived while the program runs has no name: "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
@@ -28,11 +29,12 @@ public:
       fail({"a value is given to something that is not a symbol"});
     } else if (place >= 0) {
       fail({symbol_called(known_, place).view(), " has no place in the ", range_.vector, " vector of ",
-            system_});
+            system_.empty() ? "the model" : system_});
     } else if (is_bound(what.name())) {
       fail({"parameter ", what.name(), " has its value in the system ", system_});
     } else {
-      fail({"the system ", system_, " has no ", range_.symbol, " ", what.name()});
+      fail({system_.empty() ? "the model" : "the system ", system_, " has no ", range_.symbol, " ",
+            what.name()});
     }
   }
 

@@ -4,6 +4,11 @@
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
+namespace kanexpr::mechanics {
+struct mechanism;
+class equations;
+} // namespace kanexpr::mechanics
+
 namespace kanexpr::deriving {
 
 class derived_system;
@@ -55,6 +60,8 @@ struct survey {
   }
 
   constexpr void take(derived_system& system);
+  /// Of a mechanism and its equations: null where a mistake came before them.
+  constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
   constexpr int first_of(symbolic::symbol_kind kind) const {
     switch (kind) {

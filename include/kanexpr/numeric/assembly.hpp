@@ -41,7 +41,7 @@ namespace numeric {
 /// A sentence that ends in a number.
 inline mechanics::sentence with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
-  const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number);
+  const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number + 0.0);
   return mechanics::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 

@@ -24,6 +24,7 @@ public:
     return found_.begin();
   }
 
+  const lower::tape& code() const { return code_.code(); }
   symbolic::cost cost() const;
   /// Whether all could be solved in the last evaluation.
   kanexpr::status status() const;

@@ -32,6 +32,9 @@ public:
   virtual deriving::reader& reader() = 0;
   /// Null where a mistake came before them.
   virtual mechanics::equations* equations() = 0;
+
+  /// What is wrong with the last request alone; the system is sound.
+  mechanics::sentence refused{};
 };
 
 } // namespace runtime

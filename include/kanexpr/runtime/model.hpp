@@ -16,6 +16,10 @@
 
 namespace kanexpr {
 
+namespace deriving {
+struct survey;
+}
+
 /// A system derived while the program runs, by the functions that derive it in the compiler: its results are
 /// expressions, to print, to look into and to evaluate. Copies share one derivation, which lives as long as
 /// the last of them and of their linearizations; one thread at a time may use it.
@@ -25,7 +29,8 @@ public:
   explicit model(const describe::system_record& from, std::span<const deriving::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
-  /// The first mistake of the system as a sentence; empty: there is none.
+  /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
+  /// empty: there is none.
   std::string mistake() const;
 
   /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and
@@ -67,6 +72,10 @@ public:
   }
   symbolic::matrix measured_by(std::span<const deriving::request> measured);
 
+  /// An expression with the rates q̇ and u̇ as the equations of motion give them; as it is where the system has
+  /// a mistake.
+  symbolic::expression in_motion(symbolic::expression e);
+
   /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
   /// a mistake.
   symbolic::expression imposed(symbolic::expression e);
@@ -97,6 +106,9 @@ public:
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
+
+  /// Its symbols in order, and which of them are dependent.
+  std::shared_ptr<const deriving::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }

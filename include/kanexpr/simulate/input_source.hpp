@@ -5,6 +5,7 @@
 #include <concepts>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace kanexpr {
@@ -26,9 +27,7 @@ public:
   input_source() : input_source(given_inputs<System>()) {}
   input_source(std::initializer_list<named_value> constants)
       : input_source(given_inputs<System>(constants)) {}
-  input_source(const given_inputs<System>& constants)
-      : mistake_(constants.mistake),
-        give_([r = constants.values](double, const state&, inputs& out) { out = r; }) {}
+  input_source(const given_inputs<System>& constants) : constants_(constants) {}
   template <class Derived>
   input_source(const Eigen::MatrixBase<Derived>& constants) : input_source(given_inputs<System>(constants)) {}
 
@@ -47,19 +46,33 @@ public:
   input_source(Function of_time)
       : give_([f = std::move(of_time)](double t, const state&, inputs& r) { r = f(t); }) {}
 
+  /// Puts constants that were given by name into their places, of a model whose symbols are known only while
+  /// the program runs.
+  template <class Known>
+  void read(const Known& known) {
+    if (constants_) constants_->read(known);
+  }
+
   /// A mistake in constants, as a sentence.
-  const mechanics::sentence& mistake() const { return mistake_; }
+  const mechanics::sentence& mistake() const {
+    static constexpr mechanics::sentence none{};
+    return constants_ ? constants_->mistake : none;
+  }
   bool depends_on_state() const { return depends_on_state_; }
 
   /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
   void give(double t, const state& x, inputs& r) const {
+    if (constants_) {
+      r = constants_->values;
+      return;
+    }
     r.setConstant(std::numeric_limits<double>::quiet_NaN());
     give_(t, x, r);
   }
 
 private:
-  mechanics::sentence mistake_;
-  std::function<void(double, const state&, inputs&)> give_;
+  std::optional<given_inputs<System>> constants_{};
+  std::function<void(double, const state&, inputs&)> give_{};
   bool depends_on_state_ = false;
 };
 

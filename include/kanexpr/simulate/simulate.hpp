@@ -39,6 +39,18 @@ settings settings_of(const simulation_options<System>& o) {
   return s;
 }
 
+/// Runs from the state of the result, and tells there how it went.
+template <integrator by, class System>
+void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
+  ending end = run<by>(moved, result.state, span, options);
+  result.time = end.time;
+  result.state = end.state;
+  result.events = std::move(end.events);
+  result.statistics = end.statistics;
+  result.stopped_by_event = end.stopped_by_event;
+  result.failure = std::move(end.failure);
+}
+
 } // namespace simulated
 
 /// Moves a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g, 9.81}},
@@ -57,13 +69,7 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   result.failure = (p.mistake ? p.mistake : x.mistake).view();
   if (!result.failure.empty()) return result;
   simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
-  simulated::ending end = simulated::run<by>(moved, x.values, span, simulated::settings_of(options));
-  result.time = end.time;
-  result.state = end.state;
-  result.events = std::move(end.events);
-  result.statistics = end.statistics;
-  result.stopped_by_event = end.stopped_by_event;
-  result.failure = std::move(end.failure);
+  simulated::run_into<by>(result, moved, span, simulated::settings_of(options));
   return result;
 }
 

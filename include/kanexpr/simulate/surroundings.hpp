@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/simulate/misnamed.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/system.hpp>
@@ -89,6 +90,8 @@ public:
     try {
       call();
       return answer::given;
+    } catch (const misnamed& found) {
+      last_refusal_.assign(what).append(which).append(": ").append(found.what());
     } catch (const std::exception& thrown) {
       last_refusal_.assign(what).append(which).append(" threw: ").append(thrown.what());
     } catch (...) {

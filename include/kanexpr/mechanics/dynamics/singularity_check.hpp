@@ -91,8 +91,8 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
   const expression sum{g, symbolic::plain_sum(g, watched)};
   sequence<singularity_check> checks;
   checks.push({sum.node(), sum, sum,
-               sentence({"the results are not finite at this state",
-                         are_named ? "; look at the quotients and functions of " : "",
+               sentence({"the results are not finite at this state; look for a value that was not set",
+                         are_named ? ", and at the quotients and functions of " : "",
                          are_named ? enumerated(m, suspects, places).view() : ""}),
                true});
   return checks;

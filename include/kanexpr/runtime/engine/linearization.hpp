@@ -15,10 +15,12 @@ namespace kanexpr::runtime {
 class linearization::at_point {
 public:
   at_point(std::shared_ptr<derived> system, const linearization_point& given) : system_(std::move(system)) {
+    const bool is_sound = !system_->mistake();
     point_reader reader(*system_);
     const std::vector<symbolic::replacement> point = reader.read(given);
     if (system_->mistake()) {
       failures_.assign(1, std::string(system_->mistake().view()));
+      if (is_sound) system_->reader().forget_mistake(); // the point's alone
       return;
     }
     failures_ = reader.failures();
