@@ -4,6 +4,15 @@
 
 namespace kanexpr {
 
+enum class describe::orientation_word : unsigned char {
+  inertial,
+  rotated,
+  body_fixed,
+  space_fixed,
+  quaternion,
+  direction_cosines,
+};
+
 namespace describe {
 
 template <class Frame>
@@ -92,6 +101,7 @@ struct rotated : describe::axes<Self> {
     r.calls_itself = type_name<Self>();
     r.fits = describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2);
     r.orientation = describe::orientation_word::rotated;
+    r.given_as = "the angle of frame ";
     r.parent = &describe::frame_of<Parent>;
     r.given[0] = describe::given_phrases<angle_and_axis...>[0];
     r.axis = describe::given_phrases<angle_and_axis...>[1];
@@ -140,6 +150,7 @@ struct quaternion : describe::axes<Self> {
     describe::frame_record r;
     r.calls_itself = type_name<Self>();
     r.orientation = describe::orientation_word::quaternion;
+    r.given_as = "the quaternion of frame ";
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
     for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
@@ -155,6 +166,7 @@ struct direction_cosines : describe::axes<Self> {
     describe::frame_record r;
     r.calls_itself = type_name<Self>();
     r.orientation = describe::orientation_word::direction_cosines;
+    r.given_as = "a direction cosine of frame ";
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines by rows>",
                                     sizeof...(cosines), 9);

@@ -65,23 +65,17 @@ inline constexpr phrase given_phrases[sizeof...(values) + 9]{
     phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>,
     phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>};
 
-enum class orientation_word : unsigned char {
-  inertial,
-  rotated,
-  body_fixed,
-  space_fixed,
-  quaternion,
-  direction_cosines,
-};
+enum class orientation_word : unsigned char;
 
 struct frame_record {
   std::string_view called{};
   std::string_view calls_itself{}; ///< the first template argument of its orientation
   arguments fits{};
   bool unparsed = false;
-  orientation_word orientation = orientation_word::inertial;
+  orientation_word orientation{}; ///< by default that of an inertial frame
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
+  std::string_view given_as = "an angle of frame ";
   phrase axis{};
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;

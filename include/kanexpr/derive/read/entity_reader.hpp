@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/read/phrase_reader.hpp>
+#include <kanexpr/describe/frame.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
@@ -169,7 +170,7 @@ private:
     const symbolic::name called(r.called);
     sequence<expression> given;
     for (const phrase& p : r.given)
-      if (p.kind != shape::nothing) given.push(phrases_.scalar_of(p, {what_is_given(r), r.called}, r.called));
+      if (p.kind != shape::nothing) given.push(phrases_.scalar_of(p, {r.given_as, r.called}, r.called));
     if (reading_.mistake) return mechanism::inertial;
     switch (r.orientation) {
     case orientation_word::inertial: return mechanics::add_inertial_frame(m_, called);

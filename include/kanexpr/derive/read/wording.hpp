@@ -82,19 +82,6 @@ constexpr bool is_whole(const phrase& p) {
   return depth == 1;
 }
 
-constexpr std::string_view what_is_given(const frame_record& r) {
-  using describe::orientation_word;
-  switch (r.orientation) {
-  case orientation_word::rotated: return "the angle of frame ";
-  case orientation_word::quaternion: return "the quaternion of frame ";
-  case orientation_word::direction_cosines: return "a direction cosine of frame ";
-  case orientation_word::inertial:
-  case orientation_word::body_fixed:
-  case orientation_word::space_fixed: break;
-  }
-  return "an angle of frame ";
-}
-
 constexpr std::string_view is_a(shape kind) {
   switch (kind) {
   case shape::scalar: return " is a scalar; ";

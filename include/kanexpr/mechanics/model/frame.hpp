@@ -12,6 +12,13 @@ enum class orientation {
   matrix,     ///< `to_parent` given
 };
 
+/// The rate of a parameter of an orientation, `by_turning` · ω/2 for ω of the frame in its parent, in the
+/// axes of the frame.
+struct parameter_rate {
+  expression parameter{};
+  components by_turning{};
+};
+
 /// A right-handed triad of basis vectors, oriented relative to another.
 struct frame {
   name called{};
@@ -22,6 +29,7 @@ struct frame {
   components direction{}; ///< in the parent's axes
   matrix3 to_parent{};    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
   sequence<expression> quaternion{}; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
+  sequence<parameter_rate> rates{};  ///< of a quaternion, say; where there are none they are solved for
   int reference = none;              ///< the frame that a declared angular velocity is measured in
   vector angular_velocity{};
   bool turns_apart = false; ///< from its orientation, on purpose

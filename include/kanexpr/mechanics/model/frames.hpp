@@ -87,17 +87,28 @@ constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent
   return last;
 }
 
-/// The unit quaternion e0 + e1 i + e2 j + e3 k. Kane, Likins & Levinson (1983), eq. 1.3.10.
-constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
-                                      expression e1, expression e2, expression e3) {
+namespace detail {
+
+/// Of a quaternion e0 + e1 i + e2 j + e3 k of length 1. Kane, Likins & Levinson (1983), eq. 1.3.10.
+constexpr matrix3 matrix_of_quaternion(expression e0, expression e1, expression e2, expression e3) {
   const expression xx = e1 * e1, yy = e2 * e2, zz = e3 * e3;
   const expression xy = e1 * e2, yz = e2 * e3, zx = e3 * e1, wx = e0 * e1, wy = e0 * e2, wz = e0 * e3;
   matrix3 r;
   r.row[0] = {1 - 2 * (yy + zz), 2 * (xy - wz), 2 * (zx + wy)};
   r.row[1] = {2 * (xy + wz), 1 - 2 * (zz + xx), 2 * (yz - wx)};
   r.row[2] = {2 * (zx - wy), 2 * (yz + wx), 1 - 2 * (xx + yy)};
-  const int place = add_frame_by_matrix(m, called, parent, r);
-  m.frames[place].quaternion = {e0, e1, e2, e3};
+  return r;
+}
+
+} // namespace detail
+
+/// The unit quaternion e0 + e1 i + e2 j + e3 k. Its rates: Kane, Likins & Levinson (1983), section 1.13.
+constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
+                                      expression e1, expression e2, expression e3) {
+  const int place = add_frame_by_matrix(m, called, parent, detail::matrix_of_quaternion(e0, e1, e2, e3));
+  frame& f = m.frames[place];
+  f.quaternion = {e0, e1, e2, e3};
+  f.rates = {{e0, {-e1, -e2, -e3}}, {e1, {e0, -e3, e2}}, {e2, {e3, e0, -e1}}, {e3, {-e2, e1, e0}}};
   return place;
 }
 

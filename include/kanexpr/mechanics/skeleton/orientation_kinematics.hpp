@@ -27,15 +27,13 @@ constexpr sentence check_orientation_kinematics(const mechanism& m, int place, i
 
 namespace detail {
 
-/// ė0 = −(e1 ω1 + e2 ω2 + e3 ω3)/2, ė1 = (e0 ω1 + e2 ω3 − e3 ω2)/2 and so on in a circle, for ω of the frame
-/// in its parent in its own axes. Kane, Likins & Levinson (1983), section 1.13.
-constexpr sequence<expression> quaternion_kinematics(const sequence<expression>& e, const components& omega,
-                                                     symbolic::differentiation& along_time) {
+constexpr sequence<expression> kinematics_of_parameters(const sequence<parameter_rate>& rates,
+                                                        const components& omega,
+                                                        symbolic::differentiation& along_time) {
   const components half{omega.x / 2, omega.y / 2, omega.z / 2};
-  const components axial{e[1], e[2], e[3]};
-  const components turned = e[0] * half + cross(axial, half);
-  sequence<expression> vanishing{along_time.of(e[0]) + dot(axial, half)};
-  for (int i = 0; i < 3; ++i) vanishing.push(along_time.of(e[i + 1]) - turned[i]);
+  sequence<expression> vanishing;
+  for (const parameter_rate& each : rates)
+    vanishing.push(along_time.of(each.parameter) - dot(each.by_turning, half));
   return vanishing;
 }
 
@@ -50,14 +48,14 @@ constexpr sequence<expression> orientation_kinematics(const mechanism& m, int pl
   symbolic::differentiation along_time = time_derivative(m, m.coordinate_rates);
   vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
   const frame& last = m.frames[place];
-  const bool quaternion = !last.quaternion.empty();
+  const bool has_rates = !last.rates.empty();
   int axes = place;
   bool turns = false; // above `axes`
   for (int f = place; f != reference; f = m.frames[f].parent) {
-    if (quaternion && f == place) continue;
+    if (has_rates && f == place) continue;
     vector w = relative_angular_velocity(m, f, along_time);
     if (w.is_zero()) continue;
-    if (quaternion || turns)
+    if (has_rates || turns)
       w.parts[0].frame = f; // the axis of a turn has the same components below and above it
     else
       axes = w.parts[0].frame;
@@ -65,7 +63,7 @@ constexpr sequence<expression> orientation_kinematics(const mechanism& m, int pl
     missing.subtract(w);
   }
   const components left = express(m, missing, axes);
-  if (quaternion) return detail::quaternion_kinematics(last.quaternion, left, along_time);
+  if (has_rates) return detail::kinematics_of_parameters(last.rates, left, along_time);
   sequence<expression> vanishing;
   for (int i = 0; i < 3; ++i)
     if (!left[i].is_zero()) vanishing.push(left[i]);
