@@ -129,6 +129,22 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n16
 
+// expect: frame B lacks an argument; write modified_rodrigues<Self, Parent, s1, s2, s3>
+namespace n18 {
+struct B : modified_rodrigues<B, N, q, q> {};
+struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: a modified Rodrigues parameter of frame B is a vector; it must be a scalar
+namespace n19 {
+struct B : modified_rodrigues<B, N, q, N::x, q> {};
+struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n19
+
 // expect: O, which B uses as a frame, is a point
 namespace n17 {
 struct B : rotated<B, O, q, N::z> {};

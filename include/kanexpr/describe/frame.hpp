@@ -10,6 +10,7 @@ enum class describe::orientation_word : unsigned char {
   body_fixed,
   space_fixed,
   quaternion,
+  modified_rodrigues,
   direction_cosines,
 };
 
@@ -154,6 +155,23 @@ struct quaternion : describe::axes<Self> {
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
     for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
+    return r;
+  }
+};
+
+/// A frame given by the modified Rodrigues parameters σ = a tan φ/4 of its rotation from the parent, by an
+/// angle φ about the unit vector a. They are those of no turn at φ = 0 and infinite after a whole one. Schaub
+/// & Junkins, Analytical Mechanics of Space Systems (2018), section 3.6.
+template <class Self, class Parent, auto... parameters>
+struct modified_rodrigues : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    describe::frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.orientation = describe::orientation_word::modified_rodrigues;
+    r.given_as = "a modified Rodrigues parameter of frame ";
+    r.parent = &describe::frame_of<Parent>;
+    r.fits = describe::arguments_of("modified_rodrigues<Self, Parent, s1, s2, s3>", sizeof...(parameters), 3);
+    for (int i = 0; i < 3; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
     return r;
   }
 };

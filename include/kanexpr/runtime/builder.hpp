@@ -119,6 +119,9 @@ public:
   /// Turned by the unit quaternion e0 + e1 i + e2 j + e3 k.
   frame_id quaternion(std::string_view called, frame_id parent, expression e0, expression e1, expression e2,
                       expression e3);
+  /// Turned by φ about the unit vector a, with the modified Rodrigues parameters a tan φ/4.
+  frame_id modified_rodrigues(std::string_view called, frame_id parent, expression s1, expression s2,
+                              expression s3);
   /// v in the parent's axes = to_parent · v in the frame's axes.
   frame_id direction_cosines(std::string_view called, frame_id parent, const mechanics::matrix3& to_parent);
   /// The angular velocity of a frame in another one, used in place of the derived one. It is that of the

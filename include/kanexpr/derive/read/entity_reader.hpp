@@ -196,6 +196,8 @@ private:
                                               r.orientation == orientation_word::space_fixed);
     case orientation_word::quaternion:
       return mechanics::add_frame_by_quaternion(m_, called, parent, given[0], given[1], given[2], given[3]);
+    case orientation_word::modified_rodrigues:
+      return mechanics::add_frame_by_modified_rodrigues(m_, called, parent, {given[0], given[1], given[2]});
     case orientation_word::direction_cosines: {
       matrix3 to_parent(*m_.g);
       for (int i = 0; i < 9; ++i) to_parent(i / 3, i % 3) = given[i];

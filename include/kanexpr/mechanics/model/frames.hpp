@@ -112,6 +112,21 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
   return place;
 }
 
+/// The modified Rodrigues parameters σ = a tan φ/4 of a turn by φ about a. They are those of the quaternion
+/// (1 − σ²)/(1 + σ²), 2σ/(1 + σ²), and dσ/dt = ¼ ((1 − σ²) ω + 2 σ × ω + 2 σ σ·ω). Schaub & Junkins,
+/// Analytical Mechanics of Space Systems (2018), section 3.6.
+constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, int parent,
+                                              const components& s) {
+  const expression square = dot(s, s), twice = 2 / (square + 1), half = (1 - square) / 2;
+  const int place = add_frame_by_matrix(
+      m, called, parent, detail::matrix_of_quaternion(twice - 1, twice * s.x, twice * s.y, twice * s.z));
+  const expression xy = s.x * s.y, yz = s.y * s.z, zx = s.z * s.x;
+  m.frames[place].rates = {{s.x, {half + s.x * s.x, xy - s.z, zx + s.y}},
+                           {s.y, {xy + s.z, half + s.y * s.y, yz - s.x}},
+                           {s.z, {zx - s.y, yz + s.x, half + s.z * s.z}}};
+  return place;
+}
+
 /// The angular velocity of a frame in `reference`, given by hand; it is used in place of the derived one.
 /// `apart`: it need not be that of the orientation.
 constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,

@@ -165,6 +165,13 @@ KANEXPR_ENGINE frame_id builder::quaternion(std::string_view called, frame_id pa
   return frame_id{mechanics::add_frame_by_quaternion(m_, called, place(parent), e0, e1, e2, e3)};
 }
 
+KANEXPR_ENGINE frame_id builder::modified_rodrigues(std::string_view called, frame_id parent, expression s1,
+                                                    expression s2, expression s3) {
+  const mechanics::components s{s1, s2, s3};
+  if (!new_frame(called, parent) || !inspect_.own(s, called)) return {};
+  return frame_id{mechanics::add_frame_by_modified_rodrigues(m_, called, place(parent), s)};
+}
+
 KANEXPR_ENGINE frame_id builder::direction_cosines(std::string_view called, frame_id parent,
                                                    const mechanics::matrix3& to_parent) {
   if (!new_frame(called, parent) || !inspect_.own(to_parent, called)) return {};
