@@ -56,4 +56,20 @@ TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
       "each; ask for it in parts");
 }
 
+TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
+  const kanexpr::mechanics::sentence cause({"M is singular"});
+  const auto filled = [&](auto causes, int count) {
+    for (int i = 0; i < count; ++i) causes.push(cause);
+    return std::string(kanexpr::deriving::check_room("Chain", causes, cause).view());
+  };
+  const char* const told = "what is asked of Chain at once may be singular in more ways than there is room "
+                           "for; ask for it in parts";
+  const kanexpr::deriving::cause_list<{2, 100}> few{};
+  EXPECT_EQ(filled(few, 1), "");
+  EXPECT_EQ(filled(few, 2), told);
+  const kanexpr::deriving::cause_list<{9, 39}> short_ones{}; // three times thirteen letters
+  EXPECT_EQ(filled(short_ones, 2), "");
+  EXPECT_EQ(filled(short_ones, 3), told);
+}
+
 } // namespace

@@ -107,12 +107,13 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
 }
 
 TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
-  auto aside = std::make_unique<image>();
-  aside->integers = image::most_integers;
+  auto ended = std::make_unique<kanexpr::deriving::staged>();
+  ended->aside.integers = image::most_integers;
   derived_system system(simple_pendulum::System::record);
   go_on(system, stage::constrained);
-  system.write(*aside);
-  EXPECT_TRUE(aside->is_full);
+  ended->take(system, "System");
+  EXPECT_TRUE(ended->aside.is_full);
+  EXPECT_EQ(ended->mistake.view(), "System is larger than any system that there is room for");
 }
 
 } // namespace

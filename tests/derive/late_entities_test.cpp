@@ -91,7 +91,7 @@ TEST(late_entities, change_no_result) {
     constexpr request more = requested<camera::of_lens>::value;
     kanexpr::deriving::form(more, extended.reader(), extended.equations());
     ASSERT_FALSE(extended.mistake()) << extended.mistake().view();
-    ASSERT_GT(extended.model().points.size(), plain.model().points.size());
+    ASSERT_GT(extended.mechanism().points.size(), plain.mechanism().points.size());
     for (const quantity wanted : all_results) {
       const kanexpr::lower::tape a = tape_for(plain, wanted), b = tape_for(extended, wanted);
       ASSERT_EQ(a.steps.size(), b.steps.size()) << static_cast<int>(wanted);
@@ -126,5 +126,8 @@ TEST(late_entities, are_checked_like_those_of_the_system) {
   EXPECT_EQ(derived.get<velocity_of<Growing>>().entries.size(), 0);
   EXPECT_EQ(derived.mistake(),
             "the offset of point Growing holds the speed u5; it may hold coordinates only");
-  EXPECT_NE((kanexpr::derive<System, angular_velocity_of<Bent>>().mistake()), "");
+  EXPECT_EQ(derived.get<velocity_of<Steer>>().entries.size(), 3); // the system itself is sound
+  EXPECT_EQ(derived.mistake(), "");
+  EXPECT_EQ(derived.get<angular_velocity_of<Bent>>().entries.size(), 0);
+  EXPECT_TRUE(derived.mistake().starts_with("the direction cosines of frame Bent are not orthonormal"));
 }

@@ -142,7 +142,7 @@ TEST(loads, of_motion_keep_the_order_of_mention) {
   std::string names;
   for (const auto& p : derived.mechanism().parameters) names += symbolic::print(p) + " ";
   EXPECT_EQ(names, "m l c k ");
-  EXPECT_EQ(derived.mechanism().forces.size(), 1);
+  EXPECT_EQ(derived.equations().loads_used().forces.size(), 1);
   EXPECT_EQ(derived.mechanism().inputs.size(), 1);
 }
 

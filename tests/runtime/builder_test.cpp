@@ -66,7 +66,7 @@ double cart_value(const kanexpr::lower::load& l) {
 TEST(builder, gives_the_equations_of_what_was_built) {
   pendulum_on_cart b;
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   double mass[4], force[2];
   code_for(b, derived.get(quantity::mass_matrix)).evaluate(cart_value, mass);
@@ -87,7 +87,7 @@ TEST(builder, takes_a_body_without_mass) {
     const expression none = by_parameter ? b.parameter("none") : b.number(0), zero = b.number(0);
     b.rigid_body("Wheel", b.bob, b.rod, none, b.inertia(b.rod, zero, zero, b.number(0.07)));
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     derived.constrain();
     double mass[4], force[2], energy[1];
     const auto value = [](const kanexpr::lower::load& l) {
@@ -110,37 +110,37 @@ using kanexpr::symbolic::print;
 
 TEST(builder, keeps_constraints_and_what_depends_on_them) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
-  b.velocity_constraint(kanexpr::mechanics::velocity_of_point(derived.moving(), place(b.bob)),
+  kanexpr::mechanics::known_motion known(b.mechanism());
+  b.velocity_constraint(kanexpr::mechanics::velocity_of_point(known.moving(), place(b.bob)),
                         b.along(b.n, 1, 0, 0));
   b.velocity_constraint(b.v - b.length * b.omega);
   b.configuration_constraint(b.x - b.length * sin(b.theta));
   b.acceleration_constraint(b.dot(b.v) - b.dot(b.omega));
   b.dependent(b.omega);
   b.dependent(b.x);
-  const kanexpr::mechanics::mechanism& m = b.mechanism();
+  const kanexpr::mechanics::given_constraints& c = b.system().constraints;
   ASSERT_EQ(b.mistake().view(), "");
-  ASSERT_EQ(m.velocity_constraints.size(), 2);
-  EXPECT_EQ(print(m.velocity_constraints[0].value), "l*omega*cos(theta) + v");
-  EXPECT_EQ(m.velocity_constraints[0].vanishing.parts.size(), 1);
-  EXPECT_EQ(m.velocity_constraints[0].direction.parts.size(), 1);
-  EXPECT_EQ(print(m.velocity_constraints[1].value), "v - l*omega");
-  EXPECT_TRUE(m.velocity_constraints[1].vanishing.parts.empty());
-  ASSERT_EQ(m.configuration_constraints.size(), 1);
-  EXPECT_EQ(print(m.configuration_constraints[0]), "x - l*sin(theta)");
-  ASSERT_EQ(m.acceleration_constraints.size(), 1);
-  EXPECT_EQ(print(m.acceleration_constraints[0]), "v' - omega'");
-  ASSERT_EQ(m.dependent_speeds.size(), 1);
-  EXPECT_EQ(m.dependent_speeds[0], 1);
-  ASSERT_EQ(m.dependent_coordinates.size(), 1);
-  EXPECT_EQ(m.dependent_coordinates[0], 0);
+  ASSERT_EQ(c.on_velocities.size(), 2);
+  EXPECT_EQ(print(c.on_velocities[0].value), "l*omega*cos(theta) + v");
+  EXPECT_EQ(c.on_velocities[0].vanishing.parts.size(), 1);
+  EXPECT_EQ(c.on_velocities[0].direction.parts.size(), 1);
+  EXPECT_EQ(print(c.on_velocities[1].value), "v - l*omega");
+  EXPECT_TRUE(c.on_velocities[1].vanishing.parts.empty());
+  ASSERT_EQ(c.on_configuration.size(), 1);
+  EXPECT_EQ(print(c.on_configuration[0]), "x - l*sin(theta)");
+  ASSERT_EQ(c.on_accelerations.size(), 1);
+  EXPECT_EQ(print(c.on_accelerations[0]), "v' - omega'");
+  ASSERT_EQ(c.dependent_speeds.size(), 1);
+  EXPECT_EQ(c.dependent_speeds[0], 1);
+  ASSERT_EQ(c.dependent_coordinates.size(), 1);
+  EXPECT_EQ(c.dependent_coordinates[0], 0);
 }
 
 TEST(builder, derives_what_is_constrained) {
   pendulum_on_cart b;
   b.velocity_constraint(b.v); // the cart stands still
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   ASSERT_EQ(derived.mistake().view(), "");
   double udot[2];
@@ -181,7 +181,7 @@ TEST(builder, writes_the_kinematics_of_a_frame) {
 
 TEST(interpreter, takes_memory_only_once) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   interpreter<double> code = code_for(b, derived.get(quantity::udot));
   double udot[2];

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 namespace {
@@ -134,6 +135,46 @@ TEST(model, is_shared_by_its_copies) {
   EXPECT_EQ(&moved.mechanism(), &second.mechanism());
   first = model_of_pendulum();
   EXPECT_EQ(print(first.mass_matrix()), "[l^2*m]");
+}
+
+// Carts on one rail: the first takes all others along.
+struct train : builder {
+  static constexpr int carts = 60;
+
+  train() : builder("N") {
+    const auto n = inertial_frame();
+    const auto o = origin("O");
+    const expression lead = coordinate("lead"), u = speed("v"), l = parameter("l");
+    kinematic_equation(dot(lead) - u);
+    particle("Lead", offset("Front", o, along(n, lead, number(0), number(0))), number(2));
+    for (int i = 0; i < carts; ++i) {
+      const std::string cart = std::to_string(i + 1);
+      const expression q = coordinate("cart" + cart), v = speed("speed" + cart);
+      kinematic_equation(dot(q) - v);
+      particle("Cart" + cart, offset("P" + cart, o, along(n, q, number(0), number(0))), number(1));
+      velocity_constraint(v * l - u);
+      dependent(v);
+    }
+  }
+};
+
+TEST(built_model, names_all_dependent_speeds_however_many) {
+  std::string all;
+  for (int i = 1; i <= train::carts; ++i)
+    all += (i == 1 ? "speed" : i < train::carts ? ", speed" : " and speed") + std::to_string(i);
+  EXPECT_GT(all.size(), 500u);
+  EXPECT_EQ(derive(train()).names_of_dependent_speeds(), all);
+}
+
+TEST(built_model, names_ten_in_a_sentence_about_many) {
+  const train built;
+  kanexpr::symbolic::sequence<int> places;
+  for (int i = 1; i <= 12; ++i) places.push(i);
+  const std::string ten =
+      "speeds speed1, speed2, speed3, speed4, speed5, speed6, speed7, speed8, speed9, speed10";
+  EXPECT_EQ(kanexpr::mechanics::speeds_called(built.mechanism(), places).view(), ten + " and 2 others");
+  places.pop();
+  EXPECT_EQ(kanexpr::mechanics::speeds_called(built.mechanism(), places).view(), ten + " and speed11");
 }
 
 } // namespace

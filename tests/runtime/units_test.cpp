@@ -67,7 +67,7 @@ std::vector<int> list(const kanexpr::symbolic::sequence<int>& all) { return {all
 motion of_slider_crank(const units& in) {
   slider_crank b(in);
   EXPECT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   EXPECT_EQ(derived.mistake().view(), "");
   const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
@@ -114,7 +114,7 @@ TEST(units, of_a_redundant_constraint_do_not_matter) {
                           (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
     b.velocity_constraint(b.number(3e5) *
                           (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
-    equations derived(b.mechanism());
+    equations derived(b.system());
     derived.constrain();
     EXPECT_EQ(derived.mistake().view(),
               "velocity constraint 2 follows from those before it in every configuration");
@@ -196,7 +196,7 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     b.kinematic_equation(b.dot(c) - wc);
     b.velocity_constraint(a * a * (radius * wa + v + x * wc));
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
     ASSERT_EQ(derived.mistake().view(), "");
     kanexpr::symbolic::sequence<int> outputs;
@@ -230,7 +230,7 @@ std::string mistake_of_slab(double inertia, bool spins) {
   for (const char* speed : {"u", "v", "w"})
     b.kinematic_equation(b.dot(b.mechanism().coordinates[place++]) - b.speed(speed));
   EXPECT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.get(quantity::udot);
   return std::string(derived.mistake().view());
 }

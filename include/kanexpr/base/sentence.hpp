@@ -25,10 +25,7 @@ struct sentence {
   constexpr std::string_view cause() const { return view(); }
 
 private:
-  constexpr void append(std::string_view text) {
-    for (char letter : text)
-      if (length < capacity) letters[length++] = letter;
-  }
+  constexpr void append(std::string_view text);
 };
 
 template <class Stream>
@@ -63,6 +60,19 @@ constexpr sentence::sentence(std::initializer_list<std::string_view> pieces) {
     append(piece.substr(0, kept - kept / 2));
     append(detail::left_out);
     append(piece.substr(piece.size() - kept / 2));
+  }
+}
+
+/// Of more pieces than there is room for even so, the last are left out.
+constexpr void sentence::append(std::string_view text) {
+  for (char letter : text) {
+    if (length < capacity) {
+      letters[length++] = letter;
+      continue;
+    }
+    for (int i = 0; i < static_cast<int>(detail::left_out.size()); ++i)
+      letters[capacity - 1 - i] = detail::left_out[static_cast<std::size_t>(i)];
+    return;
   }
 }
 

@@ -30,6 +30,13 @@ constexpr sentence check_room(std::string_view system, const lower::tape_sizes& 
                    " of each; ask for it in parts"});
 }
 
+template <cause_sizes room>
+constexpr sentence check_room(std::string_view system, const cause_list<room>& causes, const sentence& next) {
+  if (causes.has_room_for(next)) return {};
+  return sentence({"what is asked of ", system,
+                   " at once may be singular in more ways than there is room for; ask for it in parts"});
+}
+
 /// The nodes of all entries of the results, then those of what may be singular on the way to them.
 struct cut_nodes {
   sequence<int> nodes{};
@@ -72,13 +79,10 @@ constexpr cut_code cut(derived_system& system, std::string_view called, const su
                        std::span<const request> all) {
   const cut_nodes found = nodes_for(system, all);
   if (system.mistake()) return cut_code(system.mistake());
-  if (const sentence added = check_symbols(called, of_system, system.model())) return cut_code(added);
+  if (const sentence added = check_symbols(called, of_system, system.mechanism())) return cut_code(added);
   cut_code code;
   for (const mechanics::singularity_check& g : found.checks) {
-    if (!code.causes.has_room_for(g.cause))
-      return cut_code(
-          sentence({"what is asked of ", called,
-                    " at once may be singular in more ways than there is room for; ask for it in parts"}));
+    if (const sentence lacking = check_room(called, code.causes, g.cause)) return cut_code(lacking);
     code.causes.push(g.cause);
     code.tells_finiteness = g.of_finiteness;
   }

@@ -34,6 +34,15 @@ public:
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }
+  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of what there is
+    write(all.size());
+    if (into_.integers + all.size() > image::most_integers) {
+      into_.is_full = true;
+      return;
+    }
+    for (const symbolic::expression& e : all)
+      into_.integer[into_.integers++] = e.is_given() ? e.node() : none;
+  }
   constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
   constexpr void operator()(const symbolic::name& called) {
     write(called.length);

@@ -55,7 +55,9 @@ constexpr surveyed_stage first_stage() {
     s.follows_from_unparsed = system.reader().follows_from_unparsed();
     s.take(system, type_name<System>());
     if (s.known.symbols() > survey::room) {
-      if (!s.mistake) s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
+      if (!s.mistake)
+        s.mistake = sentence(
+            {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
       s.known = {}; // which has no names of them
     }
   }

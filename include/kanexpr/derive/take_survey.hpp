@@ -7,7 +7,7 @@
 namespace kanexpr::deriving {
 
 constexpr void survey::take(derived_system& system) {
-  take(system.model(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+  take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
 }
 
 constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
@@ -28,7 +28,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   }
   if (derived == nullptr) return;
   constraints = derived->constraints_used().size();
-  configuration_constraints = m.configuration_constraints.size();
+  configuration_constraints = derived->constraints_used().on_configuration.size();
   for (int i : derived->coordinates().dependent) dependent[i] = true;
   for (int i : derived->speeds().dependent) dependent[coordinates + i] = true;
 }

@@ -4,6 +4,18 @@
 
 namespace kanexpr {
 
+enum class describe::load_word : unsigned char {
+  force,
+  torque,
+  gravity,
+  potential_energy,
+  spring,
+  damper,
+  torsional_spring,
+  torsional_damper,
+  none,
+};
+
 /// A force that acts at a point: `force<P, F*N::x>`.
 template <class Point, auto... vector>
 struct force : describe::load_words {

@@ -101,11 +101,13 @@ private:
   /// Lists what is live, and whether tangents made more so.
   constexpr bool list_live(int end) {
     bool adds = false;
-    nodes_in_order_.clear();
-    nodes_in_order_.reserve(end);
+    int count = 0;
+    for (int id = 0; id < end; ++id) count += is_live_[id];
+    nodes_in_order_.resize(count);
+    int* next = nodes_in_order_.begin();
     for (int id = 0; id < end; ++id) {
       if (is_live_[id] == 0) continue;
-      nodes_in_order_.push(id);
+      *next++ = id;
       if (nodes_[id].op != operation::tan || !has_either(id) || has_both(id)) continue;
       is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
       adds = true;
@@ -242,11 +244,13 @@ constexpr symbolic::cost cost_of(const tape& t) {
     else
       total.count_substitution(e.order);
   }
+  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // by operation
   for (const instruction& step : t.steps) {
-    if (step.op == operation::component) continue;
-    total.count(step.op);
+    ++times[static_cast<int>(step.op)];
     if (step.op == operation::cos && step.paired) --total.trigonometric;
   }
+  for (int op = 0; op < static_cast<int>(operation::component); ++op)
+    total.count(static_cast<operation>(op), times[op]);
   return total;
 }
 

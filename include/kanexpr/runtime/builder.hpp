@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 #include <kanexpr/runtime/model.hpp>
 
@@ -45,24 +45,25 @@ struct vanishing {
   std::vector<vector> directions;
 };
 
-/// Builds a mechanism from values while the program runs. It stays where it was made; `derive(b)` gives a
+/// Builds a system from values while the program runs. It stays where it was made; `derive(b)` gives a
 /// model of it, with the results of a system that was described as types.
 ///
 /// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
 ///
-/// Constraints may speak of velocities, which `mechanics::equations derived(b.mechanism());` knows before
-/// they are taken up.
+/// Loads and constraints may speak of velocities, which `mechanics::known_motion known(b.mechanism());` knows
+/// once frames and points are there.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame);
   builder(const builder&) = delete;
   builder& operator=(const builder&) = delete;
 
-  /// The first mistake made while building, or else the first that the mechanism holds; empty: none.
+  /// The first mistake made while building, or else the first that the system holds; empty: none.
   sentence(check)() const;
   const sentence& mistake() const { return inspect_.mistake(); }
 
-  const mechanics::mechanism& mechanism() const { return m_; }
+  const mechanics::multibody_system& system() const { return system_; }
+  const mechanics::mechanism& mechanism() const { return system_.mechanism; }
   symbolic::graph& graph() { return *graph_; }
 
   // ---- scalars
@@ -171,7 +172,7 @@ public:
   /// A torque −damping·ω on a frame that turns with ω in another, and the opposite on that.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
-  // ---- constraints; what vanishes may hold velocities that `mechanics::equations` knew before
+  // ---- constraints; what vanishes may hold velocities of a `mechanics::known_motion`
 
   /// What one constraint along each direction says of a vector: `b.configuration_constraint(b.zero_along(
   /// b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1, 0)))`.
@@ -219,7 +220,8 @@ private:
                        const symbolic::sequence<expression>& angles, bool space_fixed);
 
   std::shared_ptr<symbolic::graph> graph_ = std::make_shared<symbolic::graph>(); ///< shared with models
-  mechanics::mechanism m_;
+  mechanics::multibody_system system_;
+  mechanics::mechanism& m_ = system_.mechanism;
   inspector inspect_;
 };
 

@@ -16,19 +16,19 @@ struct cost {
 
   constexpr bool operator==(const cost&) const = default;
 
-  constexpr void count(operation op) {
-    ++nodes;
+  constexpr void count(operation op, int times = 1) {
+    nodes += times;
     switch (form_of(op)) {
     case form::constant:
     case form::symbol:
     case form::negate: break;
     case form::add:
-    case form::subtract: ++additions; break;
-    case form::multiply: ++multiplications; break;
-    case form::divide: ++divisions; break;
-    case form::function: ++(properties_of(op).is_trigonometric ? trigonometric : other); break;
-    case form::atan2: ++trigonometric; break;
-    case form::power: ++other; break;
+    case form::subtract: additions += times; break;
+    case form::multiply: multiplications += times; break;
+    case form::divide: divisions += times; break;
+    case form::function: (properties_of(op).is_trigonometric ? trigonometric : other) += times; break;
+    case form::atan2: trigonometric += times; break;
+    case form::power: other += times; break;
     case form::pair:
     case form::factorization:
     case form::solve:

@@ -27,7 +27,7 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   b.gravity(b.along(b.n, 0, -9.81, 0));
   b.force(end, b.along(b.n, pull(0), pull(1), 0));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   const Vector3d x(std::cos(b.q_now[0]), std::sin(b.q_now[0]), 0), z = Vector3d::UnitZ();
   const double turning = (to_center * x).cross(weight).z() + (to_end * x).cross(pull).z();
@@ -54,7 +54,7 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
     b.force(p, b.along(b.n, drag - b.u[0], drag * b.u[1], b.number(3) - 2 * drag));
     b.torque(b.rotated("A", b.n, b.q[2], b.along(b.n, 0, 0, 1)), b.along(b.n, zero, zero, drag));
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
+    mechanics::equations e(b.system());
     udot[held] = found(b, e, quantity::udot);
     force[held] = found(b, e, quantity::noncontributing_forces);
   }
@@ -79,7 +79,7 @@ TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   b.particle("Elsewhere", b.offset("B", b.o, b.along(b.n, b.q[2], zero, zero)), b.number(1));
   b.torque(a, b.along(a, 0, 0, torque));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   // in A's axes: ω = u1 x + u0 z, and α = u̇1 x + u̇0 z + u0 z × u1 x
   const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ();
@@ -145,7 +145,7 @@ TEST(auxiliary_speeds, give_the_contact_force_of_a_rolling_disc) {
   b.fixed_in(center, d.rolling);
   d.body(b, center);
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   Vector3d udot;
   const Vector3d force = disc::contact_force(b, udot);
   expect_equal(found(b, e, quantity::udot), udot);
@@ -170,12 +170,13 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     b.fixed_in(contact, d.rolling);
     d.body(b, center);
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
-    const vector v = mechanics::velocity_of_point(e.moving(), place(contact));
+    mechanics::known_motion known(b.mechanism());
+    const vector v = mechanics::velocity_of_point(known.moving(), place(contact));
     b.velocity_constraint(v, b.along(b.n, 1, 0, slope));
     b.velocity_constraint(v, b.along(b.n, 0, 1, 0));
     b.dependent(vx);
     b.dependent(vy);
+    mechanics::equations e(b.system());
     e.constrain();
     ASSERT_EQ(e.mistake().view(), "");
 

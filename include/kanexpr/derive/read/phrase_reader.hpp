@@ -5,108 +5,119 @@
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
-#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
 namespace kanexpr::deriving {
 
-/// Evaluates the postfix phrases of a model. `Entities` is the class derived from this one, which knows the
-/// frames and points that phrases mention.
-template <class Entities>
-class phrase_reader : public symbol_reader {
+class entity_reader;
+
+/// Evaluates the postfix phrases of a model.
+class phrase_reader {
 public:
-  using symbol_reader::symbol_reader;
+  constexpr phrase_reader(reading& all, symbol_reader& symbols, entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), entities_(entities) {}
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
     if (p.kind == shape::vanishing || p.kind == shape::kinematics)
-      fail({part_, whom, is_a(p.kind), "it must be an expression"});
+      reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
     const sequence<value> found = evaluate_each(p, whom);
-    if (mistake_ || found.empty()) return value::of(m_.zero());
+    if (reading_.mistake || found.empty()) return value::of(m_.zero());
     return found.back();
   }
 
-  /// From here on phrases may speak of positions, velocities and derivatives.
-  constexpr void know(mechanics::equations& derived) { derived_ = &derived; }
-
-protected:
   /// What a phrase of several expressions, one after another, stands for.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
-    const phrase* const before = reading_; // which mentions what this one belongs to
-    reading_ = &p;
-    for (int i = 0; i < p.size && !mistake_; ++i) {
+    const phrase* const before = phrase_; // which mentions what this one belongs to
+    phrase_ = &p;
+    for (int i = 0; i < p.size && !reading_.mistake; ++i) {
       const int known = m_.g->size();
       step(p.tokens[i], stack, whom);
       if (p.tokens[i].what <= describe::token_kind::normalized && m_.g->size() != known)
         look_for_no_number(known, p.tokens[i], whom);
     }
-    reading_ = before;
+    phrase_ = before;
     return stack;
   }
 
   /// A phrase that is the part `what` of an entity: "the offset of point ".
   constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
-    const std::string_view before = part_;
-    part_ = what;
+    const std::string_view before = reading_.part;
+    reading_.part = what;
     const value v = evaluate(p, whom);
-    part_ = before;
+    reading_.part = before;
     return v;
   }
 
+  using text_pieces = std::initializer_list<std::string_view>;
+
+  /// A phrase that has to be a scalar. `what`: "the mass of ", "B".
   constexpr expression scalar_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
-    if (mistake_) return m_.zero();
+    if (reading_.mistake) return m_.zero();
     if (p.kind == shape::scalar) return v.scalar;
-    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a scalar"});
+    reading_.fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a scalar"});
     return m_.zero();
   }
   constexpr mechanics::vector vector_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
-    if (mistake_) return {};
+    if (reading_.mistake) return {};
     if (p.kind == shape::vector) return v.vector;
-    fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a vector"});
+    reading_.fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a vector"});
     return {};
   }
 
+  /// Words that C++ has and models do not.
+  constexpr void check_written(const phrase& p, std::string_view whom) {
+    for (int i = 0; i < p.size && !reading_.mistake; ++i) {
+      if (p.tokens[i].what != describe::token_kind::misused) continue;
+      const bool named = !reading_.part.empty() || whom.substr(0, 4) == "the ";
+      const std::string_view held = named ? "" : name_in(p);
+      reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held,
+                     describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
+    }
+  }
+
+  /// Whether a word is known while a model is read: of velocities, only those are that it declares in the
+  /// inertial frame.
+  constexpr bool is_declared(const describe::token& t) const {
+    using describe::token_kind;
+    if (t.what == token_kind::velocity) return t.point->reference == reading_.from.inertial;
+    if (t.what == token_kind::angular_velocity) return t.frame->reference == reading_.from.inertial;
+    return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
+           t.what != token_kind::derivative;
+  }
+
+private:
   /// Whether a step means nothing for its operands.
   constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
     if (makes_sense(t, a.kind)) return false;
-    if (!mistake_) mistake_ = senseless(t, a.kind, part_, whom);
+    if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, reading_.part, whom);
     return true;
   }
   constexpr bool is_senseless(const describe::token& t, const value& a, const value& b,
                               std::string_view whom) {
     if (makes_sense(t, a.kind, b.kind)) return false;
-    if (!mistake_) mistake_ = senseless(t, a.kind, b.kind, part_, whom);
+    if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, b.kind, reading_.part, whom);
     return true;
-  }
-
-  /// Words that C++ has and models do not.
-  constexpr void check_written(const phrase& p, std::string_view whom) {
-    for (int i = 0; i < p.size && !mistake_; ++i) {
-      if (p.tokens[i].what != describe::token_kind::misused) continue;
-      const bool named = !part_.empty() || whom.substr(0, 4) == "the ";
-      const std::string_view held = named ? "" : name_in(p);
-      fail({part_, whom, held.empty() ? "" : " with ", held,
-            describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
-    }
   }
 
   /// What a step adds to the graph must be numbers where it holds no symbols.
   constexpr void look_for_no_number(int known, const describe::token& t, std::string_view whom) {
     using describe::token_kind;
-    for (int id = known; id < m_.g->size() && !mistake_; ++id) {
+    for (int id = known; id < m_.g->size() && !reading_.mistake; ++id) {
       if (!mechanics::has_no_value(*m_.g, id)) continue;
       if (t.what == token_kind::normalized)
-        fail({part_, whom, " holds normalized of a vector of no length"});
+        reading_.fail({reading_.part, whom, " holds normalized of a vector of no length"});
       else if (t.what != token_kind::scalar_function)
-        fail({part_, whom, " holds a number that is not finite"});
+        reading_.fail({reading_.part, whom, " holds a number that is not finite"});
       else if (t.operation == symbolic::operation::power)
-        fail({part_, whom, " holds pow of numbers for which it has no value"});
+        reading_.fail({reading_.part, whom, " holds pow of numbers for which it has no value"});
       else
-        fail({part_, whom, " holds ", symbolic::function_name(t.operation),
-              " of a number for which it has no value"});
+        reading_.fail({reading_.part, whom, " holds ", symbolic::function_name(t.operation),
+                       " of a number for which it has no value"});
     }
   }
 
@@ -119,13 +130,14 @@ protected:
     };
     switch (t.what) {
     case token_kind::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
-    case token_kind::symbol: stack.push(value::of(symbol(*t.symbol, whom))); break;
+    case token_kind::symbol: stack.push(value::of(symbols_.symbol(*t.symbol, whom))); break;
     case token_kind::basis: {
       mechanics::vector v;
-      const int f = t.frame != nullptr ? entities().frame(t.frame, whom) : describing_;
+      const int f = t.frame != nullptr ? frame(t.frame, whom) : reading_.describing;
       if (f == none)
-        return fail({part_, whom, " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
-                     ", which stands for a frame while its angular velocity is declared"});
+        return reading_.fail({reading_.part, whom,
+                              " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
+                              ", which stands for a frame while its angular velocity is declared"});
       v.add(f, mechanics::unit(*m_.g, t.index));
       stack.push(value::of(static_cast<mechanics::vector&&>(v)));
       break;
@@ -164,7 +176,7 @@ protected:
     case token_kind::divide: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
-      if (b.scalar.is_zero()) return fail({part_, whom, " is divided by zero"});
+      if (b.scalar.is_zero()) return reading_.fail({reading_.part, whom, " is divided by zero"});
       if (a.kind == shape::scalar)
         stack.push(value::of(a.scalar / b.scalar));
       else
@@ -205,7 +217,7 @@ protected:
       break;
     }
     case token_kind::partial: {
-      const expression by = symbol(*t.symbol, whom);
+      const expression by = symbols_.symbol(*t.symbol, whom);
       value& of = stack.back();
       if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
       for (mechanics::vector::part& p : of.vector.parts)
@@ -213,13 +225,13 @@ protected:
       break;
     }
     case token_kind::in_axes: {
-      const int axes = entities().frame(t.frame, whom);
+      const int axes = frame(t.frame, whom);
       mechanics::vector v;
       v.add(axes, mechanics::express(m_, stack.back().vector, axes));
       stack.back().vector = v;
       break;
     }
-    case token_kind::misused: return check_written(*reading_, whom);
+    case token_kind::misused: return check_written(*phrase_, whom);
     case token_kind::position:
     case token_kind::velocity:
     case token_kind::acceleration:
@@ -233,57 +245,50 @@ protected:
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     if (t.what == token_kind::position) {
-      const int at = entities().point(t.point, whom);
-      if (!mistake_) stack.push(value::of(mechanics::position_from_origin(m_, at)));
+      const int at = point(t.point, whom);
+      if (!reading_.mistake) stack.push(value::of(mechanics::position_from_origin(m_, at)));
       return;
     }
-    if (derived_ == nullptr) return declared_motion(t, stack, whom);
-    mechanics::motion& k = derived_->moving();
+    if (reading_.known == nullptr) return declared_motion(t, stack, whom);
+    mechanics::motion& k = reading_.known->moving();
     if (t.what == token_kind::velocity)
-      stack.push(value::of(mechanics::velocity_of_point(k, entities().point(t.point, whom))));
+      stack.push(value::of(mechanics::velocity_of_point(k, point(t.point, whom))));
     else if (t.what == token_kind::acceleration)
-      stack.push(value::of(mechanics::acceleration_of_point(k, entities().point(t.point, whom))));
+      stack.push(value::of(mechanics::acceleration_of_point(k, point(t.point, whom))));
     else if (t.what == token_kind::angular_velocity)
-      stack.push(value::of(mechanics::angular_velocity_of_frame(k, entities().frame(t.frame, whom))));
+      stack.push(value::of(mechanics::angular_velocity_of_frame(k, frame(t.frame, whom))));
     else if (t.what == token_kind::angular_acceleration)
-      stack.push(value::of(mechanics::angular_acceleration_of_frame(k, entities().frame(t.frame, whom))));
+      stack.push(value::of(mechanics::angular_acceleration_of_frame(k, frame(t.frame, whom))));
     else if (t.frame == nullptr)
       stack.back().scalar = k.rate(k.known(stack.back().scalar));
     else
-      stack.back().vector = mechanics::derivative_in(k, stack.back().vector, entities().frame(t.frame, whom));
-  }
-
-  /// Whether a word is known while a model is read: of velocities, only those are that it declares in the
-  /// inertial frame.
-  constexpr bool is_declared(const describe::token& t) const {
-    using describe::token_kind;
-    if (t.what == token_kind::velocity) return t.point->reference == from_.inertial;
-    if (t.what == token_kind::angular_velocity) return t.frame->reference == from_.inertial;
-    return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
-           t.what != token_kind::derivative;
+      stack.back().vector = mechanics::derivative_in(k, stack.back().vector, frame(t.frame, whom));
   }
 
   constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     if (!is_declared(t))
-      return fail(
-          {part_, whom, " holds a velocity or derivative, which is not known yet while a model is read"});
+      return reading_.fail({reading_.part, whom,
+                            " holds a velocity or derivative, which is not known yet while a model is read"});
     if (t.point != nullptr) {
-      const int at = entities().point(t.point, whom);
-      if (!mistake_) stack.push(value::of(m_.points[at].velocity));
+      const int at = point(t.point, whom);
+      if (!reading_.mistake) stack.push(value::of(m_.points[at].velocity));
     } else {
-      const int of = entities().frame(t.frame, whom);
-      if (!mistake_) stack.push(value::of(m_.frames[of].angular_velocity));
+      const int of = frame(t.frame, whom);
+      if (!reading_.mistake) stack.push(value::of(m_.frames[of].angular_velocity));
     }
   }
 
-  mechanics::equations* derived_ = nullptr;
-  const phrase* reading_ = nullptr;
-  int describing_ = none; ///< the frame whose own axes `own` means
-
-private:
   static constexpr std::string_view axis_names = "xyz";
 
-  constexpr Entities& entities() { return static_cast<Entities&>(*this); }
+  /// The numbers of a frame and of a point, by the reader of entities.
+  constexpr int frame(const frame_record* r, std::string_view whom);
+  constexpr int point(const point_record* r, std::string_view whom);
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  entity_reader& entities_;
+  const phrase* phrase_ = nullptr;
 };
 
 } // namespace kanexpr::deriving

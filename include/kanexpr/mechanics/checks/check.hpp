@@ -11,28 +11,29 @@
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 
-/// Mistakes that a mechanism can hold, found before anything is derived from it.
+/// Mistakes that a system can hold, found before anything is derived from it.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The checks of one mechanism, in the order in which a person would want to hear of mistakes.
+/// The checks of one system, in the order in which a person would want to hear of mistakes.
 class checking {
 public:
-  constexpr explicit checking(const mechanism& m) : m_(m), held_(*m.g) {}
+  constexpr explicit checking(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
 
   constexpr sentence run() {
     if (m_.speeds.empty())
       return sentence(
           {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
-    if (m_.bodies.empty() && !m_.has_lagrangian)
+    if (m_.bodies.empty() && !of_.loads.has_lagrangian)
       return sentence({"the system has no particle and no rigid body"});
     found_ = checking_kinematics(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) look_at(p);
     for (const body& b : m_.bodies) look_at(b);
-    if (!found_) found_ = checking_loads(m_, held_).run();
+    if (!found_) found_ = check_loads(m_, of_.loads, held_);
     if (!found_) found_ = checking_dyadics(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
     return found_;
@@ -72,7 +73,7 @@ private:
       angles = checked.left_out_angles();
     }
     if (!found_) found_ = checking_inertia(m_, held_, apart).run();
-    if (!found_) found_ = checking_left_out_angles(m_, held_, angles).run();
+    if (!found_) found_ = checking_left_out_angles(of_, held_, angles).run();
   }
 
   constexpr void check_frame(int place) {
@@ -153,6 +154,7 @@ private:
     inputs(e, 1, of, whose);
   }
 
+  const multibody_system& of_;
   const mechanism& m_;
   contents held_;
   sentence found_{};
@@ -160,8 +162,8 @@ private:
 
 } // namespace detail
 
-/// The first mistake of a mechanism, or nothing.
-constexpr sentence check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
+/// The first mistake of a system, or nothing; constraints are looked at when velocities are known.
+constexpr sentence check_system(const multibody_system& of) { return detail::checking(of).run(); }
 
 /// A mistake that shows only in the mass matrix.
 constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,

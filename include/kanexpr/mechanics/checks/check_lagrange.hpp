@@ -25,11 +25,11 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
 /// rates of positions and orientations, for the kinetic energy is differentiated by these.
 class checking_lagrange {
 public:
-  constexpr explicit checking_lagrange(motion& k)
-      : k_(k), s_(k.skeleton_used()), m_(*s_.model), held_(*m_.g) {}
+  constexpr checking_lagrange(motion& k, const loads& acting)
+      : k_(k), s_(k.skeleton_used()), m_(*s_.model), loads_(acting), held_(*m_.g) {}
 
   constexpr sentence run() {
-    if (m_.has_lagrangian) check_lagrangian();
+    if (loads_.has_lagrangian) check_lagrangian();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_angular_velocity(f);
     for (const body& b : m_.bodies) {
       if (found_) break;
@@ -47,11 +47,11 @@ private:
   }
 
   constexpr void check_lagrangian() {
-    const expression l = m_.lagrangian;
+    const expression l = loads_.lagrangian;
     if (held_.holds(l, kind::speed_rate))
       return fail(
           {"the Lagrangian holds the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
-    if (m_.has_gravity)
+    if (loads_.has_gravity)
       return fail({"gravity acts on bodies, and a Lagrangian takes their place; it holds their potential "
                    "energy"});
     for (const expression& p : gradient_of(m_, l).momenta)
@@ -136,6 +136,7 @@ private:
   motion& k_;
   const skeleton& s_;
   const mechanism& m_;
+  const loads& loads_;
   contents held_;
   sentence found_{};
 };
@@ -143,6 +144,8 @@ private:
 } // namespace detail
 
 /// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
-constexpr sentence check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
+constexpr sentence check_lagrange(motion& k, const loads& acting) {
+  return detail::checking_lagrange(k, acting).run();
+}
 
 } // namespace kanexpr::mechanics

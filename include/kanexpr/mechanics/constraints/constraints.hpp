@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/point_jacobian.hpp>
@@ -7,9 +8,11 @@
 
 namespace kanexpr::mechanics {
 
-/// Everything that binds the speeds, J u + J_a u_a + c = 0: the velocity constraints of the model, then the
-/// rates of its configuration constraints.
+/// Everything that binds a mechanism. What binds its speeds is J u + J_a u_a + c = 0: the velocity
+/// constraints of the model, then the rates of its configuration constraints.
 struct constraints {
+  sequence<expression> on_configuration{};       ///< as given
+  sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
   sequence<int> station{}; ///< by such constraint: the station whose velocity has no such component, or none
   sequence<int> of_configuration{}; ///< the configuration constraint that it is the rate of, or none
@@ -62,17 +65,17 @@ constexpr constraints no_constraints(const mechanism& m) {
 
 /// A rate of a configuration constraint that the model's velocity constraints say already is left out: many
 /// people write both.
-constexpr constraints form_constraints(motion& k) {
+constexpr constraints form_constraints(motion& k, const given_constraints& from) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   known_rates known(m, s.coordinate_rates);
   without_auxiliary_speeds drop(m);
 
   sequence<velocity_constraint> all;
-  for (const velocity_constraint& c : m.velocity_constraints)
+  for (const velocity_constraint& c : from.on_velocities)
     all.push({known.in(c.value), known.in(c.vanishing), known.in(c.direction)});
   const int given = all.size();
-  for (const expression& f : m.configuration_constraints) all.push({k.rate(f), {}, {}});
+  for (const expression& f : from.on_configuration) all.push({k.rate(f), {}, {}});
   sequence<int> stations;
   for (const velocity_constraint& c : all) stations.push(detail::station_of(k, c));
   const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, stations);
@@ -84,6 +87,8 @@ constexpr constraints form_constraints(motion& k) {
   }
 
   constraints out;
+  out.on_configuration = from.on_configuration;
+  out.on_accelerations = from.on_accelerations;
   symbolic::substitution at_rest(*m.g);
   for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
   bool is_all_by_speeds = true;

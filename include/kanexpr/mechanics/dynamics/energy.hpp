@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 
 namespace kanexpr::mechanics {
@@ -20,22 +20,21 @@ constexpr expression kinetic_energy(motion& k) {
 }
 
 /// Energy of the bodies in uniform gravity, −Σ m g·x, with x measured from each body's origin point.
-constexpr expression energy_of_gravity(const skeleton& s) {
+constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   const mechanism& m = *s.model;
   expression energy = m.zero();
-  if (!m.has_gravity) return energy;
+  if (!acting.has_gravity) return energy;
   for (const body& b : m.bodies)
     for (int p = b.center; p != none; p = m.points[p].parent)
       for (const vector::part& offset : m.points[p].offset.parts)
-        energy -= b.mass * dot(offset.value, express(m, m.gravity, offset.frame));
+        energy -= b.mass * dot(offset.value, express(m, acting.gravity, offset.frame));
   return energy;
 }
 
-/// That of gravity, of springs, and what the model gives as a potential energy.
-constexpr expression potential_energy(const skeleton& s) {
-  expression energy = energy_of_gravity(s);
-  for (const spring_damper& e : s.model->spring_dampers) energy += spring_energy(*s.model, e);
-  for (const expression& given : s.model->potential_energies) energy += given;
+/// That of gravity and of all other loads.
+constexpr expression potential_energy(const skeleton& s, const loads& acting) {
+  expression energy = energy_of_gravity(s, acting);
+  acting.each([&](const auto& load, int) { energy += load.potential_energy(*s.model); });
   return energy;
 }
 

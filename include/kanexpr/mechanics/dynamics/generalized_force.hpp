@@ -1,10 +1,8 @@
 #pragma once
 
-#include <kanexpr/mechanics/dynamics/potential.hpp>
-#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/known_rates.hpp>
 
 namespace kanexpr::mechanics {
@@ -15,28 +13,14 @@ namespace kanexpr::mechanics {
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
-      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), drop_(m_),
-        force_(s.stations.size(), components(*m_.g)), moment_(m_.frames.size(), components(*m_.g)),
-        share_(m_.ways(), expression{*m_.g, graph::zero}) {}
-
-  /// A force at a station.
-  constexpr void add_force(int n, const vector& value) {
-    force_[n] += express(m_, value, s_.working_axes[s_.stations[n].axes]);
-  }
-
-  /// Loads that have no potential energy.
-  constexpr void add_forces_and_torques() {
-    add_given_loads();
-    add_springs_and_dampers(false);
-  }
+      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), acting_(s) {}
 
   /// All loads of the model; gravity on every body only if it is not taken as an acceleration.
-  constexpr void add_loads(bool gravity) {
-    add_given_loads();
-    add_springs_and_dampers(true);
-    if (!m_.potential_energies.empty()) add_potential_energies();
-    if (!gravity || !m_.has_gravity) return;
-    for (const body& b : m_.bodies) add_force(s_.station_of_point[b.center], b.mass * known_.in(m_.gravity));
+  constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
+    given.each([&](const auto& load, int) { load.act(acting_, how); });
+    acting_.differentiate_energies();
+    if (!gravity || !given.has_gravity) return;
+    for (const body& b : m_.bodies) acting_.add_force(b.center, b.mass * known_.in(given.gravity));
   }
 
   /// What inertia asks for in a motion, with the minus sign of a generalized inertia force.
@@ -90,62 +74,8 @@ public:
   }
 
 private:
-  constexpr void add_given_loads() {
-    for (const torque& t : m_.torques) add_torque(t.frame, t.against, drop_.in(known_.in(t.value)));
-    for (const force& f : m_.forces) {
-      const vector value = drop_.in(known_.in(f.value));
-      add_force(s_.station_of_point[f.point], value);
-      if (f.against != none) add_force(s_.station_of_point[f.against], -value);
-    }
-  }
-
-  /// Dampers, and springs too if they are not taken by their energy.
-  constexpr void add_springs_and_dampers(bool springs) {
-    if (m_.spring_dampers.empty() && m_.torsional_dampers.empty()) return;
-    motion k(s_);
-    for (const spring_damper& e : m_.spring_dampers) {
-      const stretch line = stretch_of(s_, e);
-      expression pull = m_.zero();
-      if (springs && !e.stiffness.is_zero()) pull = spring_pull(e, line.d);
-      if (!e.damping.is_zero()) pull += drop_.in(known_.in(e.damping)) * rate_of_stretch(k, e, line);
-      if (pull.is_zero()) continue;
-      vector force;
-      force.add(line.axes, pull * line.d);
-      add_force(s_.station_of_point[e.point], -force);
-      add_force(s_.station_of_point[e.other], force);
-    }
-    for (const torsional_damper& e : m_.torsional_dampers)
-      add_torque(e.frame, e.against,
-                 -drop_.in(known_.in(e.damping)) * angular_velocity_between(s_, e.frame, e.against));
-  }
-
-  /// A torque on a frame and its opposite on another. Between neighbours only the speeds of the turning of
-  /// one in the other feel it.
-  constexpr void add_torque(int frame, int against, const vector& value) {
-    const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
-    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_relative_torque(f, value);
-    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_relative_torque(b, -value);
-    add_moment(f, value);
-    if (b != mechanism::inertial) add_moment(b, -value);
-  }
-
-  /// What a torque does where a frame turns in the one below it.
-  constexpr void add_relative_torque(int f, const vector& value) {
-    for (const partial_velocity& w : s_.partial_angular_velocities[f])
-      share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
-  }
-
-  constexpr void add_potential_energies() {
-    const sequence<expression> rates = potential_rates(s_);
-    for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
-  }
-
   constexpr components turn(const components& v, int from, int to) const {
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
-  }
-
-  constexpr void add_moment(int f, const vector& value) {
-    if (f != mechanism::inertial) moment_[f] += express(m_, value, s_.working_axes[f]);
   }
 
   /// Whether a body's inertia is plainly given by constants in its own axes.
@@ -197,10 +127,10 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   known_rates known_;
-  without_auxiliary_speeds drop_;
-  sequence<components> force_;
-  sequence<components> moment_;
-  sequence<expression> share_;
+  force_system acting_;
+  sequence<components>& force_ = acting_.forces();
+  sequence<components>& moment_ = acting_.moments();
+  sequence<expression>& share_ = acting_.shares();
 };
 
 } // namespace kanexpr::mechanics

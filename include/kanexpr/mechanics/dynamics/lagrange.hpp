@@ -27,7 +27,8 @@ constexpr lagrangian_gradient gradient_of(const mechanism& m, expression lagrang
 
 class lagrange_equations {
 public:
-  constexpr explicit lagrange_equations(const skeleton& s) : s_(s), m_(*s.model) {}
+  constexpr lagrange_equations(const skeleton& s, const loads& acting)
+      : s_(s), m_(*s.model), loads_(acting) {}
 
   /// What was formed.
   template <class Self, class Visit>
@@ -60,14 +61,14 @@ public:
 
   /// Q.
   constexpr sequence<expression> forces_of_loads() const {
-    generalized_forces loads(s_);
-    loads.add_forces_and_torques();
-    return loads.run();
+    generalized_forces f(s_);
+    f.add_loads(loads_, false, conservative::by_energy);
+    return f.run();
   }
 
   /// Q − ∂V/∂q, the generalized forces of all loads.
   constexpr sequence<expression> active_forces() const {
-    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_)).by_coordinates);
+    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_, loads_)).by_coordinates);
   }
 
   /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of a Lagrangian that the model gives.
@@ -75,13 +76,13 @@ public:
 
 private:
   constexpr expression kinetic() const {
-    if (m_.has_lagrangian) return m_.lagrangian;
+    if (loads_.has_lagrangian) return loads_.lagrangian;
     motion k(s_);
     return kinetic_energy(k);
   }
 
   constexpr const lagrangian_gradient& gradient() {
-    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_));
+    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_, loads_));
     return gradient_;
   }
 
@@ -100,6 +101,7 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
+  const loads& loads_;
   lagrangian_gradient gradient_{};
 };
 

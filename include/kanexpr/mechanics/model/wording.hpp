@@ -15,17 +15,23 @@ constexpr sentence several(int n, std::string_view one, std::string_view what = 
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
-/// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be.
+/// What stands before entry `i` of a list of `count`: "q1, q2 and q3".
+constexpr std::string_view before_entry(int i, int count) {
+  return i == 0 ? "" : i + 1 < count ? ", " : " and ";
+}
+
+/// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be. Of many it
+/// names ten, and how many others there are.
 constexpr sentence enumerated(const mechanism& m, const sequence<expression>& symbols,
                               const sequence<int>& places, std::string_view noun = {}) {
+  constexpr int most_named = 10;
+  const int named = places.size() > most_named + 1 ? most_named : places.size();
+  const int entries = named < places.size() ? named + 1 : named;
   sentence p = sentence({noun, noun.empty() ? "" : places.size() == 1 ? " " : "s "});
-  for (int i = 0; i < places.size(); ++i)
-    p = sentence({p.view(),
-                  i == 0                  ? ""
-                  : i + 1 < places.size() ? ", "
-                                          : " and ",
-                  called(m, symbols[places[i]])});
-  return p;
+  for (int i = 0; i < named; ++i)
+    p = sentence({p.view(), before_entry(i, entries), called(m, symbols[places[i]])});
+  if (named == places.size()) return p;
+  return sentence({p.view(), before_entry(named, entries), counted(places.size() - named).view(), " others"});
 }
 
 /// "speed u1"; of Lagrange's method "rate of coordinate q1".

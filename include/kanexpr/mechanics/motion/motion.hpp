@@ -37,6 +37,9 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
+  /// Where the skeleton was moved to.
+  constexpr void follow(const skeleton& s) { s_ = &s; }
+
   /// The time derivative of a scalar.
   constexpr expression rate(expression e) { return along_time_.of(e); }
 

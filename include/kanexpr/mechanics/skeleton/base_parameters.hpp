@@ -44,9 +44,10 @@ private:
   /// The unsettled link at station `c` whose frame is the farthest from the ground, or -1.
   constexpr int deepest_at(int c) const {
     int found = -1, depth = -1;
-    for (int i = 0; i < links_.size(); ++i) {
-      if (links_[i].station != c) continue;
-      const int d = path::depth(*s_.model, links_[i].frame);
+    const link* const links = links_.begin();
+    for (int i = 0, end = links_.size(); i < end; ++i) {
+      if (links[i].station != c) continue;
+      const int d = path::depth(*s_.model, links[i].frame);
       if (d > depth) found = i, depth = d;
     }
     return found;

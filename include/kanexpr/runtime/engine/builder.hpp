@@ -3,26 +3,26 @@
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/bodies.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
-#include <kanexpr/mechanics/model/loads.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/points.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/engine/derived_from_mechanism.hpp>
+#include <kanexpr/runtime/engine/derived_from_builder.hpp>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : m_(*graph_), inspect_(m_) {
+KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*graph_), inspect_(m_) {
   inspect_.fresh("frames", inertial_frame, m_.frames);
   mechanics::add_inertial_frame(m_, inertial_frame);
 }
 
 KANEXPR_ENGINE sentence(builder::check)() const {
-  return mistake() ? mistake() : mechanics::check_mechanism(m_);
+  return mistake() ? mistake() : mechanics::check_system(system_);
 }
 
 KANEXPR_ENGINE expression builder::coordinate(std::string_view q) {
@@ -62,8 +62,8 @@ KANEXPR_ENGINE void builder::rates_as_speeds() {
 
 KANEXPR_ENGINE void builder::lagrangian(expression energy) {
   if (!inspect_.own(energy, "the Lagrangian")) return;
-  m_.has_lagrangian = true;
-  m_.lagrangian = energy;
+  system_.loads.has_lagrangian = true;
+  system_.loads.lagrangian = energy;
 }
 
 KANEXPR_ENGINE expression builder::number(double value) {
@@ -247,41 +247,41 @@ KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
 
 KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
   if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
-    mechanics::add_force(m_, place(at), value);
+    system_.loads.forces.push({place(at), value});
 }
 
 KANEXPR_ENGINE void builder::torque(frame_id on, const vector& value) {
   if (inspect_.present(on, "a torque") && inspect_.own(value, "a torque"))
-    mechanics::add_torque(m_, place(on), value);
+    system_.loads.torques.push({place(on), value});
 }
 
 KANEXPR_ENGINE void builder::force_between(point_id at, point_id other, const vector& value) {
   if (both(at, other, "a force") && inspect_.own(value, "a force"))
-    mechanics::add_force(m_, place(at), value, place(other));
+    system_.loads.forces.push({place(at), value, place(other)});
 }
 
 KANEXPR_ENGINE void builder::torque_between(frame_id on, frame_id other, const vector& value) {
   if (both(on, other, "a torque") && inspect_.own(value, "a torque"))
-    mechanics::add_torque(m_, place(on), value, place(other));
+    system_.loads.torques.push({place(on), value, place(other)});
 }
 
 KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
-  if (m_.has_gravity)
+  if (system_.loads.has_gravity)
     inspect_.fail({"gravity is given twice"});
   else if (inspect_.own(acceleration, "gravity"))
-    mechanics::set_gravity(m_, acceleration);
+    system_.loads.has_gravity = true, system_.loads.gravity = acceleration;
 }
 
 KANEXPR_ENGINE void builder::potential_energy(expression energy) {
   if (!inspect_.own(energy, "a potential energy")) return;
   if (energy.is_zero()) inspect_.fail({"a potential energy is zero; 1/2 of whole numbers is 0 in C++"});
-  m_.potential_energies.push(energy);
+  system_.loads.potential_energies.push({energy});
 }
 
 KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness,
                                     expression natural_length) {
   if (both(at, other, "a spring") && inspect_.own({stiffness, natural_length}, "a spring"))
-    mechanics::add_spring(m_, place(at), place(other), stiffness, natural_length);
+    mechanics::add_spring(system_.loads.spring_dampers, place(at), place(other), stiffness, natural_length);
 }
 
 KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness) {
@@ -290,7 +290,7 @@ KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stif
 
 KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damping) {
   if (both(at, other, "a damper") && inspect_.own(damping, "a damper"))
-    mechanics::add_damper(m_, place(at), place(other), damping);
+    mechanics::add_damper(system_.loads.spring_dampers, place(at), place(other), damping);
 }
 
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
@@ -299,7 +299,7 @@ KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiff
   if (const sentence found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
     inspect_.fail({found.view()});
   else
-    mechanics::add_torsional_spring(m_, angle, stiffness, rest);
+    system_.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
 }
 
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness) {
@@ -308,11 +308,12 @@ KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiff
 
 KANEXPR_ENGINE void builder::torsional_damper(frame_id on, frame_id other, expression damping) {
   if (both(on, other, "a torsional damper") && inspect_.own(damping, "a torsional damper"))
-    mechanics::add_torsional_damper(m_, place(on), place(other), damping);
+    system_.loads.torsional_dampers.push({place(on), place(other), damping});
 }
 
 KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "a configuration constraint")) m_.configuration_constraints.push(vanishes);
+  if (inspect_.own(vanishes, "a configuration constraint"))
+    system_.constraints.on_configuration.push(vanishes);
 }
 
 KANEXPR_ENGINE bool builder::may_vanish(const vector& v, const vector& direction, std::string_view whose) {
@@ -325,11 +326,12 @@ KANEXPR_ENGINE void builder::configuration_constraint(const vanishing& v) {
   if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " is given no direction"});
   for (const vector& direction : v.directions)
     if (may_vanish(v.value, direction, whose))
-      m_.configuration_constraints.push(deriving::dot(m_, v.value, direction));
+      system_.constraints.on_configuration.push(deriving::dot(m_, v.value, direction));
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "a velocity constraint")) m_.velocity_constraints.push({vanishes, {}, {}});
+  if (inspect_.own(vanishes, "a velocity constraint"))
+    system_.constraints.on_velocities.push({vanishes, {}, {}});
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
@@ -337,7 +339,7 @@ KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const v
   const int axes = direction.parts[0].frame;
   const expression value =
       mechanics::dot(mechanics::express(m_, vanishes, axes), mechanics::express(m_, direction, axes));
-  m_.velocity_constraints.push({value, vanishes, direction});
+  system_.constraints.on_velocities.push({value, vanishes, direction});
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {
@@ -346,13 +348,15 @@ KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {
 }
 
 KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "an acceleration constraint")) m_.acceleration_constraints.push(vanishes);
+  if (inspect_.own(vanishes, "an acceleration constraint"))
+    system_.constraints.on_accelerations.push(vanishes);
 }
 
 KANEXPR_ENGINE void builder::dependent(expression e) {
   if (!inspect_.own(e, "what is dependent")) return;
   const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
-  symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
+  symbolic::sequence<int>& places =
+      q >= 0 ? system_.constraints.dependent_coordinates : system_.constraints.dependent_speeds;
   const int at = q >= 0 ? q : u;
   if (at < 0)
     inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
@@ -406,7 +410,7 @@ namespace kanexpr {
 
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
   return model(
-      std::make_shared<runtime::derived_from_mechanism>(built.graph_, built.mechanism(), built.mistake()));
+      std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.mistake()));
 }
 
 } // namespace kanexpr

@@ -19,7 +19,7 @@ public:
 
   const mechanics::sentence& mistake() const override { return system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
-  const mechanics::mechanism& mechanism() const override { return system_.model(); }
+  const mechanics::mechanism& mechanism() const override { return system_.mechanism(); }
   deriving::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 

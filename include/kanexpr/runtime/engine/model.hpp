@@ -12,7 +12,11 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
                               const mechanics::partition& (mechanics::equations::*which)() const) {
   if (system.mistake()) return {};
   const symbolic::sequence<int>& dependent = (system.equations()->*which)().dependent;
-  return std::string(mechanics::enumerated(system.mechanism(), symbols, dependent).view());
+  std::string text;
+  for (int i = 0; i < dependent.size(); ++i)
+    text.append(mechanics::before_entry(i, dependent.size()))
+        .append(mechanics::called(system.mechanism(), symbols[dependent[i]]));
+  return text;
 }
 
 /// What is asked of a sound system; a mistake in the request alone is refused, and forgotten by the next one.
