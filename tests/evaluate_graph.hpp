@@ -47,6 +47,7 @@ T arithmetic(operation op, const T& a, const T& b) {
   case operation::atan: return std::atan(a);
   case operation::exp: return std::exp(a);
   case operation::log: return std::log(a);
+  case operation::tanh: return std::tanh(a);
   default: break;
   }
   if constexpr (!is_complex<T>) {

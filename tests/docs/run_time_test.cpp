@@ -1,12 +1,14 @@
 // Derivation while the program runs: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc_constrained.hpp"
+#include "models/simple_pendulum.hpp"
 
 #include <kanexpr/algebra.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
@@ -52,6 +54,14 @@ TEST(run_time, has_other_forms) {
   const auto e = u1 * (sin(q1) + u1), a = e, b = u1 * sin(q1) + u1 * u1;
 #include <docs/guide/run-time/forms.cpp>
   EXPECT_EQ(compare(a, b), equality::equal);
+}
+
+TEST(run_time, lists_operations) {
+  const docs::printed here;
+  auto pendulum = derive<simple_pendulum::System>();
+#include <docs/guide/run-time/listing.cpp>
+  EXPECT_EQ(here.text(), "t1 = u * c\nt2 = T - t1\nt3 = m * l\ns1 = sin(q)\n"
+                         "t4 = t3 * s1\nt5 = g * t4\nt6 = t2 - t5\nforcing = t6\n");
 }
 
 TEST(builder, makes_a_pendulum) {

@@ -112,6 +112,7 @@ public:
     case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
     case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
+    case quantity::generalized_momenta: return column(momenta());
     case quantity::configuration_residual: return column(constraints_.on_configuration);
     case quantity::configuration_terms: return column(terms_of(constraints_.on_configuration));
     case quantity::configuration_jacobian_by_dependent:
@@ -307,6 +308,12 @@ private:
     sequence<expression> full = dynamics_.force();
     for (const expression& b : dynamics_.dependent().acceleration_bias) full.push(b);
     return full;
+  }
+
+  /// ∂T/∂u; of a Lagrangian that the model gives, ∂L/∂q̇.
+  constexpr sequence<expression> momenta() {
+    if (system_->loads.has_lagrangian) return gradient_of(*m_, system_->loads.lagrangian).momenta;
+    return gradient_of(*m_, mechanics::kinetic_energy(moving())).momenta;
   }
 
   constexpr symbolic::matrix step_of_configuration() {

@@ -22,6 +22,7 @@ enum class quantity : unsigned char {
   linear_momentum,                     ///< 3, inertial axes
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
+  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints bind them, p
   configuration_residual,              ///< l
   configuration_terms,                 ///< l: how large the terms are of which that is the sum
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
@@ -77,7 +78,8 @@ struct result_row {
   std::string_view called{}; ///< by who asks for it
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false; ///< and not known where a model gives its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< and not known where a model gives its Lagrangian as a whole
+  bool holds_speed_rates = false; ///< the symbols u̇, which its function is given
 };
 
 inline constexpr result_row results[]{
@@ -94,8 +96,9 @@ inline constexpr result_row results[]{
     {quantity::active_forces, "active_forces", extent_by::independent_speeds, extent_by::one,
      stage::equations},
     {quantity::inertia_forces, "inertia_forces", extent_by::independent_speeds, extent_by::one,
-     stage::equations},
-    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations},
+     stage::equations, false, true},
+    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations,
+     false, true},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
      true},
     {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
@@ -105,6 +108,8 @@ inline constexpr result_row results[]{
     {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained,
      true},
     {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained, true},
+    {quantity::generalized_momenta, "generalized_momenta", extent_by::speeds, extent_by::one,
+     stage::constrained},
     {quantity::configuration_residual, "configuration_residual", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
     {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,
@@ -155,6 +160,9 @@ static_assert([] {
     if (static_cast<int>(row.is) != next++) return false;
   return true;
 }());
+
+/// Whether a result is a part of the linearized equations, which are asked for as a whole.
+constexpr bool is_of_linearization(quantity wanted) { return wanted >= quantity::state_matrix; }
 
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 

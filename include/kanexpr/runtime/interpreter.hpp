@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/lower/tape.hpp>
-#include <kanexpr/lower/unrolled_elimination.hpp>
+#include <kanexpr/lower/evaluate_steps.hpp>
 
 namespace kanexpr::runtime {
 
@@ -28,91 +27,24 @@ public:
 
 private:
   void run();
-  void run(int begin, int end);
-  static void run(const lower::instruction& step, const T* values, T* out);
-  void eliminate(const lower::linear_step& e);
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
-  symbolic::sequence<T> squares_{}; ///< while they grow
+  symbolic::sequence<T> aside_; ///< what a step works on
 };
 
 // Not inside of the class: there they would be inline, and every file would compile them.
 
 template <class T>
 interpreter<T>::interpreter(const lower::tape& code)
-    : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)) {
-  for (const lower::linear_step& e : code_.linear_steps)
-    if (e.inputs() > squares_.size()) squares_.resize(e.inputs(), lower::scalar_math<T>::from(0));
+    : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)),
+      aside_(lower::aside_of(code), lower::scalar_math<T>::from(0)) {
   for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
 }
 
 template <class T>
 void interpreter<T>::run() {
-  int next = 0;
-  for (const lower::linear_step& e : code_.linear_steps) {
-    run(next, e.step);
-    eliminate(e);
-    next = e.step + e.outputs();
-  }
-  run(next, code_.steps.size());
-}
-
-template <class T>
-void interpreter<T>::run(int begin, int end) {
-  const T* const values = slots_.begin();
-  T* out = slots_.begin() + code_.first_step() + begin;
-  for (int i = begin; i < end; ++i) run(code_.steps[i], values, out++);
-}
-
-template <class T>
-void interpreter<T>::eliminate(const lower::linear_step& e) {
-  using symbolic::operation;
-  using math = lower::elimination_math<T>;
-  T* const out = slots_.begin() + code_.first_step() + e.step;
-  T* const into = e.op == operation::singularity_measure ? squares_.begin() : out;
-  const T* const factors = slots_.begin() + e.factors;
-  for (int i = 0; i < e.inputs(); ++i) into[i] = slots_[code_.operands[e.operands + i]];
-  if (e.op == operation::factorization)
-    numeric::factorize<math>(e.order, out);
-  else if (e.op == operation::singularity_measure)
-    *out = numeric::singularity_measure_of<math>(e.order, factors, into);
-  else if (e.op == operation::solve)
-    numeric::solve_factorized<math>(e.order, factors, out);
-  else
-    numeric::solve_transposed_factorized<math>(e.order, factors, out);
-}
-
-template <class T>
-void interpreter<T>::run(const lower::instruction& step, const T* values, T* out) {
-  using symbolic::operation;
-  const T& a = values[step.a];
-  const T& b = values[step.b];
-  if (step.paired) {
-    if (step.op == operation::sin) lower::scalar_math<T>::sincos(a, out[0], out[1]);
-    return;
-  }
-  using symbolic::form;
-  switch (symbolic::form_of(step.op)) {
-  case form::negate: *out = lower::apply<operation::negate>(a, b); return;
-  case form::add: *out = lower::apply<operation::add>(a, b); return;
-  case form::subtract: *out = lower::apply<operation::subtract>(a, b); return;
-  case form::multiply: *out = lower::apply<operation::multiply>(a, b); return;
-  case form::divide: *out = lower::apply<operation::divide>(a, b); return;
-  case form::power: *out = lower::apply<operation::power>(a, b); return;
-  case form::atan2: *out = lower::apply<operation::atan2>(a, b); return;
-  case form::function:
-    symbolic::with_function(step.op, [&]<operation function>() { *out = lower::apply<function>(a, b); });
-    return;
-  case form::constant:
-  case form::symbol: // are loaded before
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure: return; // belong to an elimination
-  }
+  lower::evaluate_steps(code_, slots_.begin(), aside_.begin());
 }
 
 #if defined KANEXPR_COMPILED_ENGINE

@@ -69,9 +69,9 @@ TEST(series, calculate_as_the_functions_that_they_stand_for) {
 
 TEST(series, have_functions) {
   std::mt19937 engine(2);
-  constexpr operation entire[] = {operation::sin,  operation::cos,  operation::tan,
-                                  operation::asin, operation::acos, operation::atan,
-                                  operation::exp,  operation::abs,  operation::sign};
+  constexpr operation entire[] = {operation::sin,  operation::cos,  operation::tan, operation::asin,
+                                  operation::acos, operation::atan, operation::exp, operation::tanh,
+                                  operation::abs,  operation::sign};
   for (int i = 0; i < 20; ++i) {
     for (const int first : {0, 1, 2})
       for (const operation op : entire) {
@@ -161,7 +161,8 @@ TEST(rounding, stays_within_the_bound) {
   constexpr operation all[] = {operation::add,  operation::subtract, operation::multiply, operation::divide,
                                operation::sin,  operation::cos,      operation::tan,      operation::asin,
                                operation::acos, operation::atan,     operation::exp,      operation::log,
-                               operation::sqrt, operation::power,    operation::atan2,    operation::abs};
+                               operation::sqrt, operation::power,    operation::atan2,    operation::abs,
+                               operation::tanh};
   int count = 0, tight = 0;
   for (int i = 0; i < 4000; ++i) {
     std::vector<bounded> values;
