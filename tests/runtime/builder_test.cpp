@@ -266,7 +266,7 @@ TEST(builder, closes_a_loop_along_directions) {
     const point_id end = b.offset("Q", b.offset("P", o, b.along(crank, 0.1, 0, 0)), b.along(rod, 0.3, 0, 0));
     close(b, end, slider, q1, q2, s);
     std::string all;
-    for (const expression& e : b.mechanism().configuration_constraints) all += print(e) + "; ";
+    for (const expression& e : b.system().constraints.on_configuration) all += print(e) + "; ";
     EXPECT_EQ(b.mistake().view(), "");
     return all;
   };
@@ -284,10 +284,10 @@ TEST(builder, closes_a_loop_along_directions) {
 TEST(builder, keeps_a_velocity_from_directions) {
   const auto constraint_with = [](auto bind) {
     pendulum_on_cart b;
-    equations moving(b.mechanism());
-    bind(b, kanexpr::mechanics::velocity_of_point(moving.moving(), place(b.bob)));
+    kanexpr::mechanics::known_motion known(b.mechanism());
+    bind(b, kanexpr::mechanics::velocity_of_point(known.moving(), place(b.bob)));
     EXPECT_EQ(b.mistake().view(), "");
-    return print(b.mechanism().velocity_constraints[0].value);
+    return print(b.system().constraints.on_velocities[0].value);
   };
   EXPECT_EQ(
       constraint_with(

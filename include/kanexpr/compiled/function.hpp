@@ -75,6 +75,9 @@ template <auto wanted, class System>
 inline constexpr deriving::extent extent_of =
     deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
 
+template <class System, auto... wanted>
+struct derives {};
+
 } // namespace compiled
 
 /// Compiled evaluation of one or several results of a system: a function object without state, which

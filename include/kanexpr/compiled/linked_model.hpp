@@ -143,7 +143,8 @@ private:
     using v = vectors<System, T>;
     check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function>(),
-                  "the library of this model does not hold this result for numbers of this type");
+                  "the library of this model does not hold this result for numbers of this type; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance<T, Function>::evaluate(
         lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r));
@@ -153,7 +154,8 @@ private:
     using v = vectors<System, T>;
     check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function, true>(),
-                  "the library of this model does not hold this result for numbers of this type");
+                  "the library of this model does not hold this result for numbers of this type; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance_at_rates<T, Function>::evaluate(
         lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r), passed<typename v::rates>(a));
@@ -196,6 +198,23 @@ struct linked_equations : named_results<functions_of_library<System>> {
   template <auto first, auto second>
   static constexpr auto together(linked<first>, linked<second>) {
     return linked<first, second>{};
+  }
+  template <class... More>
+    requires(sizeof...(More) > 2)
+  static constexpr void together(More...) {
+    static_assert(sizeof...(More) == 2,
+                  "the library of this model holds no more than two results together; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
+  }
+};
+
+/// A function that is derived, in a file that derives nothing.
+struct not_derived_here {
+  template <class... Arguments>
+  void operator()(const Arguments&...) const {
+    static_assert(sizeof...(Arguments) > 100,
+                  "results that the library of a model does not hold are derived where "
+                  "they are asked for; include <kanexpr/kanexpr.hpp>");
   }
 };
 

@@ -58,7 +58,11 @@ private:
             "template <>\nstruct kanexpr::equations_of_motion<"
          << spelled << "> : kanexpr::compiled::linked_equations<" << spelled
          << "> {};\ntemplate <>\nstruct kanexpr::linearization<" << spelled
-         << "> : kanexpr::compiled::linked_linearization<" << spelled << "> {};\n";
+         << "> : kanexpr::compiled::linked_linearization<" << spelled
+         << "> {};\ntemplate <auto... wanted>\n"
+            "  requires(!requires { sizeof(kanexpr::compiled::derives<"
+         << spelled << ", wanted...>); })\nstruct kanexpr::function<" << spelled
+         << ", wanted...> : kanexpr::compiled::not_derived_here {};\n";
   }
   void set(const char* member, int value) {
     if (value != 0) out_ << "    s." << member << " = " << value << ";\n";

@@ -100,8 +100,9 @@ public:
   std::string latex(const mechanics::vector& v,
                     mechanics::basis_style style = mechanics::basis_style::xyz) const;
 
-  /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the
-  /// last bit.
+  /// Interpreted evaluation of a result: the steps of the compiled function, so a result that is the first to
+  /// be asked for agrees with that to the last bit. Results share expressions with those that were formed
+  /// before them, which may change the order of operations, and so the last bits.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     return {graph(), result, coordinates(), singularity_checks_of(result)};

@@ -15,8 +15,7 @@ class builder;
 model derive(const runtime::builder& built);
 
 /// Moves a model from a state over a time span, as `simulate<System>` does, with symbols by their names:
-/// `simulate(m, {{"q", 0.1}, {"u", 0}}, {{"m", 1}, {"g", 9.81}}, {0, 10})`. The result is the same to the
-/// last bit wherever the code is.
+/// `simulate(m, {{"q", 0.1}, {"u", 0}}, {{"m", 1}, {"g", 9.81}}, {0, 10})`.
 ///
 /// Another method is named as in `simulate<integrator::bdf>(m, …)`. The model is one that only this thread
 /// uses meanwhile.

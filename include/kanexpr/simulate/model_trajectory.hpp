@@ -58,8 +58,9 @@ public:
     kanexpr::energies all;
     if (!of_) return all;
     model m = *of_;
-    if (m.mechanism().has_lagrangian) return all;
-    all.kinetic = along(m.get(mechanics::quantity::kinetic_energy).entries[0]);
+    const symbolic::matrix kinetic = m.get(mechanics::quantity::kinetic_energy);
+    if (kinetic.entries.empty()) return all;
+    all.kinetic = along(kinetic.entries[0]);
     all.potential = along(m.get(mechanics::quantity::potential_energy).entries[0]);
     for (std::size_t i = 0; i < all.kinetic.size(); ++i)
       all.total.push_back(all.kinetic[i] + all.potential[i]);
