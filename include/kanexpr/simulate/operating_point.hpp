@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim.hpp>
-#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ private:
 
   void find(const operating_point_options<System>& o) {
     trim::finding found =
-        trim::find({known, System::record, type_name<System>(), evaluate},
+        trim::find({known, System::record, type_name<System>(), table(), library()},
                    {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
     const double* values = found.values.data();
     std::copy_n(values, states, x.data());
@@ -102,6 +102,26 @@ private:
     freedom = found.freedom;
     cause_ = std::move(found.cause);
     residuals_ = std::move(found.residuals);
+  }
+
+  static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
+
+  /// Interpreted, since a search evaluates it a few hundred times, and in complex numbers, whose code is
+  /// long.
+  static constexpr const compiled::code_table* table() {
+    using mechanics::quantity;
+    if constexpr (compiled::is_linked<System>)
+      return nullptr;
+    else if constexpr (is_constrained)
+      return &compiled::table_of<System, quantity::constraint_residual, quantity::rhs>;
+    else
+      return &compiled::table_of<System, quantity::rhs>;
+  }
+  static constexpr trim::subject::library library() {
+    if constexpr (compiled::is_linked<System>)
+      return evaluate;
+    else
+      return nullptr;
   }
 
   using number = std::complex<double>;
@@ -114,15 +134,14 @@ private:
     const vector<known.parameters> p_at(at + states);
     const vector<known.inputs> r_at(at + states + known.parameters);
     const auto put = [&result](const auto& part) { result = std::copy_n(part.data(), part.size(), result); };
-    put(compiled::unit_quaternions<System>::residual(x_at));
-    if constexpr (known.constraints + known.configuration_constraints == 0) {
-      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
-      put(rates);
-      return rates.status.cause();
-    } else {
+    if constexpr (is_constrained) {
       const auto [left, rates] =
           out_of_line<function<System, quantity::constraint_residual, quantity::rhs>>{}(t, x_at, p_at, r_at);
       put(left), put(rates);
+      return rates.status.cause();
+    } else {
+      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
+      put(rates);
       return rates.status.cause();
     }
   }
