@@ -21,4 +21,14 @@ inline constexpr code_table table_of{
     [](int i) -> std::string_view { return code<System, wanted...>::causes[i]; },
     code<System, wanted...>::tells_finiteness};
 
+/// The same for arguments of some types, which are looked at as those of a call are.
+template <class System, class Time, class X, class P, class R, auto... wanted>
+const code_table& table_for() {
+  using code = compiled::code<System, wanted...>;
+  static_assert(sizeof(call<System, code, Time, X, P, R, not_given, wanted...>) != 0);
+  derivation::tell_in_code<surveyed<System>>();
+  derivation::tell_in_code<code>();
+  return table_of<System, wanted...>;
+}
+
 } // namespace kanexpr::compiled

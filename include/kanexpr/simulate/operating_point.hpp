@@ -106,16 +106,25 @@ private:
 
   static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
 
+  using number = std::complex<double>;
+  template <int size>
+  using vector = Eigen::Matrix<number, size, 1>;
+
   /// Interpreted, since a search evaluates it a few hundred times, and in complex numbers, whose code is
   /// long.
-  static constexpr const compiled::code_table* table() {
+  static const compiled::code_table* table() {
     using mechanics::quantity;
     if constexpr (compiled::is_linked<System>)
       return nullptr;
     else if constexpr (is_constrained)
-      return &compiled::table_of<System, quantity::constraint_residual, quantity::rhs>;
+      return &table_for<quantity::constraint_residual, quantity::rhs>();
     else
-      return &compiled::table_of<System, quantity::rhs>;
+      return &table_for<quantity::rhs>();
+  }
+  template <mechanics::quantity... wanted>
+  static const compiled::code_table& table_for() {
+    return compiled::table_for<System, number, vector<states>, vector<known.parameters>, vector<known.inputs>,
+                               wanted...>();
   }
   static constexpr trim::subject::library library() {
     if constexpr (compiled::is_linked<System>)
@@ -123,10 +132,6 @@ private:
     else
       return nullptr;
   }
-
-  using number = std::complex<double>;
-  template <int size>
-  using vector = Eigen::Matrix<number, size, 1>;
 
   static std::string_view evaluate(double t, const number* at, number* result) {
     using mechanics::quantity;
