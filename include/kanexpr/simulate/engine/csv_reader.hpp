@@ -1,17 +1,12 @@
 #pragma once
 
-#include <kanexpr/simulate/csv_number.hpp>
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/engine/csv_number.hpp>
 
+#include <algorithm>
 #include <istream>
 
 namespace kanexpr {
-
-/// A table that was read; if it could not be, an empty one with the cause.
-struct csv_table : table, outcome {
-  csv_table() = default;
-  explicit csv_table(outcome failed) : outcome(std::move(failed)) {}
-};
 
 namespace simulated {
 
@@ -189,9 +184,7 @@ private:
 
 } // namespace simulated
 
-/// Reads a table as `write_csv` writes it, or as other programs do. `called` is the name of the text in
-/// sentences.
-inline csv_table read_csv(std::istream& in, const std::string& called = {}) {
+KANEXPR_SIMULATIONS csv_table read_csv(std::istream& in, const std::string& called) {
   return simulated::table_reader(in, called).read();
 }
 
