@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/named_values.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -53,7 +54,7 @@ public:
 
   /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
   void give(double t, const state& x, inputs& r) const {
-    r.setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(r.data(), r.size(), std::numeric_limits<double>::quiet_NaN());
     give_(t, x, r);
   }
 

@@ -57,9 +57,9 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   result.reason = (p.problem ? p.problem : x.problem).view();
   if (!result.reason.empty()) return result;
   simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
-  simulated::ending end = simulated::run<by>(moved, x.values, span, simulated::settings_of(options));
+  simulated::ending end = simulated::run<by>(moved, x.values.data(), span, simulated::settings_of(options));
   result.time = end.time;
-  result.state = end.state;
+  std::copy_n(end.state.data(), end.state.size(), result.state.data());
   result.events = std::move(end.events);
   result.statistics = end.statistics;
   result.stopped_by_event = end.stopped_by_event;
