@@ -92,7 +92,7 @@ private:
 
   void find(const operating_point_options<System>& o) {
     trim::finding found =
-        trim::find({known, System::record, type_name<System>(), table(), library()},
+        trim::find({known, System::record, type_name<System>(), constraints(), rates(), library()},
                    {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
     const double* values = found.values.data();
     std::copy_n(values, states, x.data());
@@ -112,19 +112,22 @@ private:
 
   /// Interpreted, since a search evaluates it a few hundred times, and in complex numbers, whose code is
   /// long.
-  static const compiled::code_table* table() {
-    using mechanics::quantity;
+  static const compiled::code_table* constraints() {
+    if constexpr (is_constrained && !compiled::is_linked<System>)
+      return &table_for<mechanics::quantity::constraint_residual>();
+    else
+      return nullptr;
+  }
+  static const compiled::code_table* rates() {
     if constexpr (compiled::is_linked<System>)
       return nullptr;
-    else if constexpr (is_constrained)
-      return &table_for<quantity::constraint_residual, quantity::rhs>();
     else
-      return &table_for<quantity::rhs>();
+      return &table_for<mechanics::quantity::rhs>();
   }
-  template <mechanics::quantity... wanted>
+  template <mechanics::quantity wanted>
   static const compiled::code_table& table_for() {
     return compiled::table_for<System, number, vector<states>, vector<known.parameters>, vector<known.inputs>,
-                               wanted...>();
+                               wanted>();
   }
   static constexpr trim::subject::library library() {
     if constexpr (compiled::is_linked<System>)

@@ -22,7 +22,7 @@ struct wishes {
   int most_iterations = 0;
 };
 
-/// A system as the search sees it, with [constraints; ẋ] at the time t and [x; p; r]: as a table, or in a
+/// A system as the search sees it, with [constraints; ẋ] at the time t and [x; p; r]: as tables, or in a
 /// library that has it compiled. This says what could not be solved there, as a sentence.
 struct subject {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
@@ -30,7 +30,7 @@ struct subject {
   const derivation::survey& known;
   const describe::system_record& told;
   std::string_view name;
-  const compiled::code_table* table;
+  const compiled::code_table *constraints, *rates; ///< null: there are none, or a library has them
   library compiled;
 };
 
