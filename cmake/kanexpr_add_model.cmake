@@ -23,7 +23,8 @@ function(kanexpr_add_model target)
   set(added "")
   set(instantiated "")
   foreach(system IN LISTS model_SYSTEMS)
-    string(APPEND added "  header.add<${system}>(\"${system}\");\n")
+    string(APPEND added "  header.add<${system}>(\"${system}\"); "
+      "// one of the SYSTEMS of kanexpr_add_model(${target} ...) in ${CMAKE_CURRENT_LIST_FILE}\n")
     string(APPEND instantiated "template class kanexpr::compiled::library_of<${system}>;\n")
   endforeach()
 

@@ -10,12 +10,12 @@
 
 namespace {
 
-bool tell(const std::string& file, const std::string& problem) {
-  if (problem.empty())
+bool tell(const std::string& file, const std::string& failure) {
+  if (failure.empty())
     std::printf("  left in %s\n", file.c_str());
   else
-    std::fprintf(stderr, "%s\n", problem.c_str());
-  return problem.empty();
+    std::fprintf(stderr, "%s\n", failure.c_str());
+  return failure.empty();
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Squares for the regularity of a matrix.
+// Squares for the singularity measure of a matrix.
 #pragma once
 
 #include <kanexpr/symbolic/linear/linear_system.hpp>

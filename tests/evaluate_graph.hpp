@@ -47,6 +47,7 @@ T arithmetic(operation op, const T& a, const T& b) {
   case operation::atan: return std::atan(a);
   case operation::exp: return std::exp(a);
   case operation::log: return std::log(a);
+  case operation::tanh: return std::tanh(a);
   default: break;
   }
   if constexpr (!is_complex<T>) {
@@ -95,7 +96,7 @@ std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const
 
 /// The product of the pivots of small systems, of others the least beside what they are the sums of.
 template <class T, class At>
-T regularity(const symbolic::graph& g, const symbolic::node& n, const At& at) {
+T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   if constexpr (is_complex<T>) {
     return std::nan("");
   } else {
@@ -144,8 +145,8 @@ T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
       at(id) = symbols[static_cast<std::size_t>(n.a)];
     else if (n.op == operation::solve || n.op == operation::transposed_solve)
       solutions[id] = solution<T>(g, n, at);
-    else if (n.op == operation::regularity)
-      at(id) = regularity<T>(g, n, at);
+    else if (n.op == operation::singularity_measure)
+      at(id) = singularity_measure<T>(g, n, at);
     else if (n.op == operation::component)
       at(id) = solutions[n.a][static_cast<std::size_t>(symbolic::integer_at(g, n.b))];
     else

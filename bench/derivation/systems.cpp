@@ -17,7 +17,7 @@ template <class System>
 void derive(benchmark::State& state) {
   int nodes = 0;
   for (auto _ : state) {
-    kanexpr::derivation::derived_system system(System::record);
+    kanexpr::deriving::derived_system system(System::record);
     system.derive();
     for (const quantity each : {quantity::mass_matrix, quantity::forcing, quantity::acceleration_bias})
       benchmark::DoNotOptimize(system.equations().get(each).entries.begin());

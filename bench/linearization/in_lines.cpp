@@ -40,8 +40,8 @@ int report() {
   const linearized::result found = linearized::from_the_start<Case>(at);
   print("A", found.A);
   print("B", found.B);
-  for (const std::string& problem : found.problems) std::fprintf(stderr, "%s\n", problem.c_str());
-  return found.problems.empty() ? 0 : 1;
+  for (const std::string& failure : found.failures) std::fprintf(stderr, "%s\n", failure.c_str());
+  return found.failures.empty() ? 0 : 1;
 }
 
 } // namespace

@@ -88,7 +88,7 @@ struct arm {
 
 struct result {
   Eigen::MatrixXd A, B;
-  std::vector<std::string> problems;
+  std::vector<std::string> failures;
 };
 
 /// Derives one of the above and linearizes it about its point. What is no number comes out as not-a-number.
@@ -105,7 +105,7 @@ result from_the_start(const linearization_point& at) {
     return found;
   };
   const auto& [A, B] = linear.explicit_form();
-  return {numbers(A), numbers(B), linear.problems()};
+  return {numbers(A), numbers(B), linear.failures()};
 }
 
 } // namespace linearized

@@ -103,7 +103,7 @@ int project(realtype t, N_Vector y, N_Vector correction, realtype, N_Vector erro
   for (int iteration = 0;; ++iteration) {
     if (iteration == 10) return 1;
     const auto [residual, J] =
-        eom::together(eom::configuration_residual, eom::configuration_jacobian_full)(t, x, data.p, r);
+        eom::together(eom::configuration_residual, eom::configuration_jacobian_by_all)(t, x, data.p, r);
     const auto change = least_change(J, units.template head<n>(), residual);
     x.q() -= change;
     if (change.cwiseProduct(weights.template head<n>()).cwiseAbs().maxCoeff() > 1e-2) continue;

@@ -47,10 +47,10 @@ const char* sentence_of(ending e) {
 
 bool leave(const ride& r, const std::string& files, const std::string& title) {
   const std::string text = std::string("Nobody steers. ") + sentence_of(ending_of(r));
-  for (const std::string& problem : {kanexpr::write_csv(r.trajectory.table(), files + ".csv").cause(),
+  for (const std::string& failure : {kanexpr::write_csv(r.trajectory.table(), files + ".csv").cause(),
                                      write_page_of(r, files + ".html", title, text)}) {
-    if (problem.empty()) continue;
-    std::fprintf(stderr, "%s\n", problem.c_str());
+    if (failure.empty()) continue;
+    std::fprintf(stderr, "%s\n", failure.c_str());
     return false;
   }
   std::printf("  left in %s.html and .csv\n", files.c_str());

@@ -16,8 +16,8 @@ void is_that_of_residual() {
   for (int round = 0; round < 50; ++round) {
     const auto at = steps::random_point(source, steps::plain_point<System>(), 1);
     const MatrixXd expected = steps::derivatives(eom::configuration_residual, at).leftCols(eom::coordinates);
-    const auto [whole, of_dependent] =
-        eom::together(eom::configuration_jacobian_full, eom::configuration_jacobian)(at.x, at.p, at.r);
+    const auto [whole, of_dependent] = eom::together(
+        eom::configuration_jacobian_by_all, eom::configuration_jacobian_by_dependent)(at.x, at.p, at.r);
     EXPECT_GT(expected.norm(), 0.1);
     EXPECT_LE((whole - expected).norm(), 1e-13 * expected.norm());
     Eigen::Index column = 0;
@@ -35,7 +35,7 @@ TEST(configuration_jacobian, bicycle) { is_that_of_residual<bicycle::System>(); 
 
 // One column for each coordinate, and no rows.
 using free_eom = kanexpr::equations_of_motion<simple_pendulum::System>;
-using nothing = decltype(free_eom::configuration_jacobian_full(free_eom::state(), free_eom::parameters()));
+using nothing = decltype(free_eom::configuration_jacobian_by_all(free_eom::state(), free_eom::parameters()));
 static_assert(nothing::RowsAtCompileTime == 0 && nothing::ColsAtCompileTime == 1);
 
 } // namespace

@@ -34,7 +34,7 @@ TEST(linearization, outputs_follow_the_state) {
     r << torque;
     for (int i = 0; i < 30; ++i) {
       const auto gap = eom::configuration_residual(x, p);
-      x.template segment<2>(1) -= eom::configuration_jacobian(x, p).inverse() * gap;
+      x.template segment<2>(1) -= eom::configuration_jacobian_by_dependent(x, p).inverse() * gap;
     }
     x.template tail<2>() = eom::dependent_speeds(x, p);
     const auto [angle, velocity, acceleration] = measured(x, p, r);

@@ -25,12 +25,12 @@ using bicycle_parameters = kanexpr::given_parameters<bicycle::BoundSystem>;
 
 // as a parameter of a function, where the braces stand in a call
 kanexpr::state<four_bar::System> taken(const given_state& x) {
-  EXPECT_EQ(x.problem.view(), "");
+  EXPECT_EQ(x.mistake.view(), "");
   return x.values;
 }
 
-std::string problem_of(const given_state& x) { return std::string(x.problem.view()); }
-std::string problem_of_parameters(const given_parameters& p) { return std::string(p.problem.view()); }
+std::string mistake_of(const given_state& x) { return std::string(x.mistake.view()); }
+std::string mistake_of_parameters(const given_parameters& p) { return std::string(p.mistake.view()); }
 
 TEST(named_values, come_in_any_order) {
   using namespace four_bar;
@@ -56,8 +56,8 @@ TEST(named_values, come_from_a_list_or_a_file) {
   expected[m1] = 1.95, expected[l3] = 2.32, expected[m2] = 2.69, expected[I2] = 3.06, expected[I1] = 3.43;
   expected[l2] = 3.8, expected[d2] = 4.17, expected[I3] = 4.54, expected[d3] = 4.91;
   const given_parameters by_file = file, by_list = list;
-  EXPECT_EQ(by_file.problem.view(), "");
-  EXPECT_EQ(by_list.problem.view(), "");
+  EXPECT_EQ(by_file.mistake.view(), "");
+  EXPECT_EQ(by_list.mistake.view(), "");
   EXPECT_LE((by_file.values - expected).norm(), 1e-14);
   EXPECT_EQ(by_list.values, by_file.values);
 }
@@ -69,64 +69,64 @@ TEST(named_values, may_leave_out_what_depends) {
   EXPECT_EQ(x[q2], 0);
   const bicycle_state straight{{bicycle::q1, 0}, {bicycle::q2, 0}, {bicycle::q5, 0},
                                {bicycle::u2, 0}, {bicycle::u3, 1}, {bicycle::u5, 0}};
-  EXPECT_EQ(straight.problem.view(), "");
-  EXPECT_EQ(bicycle_parameters().problem.view(), "");
+  EXPECT_EQ(straight.mistake.view(), "");
+  EXPECT_EQ(bicycle_parameters().mistake.view(), "");
 }
 
 TEST(named_values, are_missing) {
   using namespace four_bar;
-  EXPECT_EQ(problem_of({{q1, 0.1}}), "speed u1 has no value");
-  EXPECT_EQ(problem_of({{u1, 0.1}, {q2, 1}}), "coordinate q1 has no value");
-  EXPECT_EQ(problem_of_parameters({}), "parameter m1 has no value");
-  EXPECT_EQ(given_inputs().problem.view(), "input T has no value");
-  EXPECT_EQ(given_inputs({{T, 1}}).problem.view(), "");
-  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}}).problem.view(),
+  EXPECT_EQ(mistake_of({{q1, 0.1}}), "speed u1 has no value");
+  EXPECT_EQ(mistake_of({{u1, 0.1}, {q2, 1}}), "coordinate q1 has no value");
+  EXPECT_EQ(mistake_of_parameters({}), "parameter m1 has no value");
+  EXPECT_EQ(given_inputs().mistake.view(), "input T has no value");
+  EXPECT_EQ(given_inputs({{T, 1}}).mistake.view(), "");
+  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}}).mistake.view(),
             "the rate of coordinate q1 has no value");
   EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {dot(q1), 2}}).values[dot(q1)], 2);
-  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {"q1'", 2}}).problem.view(), "");
+  EXPECT_EQ(kanexpr::given_state<LagrangeSystem>({{q1, 1}, {"q1'", 2}}).mistake.view(), "");
 }
 
 TEST(named_values, were_never_set) {
   using namespace four_bar;
   kanexpr::parameter_values<System> p;
-  EXPECT_EQ(problem_of_parameters(p), "parameter m1 has no value");
+  EXPECT_EQ(mistake_of_parameters(p), "parameter m1 has no value");
   p.setOnes();
-  EXPECT_EQ(problem_of_parameters(p), "");
-  EXPECT_EQ(given_inputs(kanexpr::input_values<System>()).problem.view(), "input T has no value");
-  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}}), "speed u1 has no value");
-  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}}), ""); // the others depend
-  EXPECT_EQ(problem_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}, {q1, 0.1}}),
+  EXPECT_EQ(mistake_of_parameters(p), "");
+  EXPECT_EQ(given_inputs(kanexpr::input_values<System>()).mistake.view(), "input T has no value");
+  EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}}), "speed u1 has no value");
+  EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}}), ""); // the others depend
+  EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}, {q1, 0.1}}),
             "coordinate q1 has two values");
   EXPECT_EQ(kanexpr::guessed_inputs<System>().values[T], 0);
 }
 
 TEST(named_values, are_doubled) {
   using namespace four_bar;
-  EXPECT_EQ(problem_of({{q1, 0.1}, {u1, 1}, {"q1", 0.1}}), "coordinate q1 has two values");
-  EXPECT_EQ(problem_of_parameters({{m1, 1}, {l1, 2}, {m1, 1}}), "parameter m1 has two values");
+  EXPECT_EQ(mistake_of({{q1, 0.1}, {u1, 1}, {"q1", 0.1}}), "coordinate q1 has two values");
+  EXPECT_EQ(mistake_of_parameters({{m1, 1}, {l1, 2}, {m1, 1}}), "parameter m1 has two values");
 }
 
 TEST(named_values, are_unknown_or_elsewhere) {
   using namespace four_bar;
   constexpr kanexpr::parameter<"mm"> mm;
-  EXPECT_EQ(problem_of_parameters({{mm, 1}}), "the system System has no parameter mm");
-  EXPECT_EQ(problem_of({{q1, 0.1}, {"q7", 1}}), "the system System has no coordinate or speed q7");
-  EXPECT_EQ(problem_of({{q1, 0.1}, {m1, 1}}), "parameter m1 has no place in the state vector of System");
-  EXPECT_EQ(problem_of({{dot(q1), 1}}), "the system System has no coordinate or speed q1'");
-  EXPECT_EQ(problem_of({{kanexpr::rational<1, 2>, 1}}), "a value is given to something that is not a symbol");
-  EXPECT_EQ(bicycle_parameters({{bicycle::g, 9}}).problem.view(),
+  EXPECT_EQ(mistake_of_parameters({{mm, 1}}), "the system System has no parameter mm");
+  EXPECT_EQ(mistake_of({{q1, 0.1}, {"q7", 1}}), "the system System has no coordinate or speed q7");
+  EXPECT_EQ(mistake_of({{q1, 0.1}, {m1, 1}}), "parameter m1 has no place in the state vector of System");
+  EXPECT_EQ(mistake_of({{dot(q1), 1}}), "the system System has no coordinate or speed q1'");
+  EXPECT_EQ(mistake_of({{kanexpr::rational<1, 2>, 1}}), "a value is given to something that is not a symbol");
+  EXPECT_EQ(bicycle_parameters({{bicycle::g, 9}}).mistake.view(),
             "parameter g has its value in the system BoundSystem");
 }
 
 TEST(named_values, are_no_numbers) {
   using namespace four_bar;
   const double none = std::nan(""), huge = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(problem_of({{q1, none}, {u1, 0}}), "the value of coordinate q1 is not a number");
-  EXPECT_EQ(problem_of({{q1, 1}, {u1, 0}, {u3, -huge}}), "the value of speed u3 is infinite");
+  EXPECT_EQ(mistake_of({{q1, none}, {u1, 0}}), "the value of coordinate q1 is not a number");
+  EXPECT_EQ(mistake_of({{q1, 1}, {u1, 0}, {u3, -huge}}), "the value of speed u3 is infinite");
   kanexpr::state<System> x;
   x[u2] = none;
-  EXPECT_EQ(problem_of(x), "the value of speed u2 is not a number");
-  EXPECT_EQ(problem_of(Eigen::VectorXd::Zero(5)), "the state vector of System has 6 entries, not 5");
+  EXPECT_EQ(mistake_of(x), "the value of speed u2 is not a number");
+  EXPECT_EQ(mistake_of(Eigen::VectorXd::Zero(5)), "the state vector of System has 6 entries, not 5");
 }
 
 } // namespace

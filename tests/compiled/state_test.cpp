@@ -43,22 +43,22 @@ eom::parameters some_parameters() {
 
 TEST(state, starts_as_zero) {
   EXPECT_EQ(eom::state(), Eigen::Vector4d::Zero());
-  EXPECT_EQ(eom::state().problem().view(), "");
+  EXPECT_EQ(eom::state().mistake().view(), "");
 }
 
 TEST(parameters_and_inputs, are_no_numbers_until_they_are_set) {
   EXPECT_TRUE(eom::parameters().array().isNaN().all());
   EXPECT_TRUE(eom::inputs().array().isNaN().all());
-  EXPECT_EQ(eom::parameters().problem().view(), "parameter m1 has no value");
+  EXPECT_EQ(eom::parameters().mistake().view(), "parameter m1 has no value");
   eom::inputs r;
   r[T1] = 1;
-  EXPECT_EQ(r.problem().view(), "input T2 has no value");
+  EXPECT_EQ(r.mistake().view(), "input T2 has no value");
   EXPECT_FALSE(eom::udot(some_state(), some_parameters(), r).allFinite());
   r[T2] = 0;
-  EXPECT_EQ(r.problem().view(), "");
+  EXPECT_EQ(r.mistake().view(), "");
   EXPECT_TRUE(eom::udot(some_state(), some_parameters(), r).allFinite());
-  EXPECT_EQ((kanexpr::input_values<System, float>().problem().view()), "input T1 has no value");
-  EXPECT_EQ((kanexpr::input_values<System, std::complex<double>>().problem().view()),
+  EXPECT_EQ((kanexpr::input_values<System, float>().mistake().view()), "input T1 has no value");
+  EXPECT_EQ((kanexpr::input_values<System, std::complex<double>>().mistake().view()),
             "input T1 has no value");
 }
 
@@ -70,7 +70,7 @@ TEST(vectors_by_name, take_every_symbol_once) {
   EXPECT_EQ(x, Eigen::Vector4d(1, 2, 3, 4));
   eom::inputs r = {{T2, 2}, {"T1", 1.5f}};
   EXPECT_EQ(r, Eigen::Vector2d(1.5, 2));
-  EXPECT_EQ(r.problem().view(), "");
+  EXPECT_EQ(r.mistake().view(), "");
   const kanexpr::input_values<System, std::complex<double>> turned{{T1, 1}, {T2, std::complex<double>(0, 2)}};
   EXPECT_EQ(turned[T2], std::complex<double>(0, 2));
 }
@@ -78,25 +78,25 @@ TEST(vectors_by_name, take_every_symbol_once) {
 TEST(vectors_by_name, tell_what_is_missing_or_wrong) {
   const std::string_view unknown = "T3";
   eom::inputs r{{T1, 1}};
-  EXPECT_EQ(r.problem().view(), "input T2 has no value");
+  EXPECT_EQ(r.mistake().view(), "input T2 has no value");
   r = {{T1, 1}, {T2, 2}, {T1, 1}};
-  EXPECT_EQ(r.problem().view(), "input T1 has two values");
+  EXPECT_EQ(r.mistake().view(), "input T1 has two values");
   r = {{T1, 1}, {T2, 2}, {unknown, 3}};
-  EXPECT_EQ(r.problem().cause(), "System has no input T3");
+  EXPECT_EQ(r.mistake().cause(), "System has no input T3");
   r[T1] = 1;
-  EXPECT_EQ(r.problem().cause(), "System has no input T3");
+  EXPECT_EQ(r.mistake().cause(), "System has no input T3");
   for (const auto& [name, told] : {std::pair("weight", "weight"), std::pair("weights", "weigh..."),
                                    std::pair("l\u00e4", "l\u00e4"), std::pair("", "")}) {
     std::ostringstream out;
-    out << eom::parameters{{m1, 2}, {name, 3}}.problem();
+    out << eom::parameters{{m1, 2}, {name, 3}}.mistake();
     EXPECT_EQ(out.str(), std::string("System has no parameter ") + told);
   }
-  EXPECT_EQ((eom::state{{q1, 0.1}, {"q3", 0}}.problem().cause()), "System has no coordinate or speed q3");
-  EXPECT_EQ((kanexpr::input_values<System, float>{{T1, 1}, {unknown, 2}}.problem().cause()),
+  EXPECT_EQ((eom::state{{q1, 0.1}, {"q3", 0}}.mistake().cause()), "System has no coordinate or speed q3");
+  EXPECT_EQ((kanexpr::input_values<System, float>{{T1, 1}, {unknown, 2}}.mistake().cause()),
             "a name in the list that gave the value of input T1 is not one of System");
   r = {{T1, 1}, {T2, std::nan("")}};
-  EXPECT_EQ(r.problem().view(), "the value of input T2 is not a number");
-  EXPECT_EQ(eom::state({{q1, 0.1}, {q2, 0.2}, {u1, 1}}).problem().view(), "speed u2 has no value");
+  EXPECT_EQ(r.mistake().view(), "the value of input T2 is not a number");
+  EXPECT_EQ(eom::state({{q1, 0.1}, {q2, 0.2}, {u1, 1}}).mistake().view(), "speed u2 has no value");
 }
 
 TEST(vectors, are_made_of_all_their_numbers) {

@@ -70,7 +70,7 @@ TEST(unreduced_forces, have_no_auxiliary_speeds) {
 // Inverse dynamics: every further link takes as many operations as the one before.
 template <int links>
 int operations() {
-  const kanexpr::symbolic::cost c = kanexpr::derivation::cost_of<n_pendulum_cart::System<links>>(
+  const kanexpr::symbolic::cost c = kanexpr::deriving::cost_of<n_pendulum_cart::System<links>>(
       {kanexpr::mechanics::quantity::unreduced_forces});
   return c.multiplications + c.additions;
 }

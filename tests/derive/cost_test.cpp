@@ -24,18 +24,17 @@ static_assert(operations(pendulum::cost(pendulum::udot)) <= 340);
 
 template <class System>
 int equations() {
-  return operations(kanexpr::derivation::cost_of<System>({quantity::mass_matrix, quantity::forcing}));
+  return operations(kanexpr::deriving::cost_of<System>({quantity::mass_matrix, quantity::forcing}));
 }
 template <class System>
 int accelerations() {
-  return operations(kanexpr::derivation::cost_of<System>({quantity::udot}));
+  return operations(kanexpr::deriving::cost_of<System>({quantity::udot}));
 }
 
 TEST(cost, is_the_same_while_the_program_runs) {
-  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::mass_matrix, quantity::forcing}),
+  EXPECT_EQ(kanexpr::deriving::cost_of<pendulum6::System>({quantity::mass_matrix, quantity::forcing}),
             pendulum::together(pendulum::mass_matrix, pendulum::forcing).cost());
-  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::udot}),
-            pendulum::cost(pendulum::udot));
+  EXPECT_EQ(kanexpr::deriving::cost_of<pendulum6::System>({quantity::udot}), pendulum::cost(pendulum::udot));
 }
 
 TEST(cost, of_robots) {
@@ -49,12 +48,28 @@ TEST(cost, of_robots) {
 
 TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
   kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
-  EXPECT_FALSE(kanexpr::derivation::check_room("Chain", sizes));
+  EXPECT_FALSE(kanexpr::deriving::check_room("Chain", sizes));
   ++sizes.steps;
   EXPECT_EQ(
-      kanexpr::derivation::check_room("Chain", sizes).view(),
+      kanexpr::deriving::check_room("Chain", sizes).view(),
       "what is asked of Chain at once takes 65537 operations and has 9 entries; there is room for 65536 of "
       "each; ask for it in parts");
+}
+
+TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
+  const kanexpr::mechanics::sentence cause({"M is singular"});
+  const auto filled = [&](auto causes, int count) {
+    for (int i = 0; i < count; ++i) causes.push(cause);
+    return std::string(kanexpr::deriving::check_room("Chain", causes, cause).view());
+  };
+  const char* const told = "what is asked of Chain at once may be singular in more ways than there is room "
+                           "for; ask for it in parts";
+  const kanexpr::deriving::cause_list<{2, 100}> few{};
+  EXPECT_EQ(filled(few, 1), "");
+  EXPECT_EQ(filled(few, 2), told);
+  const kanexpr::deriving::cause_list<{9, 39}> short_ones{}; // three times thirteen letters
+  EXPECT_EQ(filled(short_ones, 2), "");
+  EXPECT_EQ(filled(short_ones, 3), told);
 }
 
 } // namespace

@@ -19,10 +19,10 @@
 
 namespace {
 
-using kanexpr::derivation::derived_system;
-using kanexpr::derivation::image;
-using kanexpr::derivation::request;
-using kanexpr::derivation::stage;
+using kanexpr::deriving::derived_system;
+using kanexpr::deriving::image;
+using kanexpr::deriving::request;
+using kanexpr::deriving::stage;
 using kanexpr::mechanics::quantity;
 
 std::unique_ptr<image> set_aside(const derived_system& system) {
@@ -41,8 +41,8 @@ void expect_same(const image& a, const image& b) {
   EXPECT_TRUE(std::equal(a.numerators, a.numerators + a.numbers, b.numerators));
   EXPECT_TRUE(std::equal(a.denominators, a.denominators + a.numbers, b.denominators));
   EXPECT_TRUE(std::equal(a.reals, a.reals + a.numbers, b.reals));
-  EXPECT_EQ(a.words, b.words);
-  EXPECT_TRUE(std::equal(a.word, a.word + a.words, b.word));
+  EXPECT_EQ(a.integers, b.integers);
+  EXPECT_TRUE(std::equal(a.integer, a.integer + a.integers, b.integer));
   EXPECT_EQ(a.frames, b.frames);
   EXPECT_TRUE(std::equal(a.frame, a.frame + a.frames, b.frame));
   EXPECT_EQ(a.points, b.points);
@@ -52,7 +52,7 @@ void expect_same(const image& a, const image& b) {
 /// The steps of the code for a result, which are all that its values come from.
 kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
   const request all[]{{.what = request::kind::result, .wanted = wanted}};
-  const auto found = kanexpr::derivation::nodes_for(system, all);
+  const auto found = kanexpr::deriving::nodes_for(system, all);
   return kanexpr::lower::tape_of(system.graph(), found.nodes);
 }
 
@@ -107,12 +107,13 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
 }
 
 TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
-  auto aside = std::make_unique<image>();
-  aside->words = image::most_words;
+  auto ended = std::make_unique<kanexpr::deriving::staged>();
+  ended->aside.integers = image::most_integers;
   derived_system system(simple_pendulum::System::record);
   go_on(system, stage::constrained);
-  system.write(*aside);
-  EXPECT_TRUE(aside->is_full);
+  ended->take(system, "System");
+  EXPECT_TRUE(ended->aside.is_full);
+  EXPECT_EQ(ended->mistake.view(), "System is larger than any system that there is room for");
 }
 
 } // namespace

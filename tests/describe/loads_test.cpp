@@ -79,6 +79,11 @@ void expect_same_motion() {
                numbers<Second>(4, 0.4, mechanics::quantity::rhs));
 }
 
+struct Low : offset<Low, O, q1 * N::z> {};
+struct Ball : particle<Ball, Low, m> {};
+struct Falling : kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
+                             parameters<m, c>, bodies<Ball>, loads<gravity<-9.81 * N::z>, drag<Low, c>>> {};
+
 constexpr auto line = position_of<Q, Wall>;
 constexpr auto rate = velocity_of<Q> - velocity_of<Wall>;
 
@@ -95,6 +100,27 @@ TEST(loads, springs_and_dampers) {
   expect_same_motion<arm<damper<Q, Wall, c>, spring<Wall, Q, k>>, arm<spring<Q, Wall, k>, force<Q, drag>>>();
   expect_same_motion<arm<damper<P, Q, c * magnitude(rate)>>,
                      arm<damper<Q, P, c * sqrt(dot(velocity_of<Q>, velocity_of<Q>))>>>();
+}
+
+TEST(loads, drag_is_against_the_velocity_and_with_its_square) {
+  expect_same_motion<arm<drag<Q, c>>, arm<force<Q, -c * magnitude(rate) * rate>>>();
+  expect_same_motion<arm<drag<P, c * (1 + q3)>, drag<Q, k>>,
+                     arm<force<P, -c * (1 + q3) * l * sqrt(u1 * u1) * velocity_of<P>>,
+                         force<Q, -k * sqrt(dot(rate, rate)) * rate>>>();
+}
+
+// A body that falls from rest comes to v = √(m g / c) tanh t √(c g / m).
+TEST(loads, drag_of_a_falling_body) {
+  using eom = equations_of_motion<Falling>;
+  const eom::parameters p{{m, 2}, {c, 0.3}};
+  eom::state x{{q1, 0}, {u1, 0}};
+  const double step = 1e-3;
+  for (int i = 0; i < 1500; ++i) { // Runge-Kutta
+    const auto k1 = eom::rhs(x, p), k2 = eom::rhs(eom::state(x + step / 2 * k1), p),
+               k3 = eom::rhs(eom::state(x + step / 2 * k2), p), k4 = eom::rhs(eom::state(x + step * k3), p);
+    x += step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  EXPECT_NEAR(x[u1], -std::sqrt(2 * 9.81 / 0.3) * std::tanh(1.5 * std::sqrt(0.3 * 9.81 / 2)), 1e-11);
 }
 
 TEST(loads, turning) {
@@ -142,7 +168,7 @@ TEST(loads, of_motion_keep_the_order_of_mention) {
   std::string names;
   for (const auto& p : derived.mechanism().parameters) names += symbolic::print(p) + " ";
   EXPECT_EQ(names, "m l c k ");
-  EXPECT_EQ(derived.mechanism().forces.size(), 1);
+  EXPECT_EQ(derived.equations().loads_used().forces.size(), 1);
   EXPECT_EQ(derived.mechanism().inputs.size(), 1);
 }
 
@@ -164,11 +190,13 @@ template <class Load>
 Eigen::VectorXd carried_motion() {
   auto derived = derive<carried<Load>>();
   EXPECT_EQ(derived.mistake(), "");
+  EXPECT_EQ(derived.auxiliary_forces()(0, 0), derived.noncontributing_forces()(0, 0));
   const Eigen::Vector4d x(0.4, 0.7, -1.1, 0.9);
   const Eigen::Vector2d p(1.3, 0.6);
   const Eigen::Vector3d r(0.2, -0.8, 0.5);
   Eigen::VectorXd all(3);
-  all << derived.function(derived.udot())(x, p, r), derived.function(derived.auxiliary_forces())(x, p, r);
+  all << derived.function(derived.udot())(x, p, r),
+      derived.function(derived.noncontributing_forces())(x, p, r);
   return all;
 }
 

@@ -263,8 +263,10 @@ struct constrained
 template <class System>
 struct reading {
   symbolic::graph graph;
-  mechanics::mechanism m{graph};
-  derivation::reader reader{System::record, m};
+  mechanics::multibody_system system{graph};
+  const mechanics::mechanism& m = system.mechanism;
+  const mechanics::given_constraints& c = system.constraints;
+  deriving::reader reader{System::record, system};
   reading() { reader.read(); }
   std::string print(symbolic::expression e) const { return symbolic::print(e); }
   std::string inputs() const {
@@ -281,25 +283,25 @@ struct reading {
 TEST(words, constraints) {
   reading<constrained> r;
   ASSERT_EQ(r.reader.mistake().view(), "");
-  mechanics::equations e(r.m);
-  r.reader.know(e);
+  mechanics::known_motion known(r.m);
+  r.reader.know(known);
   r.reader.read_constraints();
   ASSERT_EQ(r.reader.mistake().view(), "");
-  ASSERT_EQ(r.m.configuration_constraints.size(), 3);
-  EXPECT_EQ(r.print(r.m.configuration_constraints[0]), "q1^2 - l^2");
-  EXPECT_EQ(r.print(r.m.configuration_constraints[1]), "l*cos(q2) + q1");
-  EXPECT_EQ(r.print(r.m.configuration_constraints[2]), "-2*l*sin(q2)");
-  ASSERT_EQ(r.m.velocity_constraints.size(), 3);
-  EXPECT_EQ(r.m.velocity_constraints[0].vanishing.parts.size(), 1);
-  EXPECT_EQ(r.m.velocity_constraints[1].direction.parts.size(), 2);
-  EXPECT_TRUE(r.m.velocity_constraints[2].vanishing.parts.empty());
-  EXPECT_EQ(r.print(r.m.velocity_constraints[2].value), "u1 - u2 - ua");
-  ASSERT_EQ(r.m.acceleration_constraints.size(), 1);
-  EXPECT_EQ(r.print(r.m.acceleration_constraints[0]), "u1' + u2'");
-  ASSERT_EQ(r.m.dependent_speeds.size(), 1);
-  EXPECT_EQ(r.m.dependent_speeds[0], 1);
-  ASSERT_EQ(r.m.dependent_coordinates.size(), 1);
-  EXPECT_EQ(r.m.dependent_coordinates[0], 0);
+  ASSERT_EQ(r.c.on_configuration.size(), 3);
+  EXPECT_EQ(r.print(r.c.on_configuration[0]), "q1^2 - l^2");
+  EXPECT_EQ(r.print(r.c.on_configuration[1]), "l*cos(q2) + q1");
+  EXPECT_EQ(r.print(r.c.on_configuration[2]), "-2*l*sin(q2)");
+  ASSERT_EQ(r.c.on_velocities.size(), 3);
+  EXPECT_EQ(r.c.on_velocities[0].vanishing.parts.size(), 1);
+  EXPECT_EQ(r.c.on_velocities[1].direction.parts.size(), 2);
+  EXPECT_TRUE(r.c.on_velocities[2].vanishing.parts.empty());
+  EXPECT_EQ(r.print(r.c.on_velocities[2].value), "u1 - u2 - ua");
+  ASSERT_EQ(r.c.on_accelerations.size(), 1);
+  EXPECT_EQ(r.print(r.c.on_accelerations[0]), "u1' + u2'");
+  ASSERT_EQ(r.c.dependent_speeds.size(), 1);
+  EXPECT_EQ(r.c.dependent_speeds[0], 1);
+  ASSERT_EQ(r.c.dependent_coordinates.size(), 1);
+  EXPECT_EQ(r.c.dependent_coordinates[0], 0);
   ASSERT_EQ(r.m.auxiliary_speeds.size(), 1);
 }
 
@@ -349,12 +351,12 @@ TEST(words, on_purpose) {
 TEST(words, are_shown_in_pieces_that_lose_no_letter) {
   using named = kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
                             bodies<a_body_whose_name_is_longer_than_a_piece_of_a_sentence>>;
-  const mechanics::problem told = derivation::survey_of<named>().mistake;
+  const mechanics::sentence told = deriving::first_stage<named>().mistake;
   std::string whole(told.view()), shown;
   EXPECT_EQ(whole, "body a_body_whose_name_is_longer_than_a_piece_of_a_sentence has no mass");
-  for (int piece = 0; piece < derivation::count_pieces(told); ++piece) {
-    const int begin = derivation::piece_begin(told, piece), end = derivation::piece_end(told, begin);
-    EXPECT_LE(end - begin, derivation::longest_piece);
+  for (int piece = 0; piece < deriving::count_pieces(told); ++piece) {
+    const int begin = deriving::piece_begin(told, piece), end = deriving::piece_end(told, begin);
+    EXPECT_LE(end - begin, deriving::longest_piece);
     shown += told.view().substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
   }
   std::erase(whole, ' '), std::erase(shown, ' ');

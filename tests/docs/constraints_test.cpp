@@ -112,6 +112,8 @@ TEST(constraints, have_auxiliary_speeds) {
   EXPECT_NEAR(force(0), -21.7279, 5e-5);
   EXPECT_NEAR(force(1), -6.7212, 5e-5);
   EXPECT_NEAR(force.norm(), 22.744, 5e-4);
+  EXPECT_EQ(eom::auxiliary_forces(x, p), force);
+  EXPECT_EQ((function<System, mechanics::quantity::auxiliary_forces>{}(x, p)), force);
 }
 
 } // namespace pivot

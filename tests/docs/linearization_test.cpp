@@ -52,7 +52,7 @@ TEST(linearization, is_printed) {
   const docs::printed here;
 #include <docs/guide/linearization/run_time.cpp>
 
-#include <docs/guide/linearization/problems.cpp>
+#include <docs/guide/linearization/failures.cpp>
   EXPECT_EQ(here.text(), docs::text("docs/guide/linearization/run_time.text"));
 }
 

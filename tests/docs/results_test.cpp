@@ -50,11 +50,11 @@ TEST(results, take_values) {
 #include <docs/guide/results/values.cpp>
   EXPECT_EQ(x, Eigen::Vector4d(0.1, 0, 2, 0));
   EXPECT_EQ(p, Eigen::Vector2d(2, 1));
-#include <docs/guide/results/problem.cpp>
-  EXPECT_FALSE(p.problem());
+#include <docs/guide/results/mistake.cpp>
+  EXPECT_FALSE(p.mistake());
   eom::parameters half;
   half[m] = 2;
-  EXPECT_EQ(half.problem().cause(), "parameter l has no value");
+  EXPECT_EQ(half.mistake().cause(), "parameter l has no value");
 }
 
 } // namespace arm

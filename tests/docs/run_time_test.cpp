@@ -1,12 +1,14 @@
 // Derivation while the program runs: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc_constrained.hpp"
+#include "models/simple_pendulum.hpp"
 
 #include <kanexpr/algebra.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
@@ -54,6 +56,14 @@ TEST(run_time, has_other_forms) {
   EXPECT_EQ(compare(a, b), equality::equal);
 }
 
+TEST(run_time, lists_operations) {
+  const docs::printed here;
+  auto pendulum = derive<simple_pendulum::System>();
+#include <docs/guide/run-time/listing.cpp>
+  EXPECT_EQ(here.text(), "t1 = u * c\nt2 = T - t1\nt3 = m * l\ns1 = sin(q)\n"
+                         "t4 = t3 * s1\nt5 = g * t4\nt6 = t2 - t5\nforcing = t6\n");
+}
+
 TEST(builder, makes_a_pendulum) {
   const docs::printed here;
 #include <docs/guide/builder/pendulum.cpp>
@@ -77,25 +87,47 @@ TEST(builder, makes_a_sleigh) {
   EXPECT_EQ(constrained.mass_matrix().rows, 2);
 }
 
-TEST(builder, closes_a_loop) {
-  runtime::builder b("N");
-  const auto q1 = b.coordinate("q1"), q2 = b.coordinate("q2"), s = b.coordinate("s");
-  const auto u1 = b.speed("u1"), u2 = b.speed("u2"), v = b.speed("v"), zero = b.number(0);
-  const auto crank = b.number(0.1), rod = b.number(0.3);
-  b.kinematic_equation(b.dot(q1) - u1);
-  b.kinematic_equation(b.dot(q2) - u2);
-  b.kinematic_equation(b.dot(s) - v);
-  const auto ground = b.inertial_frame();
-  b.particle("Slider", b.offset("S", b.origin("O"), b.along(ground, s, zero, zero)), b.number(3));
-  b.dependent(q2);
-  b.dependent(s);
-#include <docs/guide/builder/loop.cpp>
+struct slider_crank : runtime::builder {
+  symbolic::expression q1 = coordinate("q1"), q2 = coordinate("q2"), s = coordinate("s");
+  symbolic::expression crank = number(0.1), rod = number(0.3);
+  runtime::frame_id ground = inertial_frame();
+  runtime::point_id o = origin("O"), slider = offset("S", o, along(ground, s, 0, 0)), end_of_rod;
+
+  slider_crank() : builder("N") {
+    kinematic_equation(dot(q1) - speed("u1"));
+    kinematic_equation(dot(q2) - speed("u2"));
+    kinematic_equation(dot(s) - speed("v"));
+    const auto A = rotated("A", ground, q1, along(ground, 0, 0, 1)),
+               B = rotated("B", ground, q2, along(ground, 0, 0, 1));
+    end_of_rod = offset("Q", offset("P", o, along(A, crank, 0, 0)), along(B, rod, 0, 0));
+    particle("Slider", slider, number(3));
+    dependent(q2);
+    dependent(s);
+  }
+};
+
+void expect_closed(slider_crank& b) {
   EXPECT_EQ(b.check().view(), "");
   Eigen::VectorXd x(6);
   x << 0.7, -0.2, 0.3, 5, 0, 0;
   model closed = derive(b);
   ASSERT_TRUE(assemble(closed, x, Eigen::VectorXd(), Eigen::VectorXd()));
   EXPECT_NEAR(x(2), 0.1 * std::cos(0.7) + std::sqrt(0.09 - std::pow(0.1 * std::sin(0.7), 2)), 1e-14);
+}
+
+TEST(builder, closes_a_loop) {
+  slider_crank b;
+  const auto ground = b.ground;
+  const auto end_of_rod = b.end_of_rod, slider = b.slider;
+#include <docs/guide/builder/loop.cpp>
+  expect_closed(b);
+}
+
+TEST(builder, closes_a_loop_by_hand) {
+  slider_crank b;
+  const auto q1 = b.q1, q2 = b.q2, s = b.s, crank = b.crank, rod = b.rod;
+#include <docs/guide/builder/loop_by_hand.cpp>
+  expect_closed(b);
 }
 
 } // namespace

@@ -7,8 +7,8 @@
 #include "no_heap.hpp"
 
 #include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/pack.hpp>
+#include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
@@ -42,7 +42,7 @@ constexpr lower::tape three_solutions(int n) {
   symbolic::sequence<int> outputs = nodes_of(solve(factors, b));
   for (int id : nodes_of(y)) outputs.push(id);
   for (int id : nodes_of(solve(factors, y))) outputs.push(id);
-  outputs.push(regularity(factors, entry_squares(a)).node());
+  outputs.push(singularity_measure(factors, entry_squares(a)).node());
   return lower::tape_of(g, outputs);
 }
 
@@ -71,7 +71,7 @@ template <class T, int n, int... i>
 [[gnu::noinline]] std::array<T, results<n>> evaluated(const std::array<T, n * n + n>& at,
                                                       std::integer_sequence<int, i...>) {
   no_heap::guard guard;
-  const lower::evaluation<code<n>, T> done(arguments<T>{at.data()});
+  const lower::unrolled_tape<code<n>, T> done(arguments<T>{at.data()});
   return {done.template result<i>()...};
 }
 template <class T, int n>
@@ -125,9 +125,9 @@ TYPED_TEST(linear_system, is_solved) {
     EXPECT_TRUE(Eigen::Map<const vector>(found.data(), n).isApprox(x, tolerance));
     EXPECT_TRUE(Eigen::Map<const vector>(found.data() + n, n).isApprox(y, tolerance));
     EXPECT_TRUE(Eigen::Map<const vector>(found.data() + 2 * n, n).isApprox(z, tolerance));
-    const double regularity = found.back();
+    const double singularity_measure = found.back();
     if (n <= 3) {
-      EXPECT_NEAR(regularity, std::abs(lu.determinant()), 1e-14);
+      EXPECT_NEAR(singularity_measure, std::abs(lu.determinant()), 1e-14);
     } else { // S = P A² + (L - I)² S, entry by entry squared
       const Eigen::PartialPivLU<square> partial(a);
       const square lower = partial.matrixLU().triangularView<Eigen::StrictlyLower>(),
@@ -135,7 +135,7 @@ TYPED_TEST(linear_system, is_solved) {
                    sizes = kept.inverse() * (partial.permutationP() * square(a.cwiseAbs2()));
       const vector beside =
           partial.matrixLU().diagonal().cwiseAbs().cwiseQuotient(sizes.diagonal().cwiseSqrt());
-      EXPECT_NEAR(regularity, beside.minCoeff(), 1e-13);
+      EXPECT_NEAR(singularity_measure, beside.minCoeff(), 1e-13);
     }
   }
 }

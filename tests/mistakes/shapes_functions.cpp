@@ -103,6 +103,12 @@ struct System : loaded<torsional_damper<A, N, hypot(u, c)>> {};
 void f() { use<System>(); }
 } // namespace n16
 
+// expect: the damping of the torsional damper between N and A takes tanh of a vector
+namespace n21 {
+struct System : loaded<torsional_damper<N, A, tanh(A::x)>> {};
+void f() { use<System>(); }
+} // namespace n21
+
 // expect: the inertia of Rod takes the outer product of a vector and a scalar
 namespace n17 {
 struct Rod : rigid_body<Rod, P, A, m, inertia_dyadic<m * outer(A::x, l)>> {};

@@ -160,3 +160,21 @@ namespace n26 {
 struct System : loaded<torque<O, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n26
+
+// expect: the drag at P lacks an argument; write drag<Point, coefficient>
+namespace n27 {
+struct System : loaded<drag<P>> {};
+void f() { use<System>(); }
+} // namespace n27
+
+// expect: the drag at Q has an argument too many; write drag<Point, coefficient>
+namespace n28 {
+struct System : loaded<drag<Q, c, k>> {};
+void f() { use<System>(); }
+} // namespace n28
+
+// expect: A, which the drag at A uses as a point, is a frame
+namespace n29 {
+struct System : loaded<drag<A, c>> {};
+void f() { use<System>(); }
+} // namespace n29

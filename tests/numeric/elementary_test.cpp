@@ -138,6 +138,16 @@ TEST(elementary, exponential_and_logarithm) {
   expect_close_to_libm_on_all_doubles(elementary::log, std::log);
 }
 
+// Against the long double of the C library, since its double is 2 ulp off at times.
+TEST(elementary, hyperbolic_tangent) {
+  const unary precise = [](double x) { return static_cast<double>(std::tanh(static_cast<long double>(x))); };
+  for (const double range : {1e-8, 0.1, 0.51, 2.0, 25.0})
+    expect_close_to_libm(elementary::tanh, precise, -range, range);
+  expect_close_to_libm_on_all_doubles(elementary::tanh, precise);
+  for (double x = 18; x < 21; x = std::nextafter(x, 21) + 1e-4)
+    ASSERT_TRUE(close(elementary::tanh(x), precise(x))) << x;
+}
+
 void expect_power_close_to_libm(double x, double y, std::int64_t ulps) {
   ASSERT_LE(ulps_between(elementary::pow(x, y), std::pow(x, y)), ulps) << x << ", " << y;
 }
@@ -180,6 +190,8 @@ TEST(elementary, special_values) {
     EXPECT_TRUE(close(elementary::atan(x), std::atan(x))) << x;
     EXPECT_TRUE(close(elementary::exp(x), std::exp(x))) << x;
     EXPECT_TRUE(close(elementary::log(x), std::log(x))) << x;
+    EXPECT_LE(ulps_between(elementary::tanh(x), std::tanh(x)), 2) << x;
+    EXPECT_EQ(std::signbit(elementary::tanh(x)), std::signbit(std::tanh(x))) << x;
     for (const double y : special_values) {
       EXPECT_TRUE(close(elementary::atan2(y, x), std::atan2(y, x))) << y << ", " << x;
       EXPECT_TRUE(close(elementary::pow(x, y), std::pow(x, y))) << x << ", " << y;
@@ -205,6 +217,8 @@ static_assert(elementary::atan2(0.0, -1.0) == pi && elementary::atan2(-0.0, -1.0
 static_assert(elementary::exp(0.0) == 1 && elementary::exp(1.0) == 2.718281828459045);
 static_assert(elementary::exp(710.0) == infinity && elementary::exp(-746.0) == 0);
 static_assert(elementary::exp(-745.0) == smallest);
+static_assert(elementary::tanh(1.0) == 0.7615941559557649 && same(elementary::tanh(-0.0), -0.0));
+static_assert(elementary::tanh(-infinity) == -1 && elementary::tanh(smallest) == smallest);
 static_assert(elementary::log(1.0) == 0 && elementary::log(0.0) == -infinity);
 static_assert(is_nan(elementary::log(-1.0)));
 static_assert(elementary::pow(3.0, 4.0) == 81 && elementary::pow(-2.0, -3.0) == -0.125);
@@ -222,7 +236,7 @@ constexpr std::array<double, 42> arguments = {
     700.123, -744.9, 12345.678, 1e5, -98765.4321, 1e10, 123456789012345.0, 1e22, -1.7e308};
 // clang-format on
 
-constexpr std::size_t results_per_argument = 16;
+constexpr std::size_t results_per_argument = 17;
 using results = std::array<std::uint64_t, results_per_argument * arguments.size()>;
 
 // Neighbours in the table make the pairs for functions of two arguments.
@@ -238,7 +252,7 @@ constexpr results evaluate(const std::array<double, arguments.size()>& inputs) {
           elementary::asin(x), elementary::acos(x), elementary::atan(x), elementary::atan2(y, x),
           elementary::exp(x), elementary::log(positive), elementary::pow(positive, y),
           elementary::pow(x, 7.0), elementary::pow(positive, -1.5), elementary::abs(x), elementary::sign(x),
-          elementary::floor(x)}) {
+          elementary::floor(x), elementary::tanh(x)}) {
       result[next++] = bits(value);
     }
   }

@@ -25,7 +25,7 @@ TEST(agreement, dense_constraints) {
   const auto accelerations = derived.get(quantity::udot);
   kanexpr::symbolic::sequence<int> outputs;
   for (const auto& rate : accelerations.entries) outputs.push(rate.node());
-  ASSERT_EQ(derived.equations().guards_of(outputs).size(), 4); // a block, two pivots, finiteness
+  ASSERT_EQ(derived.equations().singularity_checks_of(outputs).size(), 4); // a block, two pivots, finiteness
   const auto interpreted = [&](quantity q) { return derived.function(derived.get(q)); };
   auto udot = interpreted(quantity::udot), lambda = interpreted(quantity::multipliers),
        speeds = interpreted(quantity::dependent_speeds),

@@ -47,6 +47,12 @@ void check() {
       derived.function(column(derived, {quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
                                         quantity::implicit_input_matrix}));
   auto udot = derived.function(derived.udot());
+  auto used = kanexpr::derive<System>();
+  for (const quantity each : {quantity::udot, quantity::kinetic_energy, quantity::multipliers,
+                              quantity::implicit_mass_matrix, quantity::state_jacobian})
+    used.get(each);
+  used.linearize().implicit_form();
+  auto after_others = used.function(column(used, {quantity::state_matrix, quantity::input_matrix}));
   std::mt19937_64 source(7);
   for (int round = 0; round < 50; ++round) {
     const auto x = agreement::random<typename lin::state>(source, -3, 3);
@@ -54,6 +60,7 @@ void check() {
     const auto r = agreement::random<typename lin::inputs>(source, -5, 5);
     const auto [a, b] = without_heap(lin::explicit_form, x, p, r);
     agreement::expect_same_bits(column(a, b), in_states(x, p, r));
+    EXPECT_LT((column(a, b) - after_others(x, p, r)).norm(), 1e-12 * column(a, b).norm());
     const auto [m, a_full, b_full] = without_heap(lin::implicit_form, x, p, r);
     agreement::expect_same_bits(column(m, a_full, b_full), in_full(x, p, r));
     const Eigen::VectorXd rates = udot(x, p, r);

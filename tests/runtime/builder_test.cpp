@@ -66,7 +66,7 @@ double cart_value(const kanexpr::lower::load& l) {
 TEST(builder, gives_the_equations_of_what_was_built) {
   pendulum_on_cart b;
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   double mass[4], force[2];
   code_for(b, derived.get(quantity::mass_matrix)).evaluate(cart_value, mass);
@@ -87,7 +87,7 @@ TEST(builder, takes_a_body_without_mass) {
     const expression none = by_parameter ? b.parameter("none") : b.number(0), zero = b.number(0);
     b.rigid_body("Wheel", b.bob, b.rod, none, b.inertia(b.rod, zero, zero, b.number(0.07)));
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     derived.constrain();
     double mass[4], force[2], energy[1];
     const auto value = [](const kanexpr::lower::load& l) {
@@ -110,37 +110,37 @@ using kanexpr::symbolic::print;
 
 TEST(builder, keeps_constraints_and_what_depends_on_them) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
-  b.velocity_constraint(kanexpr::mechanics::velocity_of_point(derived.moving(), place(b.bob)),
+  kanexpr::mechanics::known_motion known(b.mechanism());
+  b.velocity_constraint(kanexpr::mechanics::velocity_of_point(known.moving(), place(b.bob)),
                         b.along(b.n, 1, 0, 0));
   b.velocity_constraint(b.v - b.length * b.omega);
   b.configuration_constraint(b.x - b.length * sin(b.theta));
   b.acceleration_constraint(b.dot(b.v) - b.dot(b.omega));
   b.dependent(b.omega);
   b.dependent(b.x);
-  const kanexpr::mechanics::mechanism& m = b.mechanism();
+  const kanexpr::mechanics::given_constraints& c = b.system().constraints;
   ASSERT_EQ(b.mistake().view(), "");
-  ASSERT_EQ(m.velocity_constraints.size(), 2);
-  EXPECT_EQ(print(m.velocity_constraints[0].value), "l*omega*cos(theta) + v");
-  EXPECT_EQ(m.velocity_constraints[0].vanishing.parts.size(), 1);
-  EXPECT_EQ(m.velocity_constraints[0].direction.parts.size(), 1);
-  EXPECT_EQ(print(m.velocity_constraints[1].value), "v - l*omega");
-  EXPECT_TRUE(m.velocity_constraints[1].vanishing.parts.empty());
-  ASSERT_EQ(m.configuration_constraints.size(), 1);
-  EXPECT_EQ(print(m.configuration_constraints[0]), "x - l*sin(theta)");
-  ASSERT_EQ(m.acceleration_constraints.size(), 1);
-  EXPECT_EQ(print(m.acceleration_constraints[0]), "v' - omega'");
-  ASSERT_EQ(m.dependent_speeds.size(), 1);
-  EXPECT_EQ(m.dependent_speeds[0], 1);
-  ASSERT_EQ(m.dependent_coordinates.size(), 1);
-  EXPECT_EQ(m.dependent_coordinates[0], 0);
+  ASSERT_EQ(c.on_velocities.size(), 2);
+  EXPECT_EQ(print(c.on_velocities[0].value), "l*omega*cos(theta) + v");
+  EXPECT_EQ(c.on_velocities[0].vanishing.parts.size(), 1);
+  EXPECT_EQ(c.on_velocities[0].direction.parts.size(), 1);
+  EXPECT_EQ(print(c.on_velocities[1].value), "v - l*omega");
+  EXPECT_TRUE(c.on_velocities[1].vanishing.parts.empty());
+  ASSERT_EQ(c.on_configuration.size(), 1);
+  EXPECT_EQ(print(c.on_configuration[0]), "x - l*sin(theta)");
+  ASSERT_EQ(c.on_accelerations.size(), 1);
+  EXPECT_EQ(print(c.on_accelerations[0]), "v' - omega'");
+  ASSERT_EQ(c.dependent_speeds.size(), 1);
+  EXPECT_EQ(c.dependent_speeds[0], 1);
+  ASSERT_EQ(c.dependent_coordinates.size(), 1);
+  EXPECT_EQ(c.dependent_coordinates[0], 0);
 }
 
 TEST(builder, derives_what_is_constrained) {
   pendulum_on_cart b;
   b.velocity_constraint(b.v); // the cart stands still
   ASSERT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   ASSERT_EQ(derived.mistake().view(), "");
   double udot[2];
@@ -181,7 +181,7 @@ TEST(builder, writes_the_kinematics_of_a_frame) {
 
 TEST(interpreter, takes_memory_only_once) {
   pendulum_on_cart b;
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   interpreter<double> code = code_for(b, derived.get(quantity::udot));
   double udot[2];
@@ -239,6 +239,60 @@ std::string told(Mistake mistake) {
   pendulum_on_cart b;
   mistake(b);
   return std::string(b.check().view());
+}
+
+TEST(builder, takes_numbers_beside_expressions) {
+  pendulum_on_cart b;
+  const vector mixed = b.along(b.rod, 0, -b.length, 2.5),
+               plain = b.along(b.rod, b.number(0), -b.length, b.number(2.5));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(mixed.parts[0].value[i], plain.parts[0].value[i]);
+  b.rigid_body("Rod", b.bob, b.rod, b.m, b.inertia(b.rod, 0, 0, b.m * b.length * b.length));
+  EXPECT_EQ(print(1.5 - (0.5 + b.x / 2.5) / 0.25 + 2.5 * b.m - 0.75),
+            print(b.number(1.5) - (b.number(0.5) + b.x / b.number(2.5)) / b.number(0.25) +
+                  b.number(2.5) * b.m - b.number(0.75)));
+  EXPECT_EQ(print(0.5 / b.m + b.x * (b.m + 0.25)), print(b.number(0.5) / b.m + b.x * (b.m + b.number(0.25))));
+  EXPECT_EQ(b.check().view(), "");
+  EXPECT_EQ(print(b.dot(mixed, b.along(b.n, 1, 0, 0))), "l*sin(theta)");
+}
+
+TEST(builder, closes_a_loop_along_directions) {
+  const auto equations_with = [](auto close) {
+    builder b("N");
+    const auto q1 = b.coordinate("q1"), q2 = b.coordinate("q2"), s = b.coordinate("s");
+    const auto n = b.inertial_frame();
+    const frame_id crank = b.rotated("A", n, q1, b.along(n, 0, 0, 1)),
+                   rod = b.rotated("B", n, q2, b.along(n, 0, 0, 1));
+    const point_id o = b.origin("O"), slider = b.offset("S", o, b.along(n, s, 0, 0));
+    const point_id end = b.offset("Q", b.offset("P", o, b.along(crank, 0.1, 0, 0)), b.along(rod, 0.3, 0, 0));
+    close(b, end, slider, q1, q2, s);
+    std::string all;
+    for (const expression& e : b.system().constraints.on_configuration) all += print(e) + "; ";
+    EXPECT_EQ(b.mistake().view(), "");
+    return all;
+  };
+  EXPECT_EQ(equations_with([](builder& b, point_id end, point_id slider, auto...) {
+              const auto n = b.inertial_frame();
+              b.configuration_constraint(
+                  b.zero_along(b.position_of(end, slider), b.along(n, 1, 0, 0), b.along(n, 0, 1, 0)));
+            }),
+            equations_with([](builder& b, point_id, point_id, auto q1, auto q2, auto s) {
+              b.configuration_constraint(b.number(0.1) * cos(q1) + b.number(0.3) * cos(q2) - s);
+              b.configuration_constraint(b.number(0.1) * sin(q1) + b.number(0.3) * sin(q2));
+            }));
+}
+
+TEST(builder, keeps_a_velocity_from_directions) {
+  const auto constraint_with = [](auto bind) {
+    pendulum_on_cart b;
+    kanexpr::mechanics::known_motion known(b.mechanism());
+    bind(b, kanexpr::mechanics::velocity_of_point(known.moving(), place(b.bob)));
+    EXPECT_EQ(b.mistake().view(), "");
+    return print(b.system().constraints.on_velocities[0].value);
+  };
+  EXPECT_EQ(
+      constraint_with(
+          [](auto& b, const vector& v) { b.velocity_constraint(b.zero_along(v, b.along(b.rod, 1, 0, 0))); }),
+      constraint_with([](auto& b, const vector& v) { b.velocity_constraint(v, b.along(b.rod, 1, 0, 0)); }));
 }
 
 TEST(builder_mistakes, names_a_frame_or_point_that_does_not_exist) {
@@ -571,6 +625,21 @@ TEST(builder_mistakes, looks_at_what_torsional_springs_turn) {
   EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.theta, b.m * b.x); }),
             "the stiffness of a torsional spring holds the coordinate x; it may hold parameters, inputs and "
             "time only");
+}
+
+TEST(builder_mistakes, looks_at_what_vanishes) {
+  EXPECT_EQ(told([](auto& b) { b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o))); }),
+            "zero_along of a configuration constraint is given no direction");
+  EXPECT_EQ(told([](auto& b) {
+              b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o), b.along(b.n, 0, 0, 0)));
+            }),
+            "a configuration constraint is given a direction of no length");
+  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.zero_along(b.along(b.n, b.v, 0, 0))); }),
+            "zero_along of a velocity constraint is given no direction");
+  EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, point_id{9}); }),
+            "a position names point number 9, which does not exist");
+  EXPECT_EQ(told([](auto& b) { b.dot(b.along(b.n, 1, 0, 0), pendulum_on_cart().along(b.n, 1, 0, 0)); }),
+            "a dot product has an expression that belongs to another mechanism or to none");
 }
 
 TEST(builder_mistakes, tells_the_first_one) {

@@ -27,7 +27,7 @@ TEST(linearization, prints_a_pendulum_as_a_textbook_does) {
   using namespace simple_pendulum;
   auto model = kanexpr::derive<System>();
   auto linear = model.linearize({{q, 0}, {u, 0}, {c, 0}});
-  EXPECT_THAT(linear.problems(), IsEmpty());
+  EXPECT_THAT(linear.failures(), IsEmpty());
   EXPECT_EQ(print(linear.explicit_form().A), "[0,    1]\n"
                                              "[-g/l, 0]");
   EXPECT_EQ(print(linear.explicit_form().B), "[0        ]\n"
@@ -54,7 +54,7 @@ TEST(linearization, prints_the_same_by_lagrange) {
   auto place = kanexpr::derive<string::LagrangeSystem>();
   auto hanging =
       place.linearize({{string::q1, string::L}, {string::q2, 0}, {dot(string::q1), 0}, {dot(string::q2), 0}});
-  EXPECT_THAT(hanging.problems(), IsEmpty());
+  EXPECT_THAT(hanging.failures(), IsEmpty());
   EXPECT_EQ(print(hanging.explicit_form().A), "[0,    1]\n"
                                               "[-g/L, 0]");
   EXPECT_EQ(print(hanging.implicit_form().M), "[1, 0, 0, 0,   0   ]\n"
@@ -80,7 +80,7 @@ TEST(linearization, takes_limits_where_an_entry_is_undetermined) {
   auto linear = model.linearize({{q, 0}, {u, 0}});
   EXPECT_EQ(print(linear.explicit_form().A), "[0,    1]\n"
                                              "[-g/l, 0]");
-  EXPECT_THAT(linear.problems(), IsEmpty());
+  EXPECT_THAT(linear.failures(), IsEmpty());
   EXPECT_EQ(print(linear.explicit_form().B), "[0        ]\n"
                                              "[1/(l^2*m)]");
 }
@@ -92,7 +92,7 @@ TEST(linearization, names_an_entry_without_a_value) {
   auto flat = model.linearize({{q2, std::acos(0.0)}, {u1, 0}, {u2, 1}, {u3, 1}});
   flat.explicit_form();
   ASSERT_FALSE(flat);
-  EXPECT_THAT(flat.problems()[0], HasSubstr("cos(q2)"));
+  EXPECT_THAT(flat.failures()[0], HasSubstr("cos(q2)"));
 }
 
 TEST(linearization, leaves_symbols_that_the_point_does_not_name) {
@@ -130,9 +130,9 @@ TEST(linearization, says_which_equation_a_point_does_not_satisfy) {
   linearization_point open{{l0, 2}, {l1, 1}, {l2, 2}, {l3, 2}, {u1, 1}, {u2, 0}, {u3, 0}};
   auto linear = model.linearize(open, {{q1, 0}, {q2, 0}, {q3, 0}});
   ASSERT_FALSE(linear);
-  EXPECT_EQ(linear.problems()[0],
+  EXPECT_EQ(linear.failures()[0],
             "the operating point does not satisfy configuration constraint 1: it leaves 3");
-  EXPECT_THAT(linear.problems(), testing::Contains(HasSubstr("velocity constraint")));
+  EXPECT_THAT(linear.failures(), testing::Contains(HasSubstr("velocity constraint")));
 }
 
 TEST(linearization, checks_rates_that_the_point_gives) {
@@ -142,11 +142,11 @@ TEST(linearization, checks_rates_that_the_point_gives) {
   EXPECT_TRUE(model.linearize(swinging, {{dot(q), 2}, {dot(u), 0}}));
   auto wrong_rate = model.linearize(swinging, {{dot(q), 3}});
   EXPECT_THAT(
-      wrong_rate.problems(),
+      wrong_rate.failures(),
       ElementsAre("the operating point does not satisfy kinematic differential equation 1: it leaves 1"));
   auto wrong_acceleration = model.linearize(swinging, {{dot(u), 0.5}});
   EXPECT_THAT(
-      wrong_acceleration.problems(),
+      wrong_acceleration.failures(),
       ElementsAre("the operating point does not satisfy dynamic differential equation 1: it leaves 0.5"));
 }
 
@@ -165,13 +165,13 @@ TEST(linearization, says_what_it_does_not_know) {
   using namespace simple_pendulum;
   auto model = kanexpr::derive<System>();
   constexpr kanexpr::coordinate<"x"> x;
-  EXPECT_THAT(model.linearize({{x, 1}}).problems(),
+  EXPECT_THAT(model.linearize({{x, 1}}).failures(),
               ElementsAre("the operating point names x, which the system does not have"));
   const linearization_point doubled{{q, 0}, {u, 0}, {q, 1}};
   const std::string two = "the operating point gives q two values";
-  EXPECT_THAT(model.linearize(doubled).problems(), testing::Contains(two));
-  EXPECT_THAT(model.linearize({{u, 0}}, {{q, 1}, {"q", 1}}).problems(), testing::Contains(two));
-  EXPECT_THAT(model.linearize({{q, x + 1}}).problems(),
+  EXPECT_THAT(model.linearize(doubled).failures(), testing::Contains(two));
+  EXPECT_THAT(model.linearize({{u, 0}}, {{q, 1}, {"q", 1}}).failures(), testing::Contains(two));
+  EXPECT_THAT(model.linearize({{q, x + 1}}).failures(),
               ElementsAre("the value of q at the operating point holds x, which the system does not have"));
 }
 
@@ -200,7 +200,7 @@ TEST(linearization, agrees_with_itself_however_much_is_given) {
   }
   for (int i = 0; i < p.size(); ++i) parameters.set(print(m.parameters[i]), p(i) = 0.5 + 0.1 * i);
   const auto value = [&](kanexpr::runtime::linearization linear) {
-    EXPECT_THAT(linear.problems(), IsEmpty());
+    EXPECT_THAT(linear.failures(), IsEmpty());
     return Eigen::MatrixXd(model.function(linear.explicit_form().A)(0.0, x, p, r));
   };
   const Eigen::MatrixXd none = value(model.linearize());
@@ -236,7 +236,7 @@ struct System : kanexpr::kane_system<kanexpr::inertial<N>, kanexpr::coordinates<
 
 TEST(linearization, tells_the_mistake_of_a_system) {
   auto linear = kanexpr::derive<mistaken::System>().linearize();
-  EXPECT_THAT(linear.problems(), ElementsAre("speed u appears in no kinematic differential equation"));
+  EXPECT_THAT(linear.failures(), ElementsAre("speed u appears in no kinematic differential equation"));
   EXPECT_EQ(linear.explicit_form().A.rows, 0);
   EXPECT_THAT(linear.states(), IsEmpty());
 }

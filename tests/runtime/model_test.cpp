@@ -8,8 +8,6 @@
 
 using namespace rolling_disc;
 
-struct elsewhere : origin<elsewhere, N> {};
-
 TEST(model, prints_results) {
   auto derived = derive<System>();
   EXPECT_EQ(derived.mistake(), "");
@@ -45,10 +43,38 @@ TEST(model, generalized_forces_add_up_to_the_equations) {
   EXPECT_LT(sum.norm(), 1e-13 * active(x, p).norm());
 }
 
-TEST(model, refuses_what_it_does_not_know) {
+TEST(model, goes_on_after_a_request_that_makes_no_sense) {
   auto derived = derive<System>();
-  derived.vector<velocity_of<elsewhere>>();
-  EXPECT_EQ(derived.mistake(), "point elsewhere of an expression is not part of the system that was derived");
+  EXPECT_TRUE(derived.vector<speed<"w">{} * N::x>().parts.empty());
+  EXPECT_NE(derived.mistake(), "");
+  EXPECT_EQ(symbolic::print(derived.mass_matrix()(0, 0)), "5*m*r^2/4");
+  EXPECT_EQ(derived.mistake(), "");
+  EXPECT_EQ(derived.get<speed<"w">{} * u1>().entries.size(), 0);
+  EXPECT_EQ(derived.mistake(), "speed w, which an expression holds, is not in the list of speeds");
+  EXPECT_EQ(derived.measured_by<speed<"w">{} * u1>().entries.size(), 0);
+  EXPECT_NE(derived.mistake(), "");
+  EXPECT_EQ(derived.get<u2 * u1>().entries.size(), 1);
+  EXPECT_EQ(derived.mistake(), "");
+  EXPECT_FALSE(derived.linearize({{q1, speed<"w">{} * u1}}));
+  EXPECT_EQ(derived.mistake(), "");
+}
+
+constexpr parameter<"kappa"> pull;
+struct ByLagrangian
+    : lagrange_system<inertial<N>, coordinates<q1>, lagrangian<pow(dot(q1), 2) / 2 - pull * q1>> {};
+
+TEST(model, of_a_whole_lagrangian_goes_on_after_an_energy_was_asked_for) {
+  auto derived = derive<ByLagrangian>();
+  const auto refused =
+      "energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place";
+  EXPECT_EQ(derived.get(mechanics::quantity::kinetic_energy).entries.size(), 0);
+  EXPECT_EQ(derived.mistake(), refused);
+  EXPECT_EQ(symbolic::print(derived.udot()), "[-kappa]");
+  EXPECT_EQ(derived.mistake(), "");
+  EXPECT_EQ(derived.get<mechanics::quantity::potential_energy>().entries.size(), 0);
+  EXPECT_EQ(derived.mistake(), refused);
+  EXPECT_TRUE(derived.linearize({{q1, 0}, {dot(q1), 0}, {pull, 0}}));
+  EXPECT_EQ(symbolic::print(derived.mass_matrix()), "[1]");
 }
 
 struct WithoutBodies : kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>> {};

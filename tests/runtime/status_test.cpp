@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -253,7 +254,8 @@ TEST(status, does_not_call_singular_what_is_not_finite) {
     const auto expect_not_finite = [&](auto change) {
       four_bars b;
       change(b);
-      expect_status<System>(b.x, b.p, b.r, "the results are not finite at this state");
+      expect_status<System>(b.x, b.p, b.r,
+                            "the results are not finite at this state; look for a value that was not set");
     };
     expect_not_finite([&](four_bars& b) { b.p[m1] = wrong; });
     expect_not_finite([&](four_bars& b) { b.p[g] = wrong; });
@@ -270,7 +272,7 @@ TEST(status, is_left_out_where_no_mass_can_be_missing) {
   static_assert(std::is_same_v<decltype(eom::udot(eom::state())), Eigen::Vector2d>);
   auto derived = kanexpr::derive<two_rods::System>();
   const auto udot = derived.get(quantity::udot);
-  EXPECT_EQ(derived.equations().guards_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
+  EXPECT_EQ(derived.equations().singularity_checks_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
 }
 
 TEST(status, is_not_asked_for_what_needs_no_solution) {
@@ -289,7 +291,8 @@ TEST(status, tells_what_is_not_finite) {
   using namespace pushed_bead;
   using eom = kanexpr::equations_of_motion<System>;
   const std::string cause =
-      "the results are not finite at this state; look at the quotients and functions of x and y";
+      "the results are not finite at this state; look for a value that was not set, and at the "
+      "quotients and functions of x and y";
   eom::parameters p;
   p[m] = 2, p[k] = 3, p[l] = 1;
   const auto expect_at = [&](double to_x, double to_y, const std::string& wanted) {
@@ -311,6 +314,12 @@ TEST(status, tells_what_is_not_finite) {
   EXPECT_EQ(eom::rhs(at.cast<float>().eval(), p.cast<float>().eval()).status.cause(), cause);
 }
 
+TEST(status, is_written_as_its_cause) {
+  std::ostringstream text;
+  text << kanexpr::status() << '/' << kanexpr::status("nothing is solved");
+  EXPECT_EQ(text.str(), "/nothing is solved");
+}
+
 TEST(status, of_finiteness_comes_with_what_may_not_be) {
   using namespace pushed_bead;
   using eom = kanexpr::equations_of_motion<System>;
@@ -321,7 +330,8 @@ TEST(status, of_finiteness_comes_with_what_may_not_be) {
   EXPECT_TRUE(quotient.status);
   EXPECT_EQ(quotient, 4);
   EXPECT_EQ((kanexpr::function<System, k / y>{}(at, p).status.cause()),
-            "the results are not finite at this state; look at the quotients and functions of y");
+            "the results are not finite at this state; look for a value that was not set, and at the "
+            "quotients and functions of y");
   // the root of a sum of squares always is a number
   static_assert(std::is_same_v<decltype(eom::potential_energy(at, p)), double>);
 }

@@ -67,13 +67,13 @@ std::vector<int> list(const kanexpr::symbolic::sequence<int>& all) { return {all
 motion of_slider_crank(const units& in) {
   slider_crank b(in);
   EXPECT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.constrain();
   EXPECT_EQ(derived.mistake().view(), "");
   const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
   kanexpr::symbolic::sequence<int> outputs;
   for (const expression& e : udot.entries) outputs.push(e.node());
-  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
   const double turn = 0.8, swing = -std::asin(0.3 * std::sin(turn) / 1.1), w1 = 1.7,
                w2 = -0.3 * std::cos(turn) * w1 / (1.1 * std::cos(swing));
   VectorXd x(6);
@@ -114,7 +114,7 @@ TEST(units, of_a_redundant_constraint_do_not_matter) {
                           (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
     b.velocity_constraint(b.number(3e5) *
                           (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
-    equations derived(b.mechanism());
+    equations derived(b.system());
     derived.constrain();
     EXPECT_EQ(derived.mistake().view(),
               "velocity constraint 2 follows from those before it in every configuration");
@@ -166,13 +166,13 @@ TEST(units, of_lengths_do_not_matter_to_a_pendulum_in_two_coordinates) {
     EXPECT_FALSE(kanexpr::check_consistency<System>(x, p)) << scale;
 
     auto hangs = model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, scale}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_THAT(hangs.problems(), testing::IsEmpty()) << scale;
+    EXPECT_THAT(hangs.failures(), testing::IsEmpty()) << scale;
     auto close = model.linearize(
         {{m, 1}, {L, scale}, {g, 9.81}, {q1, scale * (1 + 1e-12)}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_THAT(close.problems(), testing::IsEmpty()) << scale;
+    EXPECT_THAT(close.failures(), testing::IsEmpty()) << scale;
     auto longer =
         model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, 1.0001 * scale}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_EQ(longer.problems().size(), 1u) << scale;
+    EXPECT_EQ(longer.failures().size(), 1u) << scale;
   }
 }
 
@@ -196,12 +196,12 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     b.kinematic_equation(b.dot(c) - wc);
     b.velocity_constraint(a * a * (radius * wa + v + x * wc));
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
     ASSERT_EQ(derived.mistake().view(), "");
     kanexpr::symbolic::sequence<int> outputs;
     for (const expression& e : udot.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.guards_of(outputs));
+    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
     VectorXd state(6);
     state << 0.5, 3 * scale, 0.2, 0, 0, 0;
     f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
@@ -230,7 +230,7 @@ std::string mistake_of_slab(double inertia, bool spins) {
   for (const char* speed : {"u", "v", "w"})
     b.kinematic_equation(b.dot(b.mechanism().coordinates[place++]) - b.speed(speed));
   EXPECT_EQ(b.check().view(), "");
-  equations derived(b.mechanism());
+  equations derived(b.system());
   derived.get(quantity::udot);
   return std::string(derived.mistake().view());
 }
@@ -263,7 +263,7 @@ TEST(units, do_not_matter_to_a_linearization_in_numbers) {
                                      {u<1>, 0},
                                      {F, 0}});
       const auto& found = stands.explicit_form();
-      EXPECT_THAT(stands.problems(), testing::IsEmpty()) << length << ' ' << mass;
+      EXPECT_THAT(stands.failures(), testing::IsEmpty()) << length << ' ' << mass;
       EXPECT_NEAR(number(found.A, 2, 1) / length, 9.81 / 2, 1e-12) << length << ' ' << mass;
       EXPECT_NEAR(number(found.A, 3, 1), 9.81 * 1.5, 1e-12) << length << ' ' << mass;
       EXPECT_NEAR(number(found.B, 2, 0) * mass, 1.0 / 2, 1e-12) << length << ' ' << mass;

@@ -36,7 +36,7 @@ private:
     const kanexpr::symbolic::matrix result = derived.get(wanted);
     kanexpr::symbolic::sequence<int> outputs;
     for (const auto& e : result.entries) outputs.push(e.node());
-    return {b.graph(), result, b.mechanism().coordinates.size(), derived.guards_of(outputs)};
+    return {b.graph(), result, b.mechanism().coordinates.size(), derived.singularity_checks_of(outputs)};
   }
 
   kanexpr::runtime::interpreted<double> value_;

@@ -39,7 +39,7 @@ public:
     const recipe::building built(m, b);
     found.expect(b.check().view().empty(), std::string(b.check().view()));
     if (!found.reason().empty()) return;
-    kanexpr::mechanics::equations derived(b.mechanism());
+    kanexpr::mechanics::equations derived(b.system());
     compare(m, b, derived, changed, in, found);
     if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);

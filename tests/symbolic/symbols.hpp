@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 
 /// The symbols that tests of the expression graph write their formulas in.
 struct symbols {

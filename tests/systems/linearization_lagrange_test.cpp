@@ -58,12 +58,13 @@ TEST(linearization_by_lagrange, has_rows_for_multipliers) {
 }
 
 // Where the loop cannot be closed by the dependent coordinates, the form of all equations tells it as well.
-TEST(linearization_by_lagrange, is_guarded_in_full) {
+TEST(linearization_by_lagrange, is_checked_in_full) {
   auto model = kanexpr::derive<four_bar::LagrangeSystem>();
   const auto state = model.get(check::quantity::implicit_state_matrix);
   bool of_coordinates = false;
-  for (const auto& guard : model.equations().guards_of(kanexpr::symbolic::nodes_of(state.entries)))
-    if (guard.cause.view().find("dependent coordinates q2 and q3") != std::string_view::npos)
+  for (const auto& check :
+       model.equations().singularity_checks_of(kanexpr::symbolic::nodes_of(state.entries)))
+    if (check.cause.view().find("dependent coordinates q2 and q3") != std::string_view::npos)
       of_coordinates = true;
   EXPECT_TRUE(of_coordinates);
 }

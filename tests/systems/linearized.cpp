@@ -54,13 +54,14 @@ kanexpr::runtime::interpreted<Scalar> derived_functions::function(kanexpr::mecha
                                                                   quantity wanted) {
   const kanexpr::symbolic::matrix result = e.get(wanted);
   const auto& m = *e.skeleton_used().model;
-  return {*m.g, result, m.coordinates.size(), e.guards_of(kanexpr::symbolic::nodes_of(result.entries))};
+  return {*m.g, result, m.coordinates.size(),
+          e.singularity_checks_of(kanexpr::symbolic::nodes_of(result.entries))};
 }
 
 derived_functions::derived_functions(kanexpr::mechanics::equations& e)
     : A(function<double>(e, quantity::state_matrix)), B(function<double>(e, quantity::input_matrix)),
       gap(function<complex>(e, quantity::configuration_residual)),
-      gap_jacobian(function<complex>(e, quantity::configuration_jacobian)),
+      gap_jacobian(function<complex>(e, quantity::configuration_jacobian_by_dependent)),
       speeds(function<complex>(e, quantity::dependent_speeds)), rhs(function<complex>(e, quantity::rhs)) {
   read_names(*e.skeleton_used().model);
   read_places(e);

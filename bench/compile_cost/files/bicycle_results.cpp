@@ -13,8 +13,8 @@ auto configuration_residual(const eom::state& x, const eom::parameters& p) {
   return eom::configuration_residual(x, p);
 }
 auto velocity_residual(const eom::state& x, const eom::parameters& p) { return eom::velocity_residual(x, p); }
-auto configuration_jacobian(const eom::state& x, const eom::parameters& p) {
-  return eom::configuration_jacobian(x, p);
+auto configuration_jacobian_by_dependent(const eom::state& x, const eom::parameters& p) {
+  return eom::configuration_jacobian_by_dependent(x, p);
 }
 auto constraint_jacobian(const eom::state& x, const eom::parameters& p) {
   return eom::constraint_jacobian(x, p);

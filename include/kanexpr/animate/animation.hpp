@@ -31,11 +31,11 @@ struct animation {
   std::optional<Eigen::Vector3d> seen_from{};
   std::optional<double> ground{};
   bool carried = false;
-  std::string reason{};
+  std::string failure{};
 
-  explicit operator bool() const { return reason.empty(); }
+  explicit operator bool() const { return failure.empty(); }
   /// Why there is none, as a sentence; empty: there is.
-  const std::string& cause() const { return reason; }
+  const std::string& cause() const { return failure; }
 
   const shape* find(std::string_view name) const {
     for (const shape& s : shapes)

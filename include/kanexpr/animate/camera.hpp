@@ -19,19 +19,19 @@ public:
 
   animation film() {
     name_columns();
-    if (scene_.samples() == 0) made_.reason = "the trajectory holds no sample";
+    if (scene_.samples() == 0) made_.failure = "the trajectory holds no sample";
     film_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
     if (!made_) return std::move(made_);
     integrate();
     develop(made_, scene_.words, film_);
-    made_.reason = check_numbers(made_);
+    made_.failure = check_numbers(made_);
     return std::move(made_);
   }
 
 private:
   void name_columns() {
-    const derivation::survey& known = scene_.known;
+    const deriving::survey& known = scene_.known;
     for (int i = 0; i < known.coordinates + known.speeds; ++i) {
       std::string name(known.names[i].view());
       if (known.takes_rates_as_speeds && i >= known.coordinates)
@@ -44,12 +44,13 @@ private:
     double t = 0;
     scene_.sample(sample, t, x_.data(), r_.data());
     const status s = evaluate(t, column(film_.numbers, sample));
-    if (!s) made_.reason = std::string(s.cause()) + at_time(t);
+    if (!s) made_.failure = std::string(s.cause()) + at_time(t);
     for (const double entry : x_)
-      if (!std::isfinite(entry)) made_.reason = "the state holds something that is not a number" + at_time(t);
-    if (!std::isfinite(t)) made_.reason = "the time of a sample is not a number";
+      if (!std::isfinite(entry))
+        made_.failure = "the state holds something that is not a number" + at_time(t);
+    if (!std::isfinite(t)) made_.failure = "the time of a sample is not a number";
     if (!made_.times.empty() && t < made_.times.back())
-      made_.reason = "the samples are not in the order of time" + at_time(t);
+      made_.failure = "the samples are not in the order of time" + at_time(t);
     made_.times.push_back(t);
     for (std::size_t i = 0; i < made_.columns.size(); ++i) made_.columns[i].values.push_back(x_[i]);
   }

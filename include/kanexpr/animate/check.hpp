@@ -7,7 +7,7 @@ namespace kanexpr::animate {
 
 template <class Word>
 struct check_word {
-  static constexpr problem mistake() {
+  static constexpr sentence mistake() {
     if constexpr (requires { Word::shape; }) {
       return sentence(
           {Word::shape, "<...> stands among the words of the picture; write show<...> around it"});
@@ -25,13 +25,13 @@ struct check_word {
 
 template <class Shape, class... Options>
 struct check_word<show<Shape, Options...>> {
-  static constexpr problem mistake() {
+  static constexpr sentence mistake() {
     using shown = show<Shape, Options...>;
     if constexpr (!shown_word<shown>) {
       return sentence({"the picture shows ", name_of<Shape>(), ", which is not a shape"});
     } else {
       constexpr title whom = title_of<shown>();
-      problem found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
+      sentence found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
       if constexpr (requires { Shape::axis; })
         if (!found) found = check_vector(Shape::axis, "the axis of the ", whom.view());
       if (!found) found = check_options<Shape, Options...>(whom.view());
@@ -42,10 +42,10 @@ struct check_word<show<Shape, Options...>> {
 
 template <class Point, class... Options>
 struct check_word<trace<Point, Options...>> {
-  static constexpr problem mistake() {
+  static constexpr sentence mistake() {
     using traced = trace<Point, Options...>;
     constexpr title whom = title_of<traced>();
-    const problem found = check_options<at<Point>, Options...>(whom.view());
+    const sentence found = check_options<at<Point>, Options...>(whom.view());
     return found ? found : check_look(traced::look, whom.view());
   }
 };
@@ -58,7 +58,7 @@ constexpr const point_record* origin_under(const point_record* p) {
 /// Positions are measured from one origin.
 struct origin_check {
   const point_record* first = nullptr;
-  problem mistake{};
+  sentence mistake{};
 
   template <class Word>
   constexpr void look_at() {
@@ -88,8 +88,8 @@ constexpr bool is_told(std::string_view word) {
 }
 
 template <class... Words>
-constexpr problem check_words() {
-  problem found;
+constexpr sentence check_words() {
+  sentence found;
   ((found = found ? found : check_word<Words>::mistake()), ...);
   if (found) return found;
   const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };

@@ -8,7 +8,6 @@
 namespace kanexpr::animate {
 
 using describe::point_record;
-using mechanics::problem;
 using mechanics::sentence;
 
 template <class Word>
@@ -47,14 +46,14 @@ constexpr title title_of() {
 }
 
 /// A size holds numbers and parameters.
-constexpr problem check_size(const phrase& given, std::string_view size, std::string_view whom) {
+constexpr sentence check_size(const phrase& given, std::string_view size, std::string_view whom) {
   if (given.kind != shape::scalar)
-    return sentence({"the ", size, " of the ", whom, derivation::is_a(given.kind), "it must be a scalar"});
+    return sentence({"the ", size, " of the ", whom, deriving::is_a(given.kind), "it must be a scalar"});
   for (int i = 0; i < given.size; ++i) {
     const describe::token& t = given.tokens[i];
     std::string_view kind, name;
     if (t.symbol != nullptr && t.symbol->kind != symbolic::symbol_kind::parameter) {
-      kind = derivation::kind_of(*t.symbol);
+      kind = deriving::kind_of(*t.symbol);
       name = t.symbol->called.view();
     } else if (t.point != nullptr) {
       kind = "point ";
@@ -70,9 +69,9 @@ constexpr problem check_size(const phrase& given, std::string_view size, std::st
   return {};
 }
 
-constexpr problem check_vector(const phrase& given, std::string_view what, std::string_view whom) {
+constexpr sentence check_vector(const phrase& given, std::string_view what, std::string_view whom) {
   if (given.kind == shape::vector) return {};
-  return sentence({what, whom, derivation::is_a(given.kind), "it must be a vector"});
+  return sentence({what, whom, deriving::is_a(given.kind), "it must be a vector"});
 }
 
 constexpr bool is_colour(std::string_view given) {
@@ -82,7 +81,7 @@ constexpr bool is_colour(std::string_view given) {
   return true;
 }
 
-constexpr problem check_look(const look& l, std::string_view whom) {
+constexpr sentence check_look(const look& l, std::string_view whom) {
   if (!l.colour.empty() && !is_colour(l.colour))
     return sentence({"the colour of the ", whom, ", ", l.colour, ", is not of the form #1f5fa8"});
   if (!(l.opacity > 0 && l.opacity <= 1))
@@ -91,9 +90,9 @@ constexpr problem check_look(const look& l, std::string_view whom) {
 }
 
 template <std::size_t size>
-constexpr problem check_sizes(const phrases<size>& sizes, const std::string_view (&names)[size],
-                              std::string_view whom) {
-  problem found;
+constexpr sentence check_sizes(const phrases<size>& sizes, const std::string_view (&names)[size],
+                               std::string_view whom) {
+  sentence found;
   for (std::size_t i = 0; i < size; ++i)
     if (!found) found = check_size(sizes[i], names[i], whom);
   return found;
@@ -106,7 +105,7 @@ constexpr std::string_view name_of() {
 }
 
 template <class Option, class Shape>
-constexpr problem check_option(std::string_view whom) {
+constexpr sentence check_option(std::string_view whom) {
   if constexpr (!option_of_shape<Option>)
     return sentence(
         {"the ", whom, " is shown with ", name_of<Option>(), ", which is not an option of a shape"});
@@ -114,14 +113,14 @@ constexpr problem check_option(std::string_view whom) {
     if constexpr (!requires { Shape::axis; })
       return sentence({"the ", whom, " is spinning, and has no axis"});
     if (Option::spin.kind != shape::scalar)
-      return sentence({"the spin of the ", whom, derivation::is_a(Option::spin.kind), "it must be a scalar"});
+      return sentence({"the spin of the ", whom, deriving::is_a(Option::spin.kind), "it must be a scalar"});
   }
   return {};
 }
 
 template <class Shape, class... Options>
-constexpr problem check_options(std::string_view whom) {
-  problem found;
+constexpr sentence check_options(std::string_view whom) {
+  sentence found;
   int spins = 0;
   ((found = found ? found : check_option<Options, Shape>(whom)), ...);
   ((spins += requires { Options::spin; } ? 1 : 0), ...);

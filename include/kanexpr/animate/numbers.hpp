@@ -46,7 +46,7 @@ struct numbers_of<picture<System, Words...>> {
 
 } // namespace animate
 
-namespace derivation {
+namespace deriving {
 
 template <class Picture, animate::numbers_of<Picture> wanted>
 struct requested<wanted> {
@@ -55,6 +55,6 @@ struct requested<wanted> {
                                  .whom = "the picture"};
 };
 
-} // namespace derivation
+} // namespace deriving
 
 } // namespace kanexpr

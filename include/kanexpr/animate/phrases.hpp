@@ -29,7 +29,7 @@ inline constexpr phrases<sizeof...(expressions)> phrases_of{describe::phrase_of<
 /// Position of a point from its origin.
 template <class Point>
 inline constexpr phrase place =
-    describe::phrase_of<describe::motion_of(describe::word::position, &describe::point_of<Point>)>;
+    describe::phrase_of<describe::motion_of(describe::token_kind::position, &describe::point_of<Point>)>;
 
 /// Two axes of a frame; the third is their product.
 template <class Frame>

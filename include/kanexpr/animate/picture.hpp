@@ -14,8 +14,8 @@ namespace animate {
 
 template <class Picture>
 struct sound_picture {
-  static constexpr problem mistake = Picture::mistake;
-  static_assert(derivation::tell<sound_picture>());
+  static constexpr sentence mistake = Picture::mistake;
+  static_assert(deriving::tell<sound_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 
@@ -24,7 +24,7 @@ struct sound_picture {
 template <class System_, class... Words>
 struct picture {
   using System = System_;
-  static constexpr mechanics::problem mistake = animate::check_words<Words...>();
+  static constexpr mechanics::sentence mistake = animate::check_words<Words...>();
 };
 
 } // namespace kanexpr

@@ -14,7 +14,7 @@ class scene {
 public:
   virtual ~scene() = default;
 
-  const derivation::survey& known;
+  const deriving::survey& known;
   std::span<const word_record> words;
   const compiled::code_table& table; ///< gives all numbers of the picture
   int numbers, first_rate, rates;    ///< how many they are, and which of them are integrated
@@ -27,7 +27,7 @@ public:
   virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:
-  scene(const derivation::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
+  scene(const deriving::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
         int all, int first, int integrated)
       : known(of), words(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
 };

@@ -5,10 +5,10 @@
 
 namespace kanexpr::simulated {
 
-/// A number in a sentence.
+/// A number in a sentence, in which zero has no sign.
 inline std::string digits(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", number);
+  std::snprintf(text, sizeof text, "%.9g", number + 0.0);
   return text;
 }
 

@@ -6,25 +6,19 @@
 namespace kanexpr::symbolic {
 
 /// A short name that is a plain value, so that a graph of names can leave a constant evaluation. Of a longer
-/// text, such as the name of a type, the middle is left out.
+/// text, such as the name of a type, the middle is left out: names that differ at an end stay different.
 struct name {
   static constexpr int capacity = 63;
   char letters[capacity + 1]{};
   int length = 0;
 
   constexpr name() = default;
-  constexpr name(std::string_view text) {
-    constexpr std::size_t kept = capacity / 2 - 1;
-    if (text.size() <= capacity)
-      append(text);
-    else
-      append(text.substr(0, kept)), append("..."), append(text.substr(text.size() - kept));
-  }
+  constexpr name(std::string_view text) { append(text); }
   constexpr name(const char* text) : name(std::string_view(text)) {}
 
   constexpr void append(std::string_view text) {
-    for (char letter : text)
-      if (length < capacity) letters[length++] = letter;
+    if (text.size() > static_cast<std::size_t>(capacity - length)) return append_to_full(text);
+    for (char letter : text) letters[length++] = letter;
   }
   constexpr void append(int value) {
     if (value < 0) append("-"), value = -value;
@@ -38,6 +32,19 @@ struct name {
     for (int i = length - 1; i >= 0; --i) // names differ at their ends
       if (letters[i] != other.letters[i]) return false;
     return true;
+  }
+
+private:
+  constexpr void append_to_full(std::string_view text) {
+    constexpr std::string_view left_out = "...";
+    constexpr std::size_t kept = (capacity - left_out.size()) / 2;
+    const name before = *this;
+    const std::size_t own = before.view().size(), whole = own + text.size();
+    const auto letter = [&](std::size_t i) { return i < own ? before.letters[i] : text[i - own]; };
+    length = 0;
+    for (std::size_t i = 0; i < kept; ++i) letters[length++] = letter(i);
+    for (char dot : left_out) letters[length++] = dot;
+    for (std::size_t i = whole - kept; i < whole; ++i) letters[length++] = letter(i);
   }
 };
 

@@ -24,11 +24,17 @@ private:
   std::string_view cause_{};
 };
 
+/// The cause; nothing where there is none.
+template <class Stream>
+auto operator<<(Stream& to, const status& told) -> decltype(to << told.cause()) {
+  return to << told.cause();
+}
+
 namespace mechanics {
 
 /// How near to singular is too near: what is left beside what it was made of, so small that rounding decides.
 template <class T>
-constexpr double least_regularity() {
+constexpr double least_singularity_measure() {
   if constexpr (std::is_arithmetic_v<T>)
     return 4096.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
   else

@@ -26,8 +26,8 @@ template <class System, class Time, class X, class P, class R, auto... wanted>
 const code_table& table_for() {
   using code = compiled::code<System, wanted...>;
   static_assert(sizeof(call<System, code, Time, X, P, R, not_given, wanted...>) != 0);
-  derivation::tell_in_code<surveyed<System>>();
-  derivation::tell_in_code<code>();
+  deriving::tell_in_code<surveyed<System>>();
+  deriving::tell_in_code<code>();
   return table_of<System, wanted...>;
 }
 

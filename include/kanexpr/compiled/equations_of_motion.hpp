@@ -1,13 +1,24 @@
 #pragma once
 
 #include <kanexpr/compiled/function.hpp>
+#include <kanexpr/compiled/named_results.hpp>
 
 namespace kanexpr {
+
+namespace compiled {
+
+template <class System>
+struct inline_functions {
+  template <auto... wanted>
+  using of = function<System, wanted...>;
+};
+
+} // namespace compiled
 
 /// The equations of motion of a system as compiled functions: `equations_of_motion<System>::mass_matrix(x,
 /// p)`.
 template <class System>
-struct equations_of_motion {
+struct equations_of_motion : compiled::named_results<compiled::inline_functions<System>> {
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;
@@ -34,60 +45,6 @@ struct equations_of_motion {
         [coordinates +
          compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place];
   }
-
-  /// M in M u̇ = f of the independent speeds.
-  static constexpr function<System, mechanics::quantity::mass_matrix> mass_matrix{};
-  /// f in M u̇ = f of the independent speeds.
-  static constexpr function<System, mechanics::quantity::forcing> forcing{};
-  /// M_full in M_full [q̇; u̇] = f_full: E, M, and the differentiated constraints solved for the dependent u̇.
-  static constexpr function<System, mechanics::quantity::mass_matrix_full> mass_matrix_full{};
-  /// [q̇; f; b], with b in u̇_d = A u̇_i + b.
-  static constexpr function<System, mechanics::quantity::forcing_full> forcing_full{};
-  static constexpr function<System, mechanics::quantity::qdot> qdot{};
-  static constexpr function<System, mechanics::quantity::udot> udot{};
-  /// ẋ = [q̇; u̇].
-  static constexpr function<System, mechanics::quantity::rhs> rhs{};
-  /// F_r.
-  static constexpr function<System, mechanics::quantity::active_forces> active_forces{};
-  /// F_r*, for given rates of the speeds: f(x, p, r, a).
-  static constexpr function<System, mechanics::quantity::inertia_forces> inertia_forces{};
-  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
-  /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
-  static constexpr function<System, mechanics::quantity::unreduced_forces> unreduced_forces{};
-  static constexpr function<System, mechanics::quantity::kinetic_energy> kinetic_energy{};
-  static constexpr function<System, mechanics::quantity::potential_energy> potential_energy{};
-  static constexpr function<System, mechanics::quantity::linear_momentum> linear_momentum{};
-  static constexpr function<System, mechanics::quantity::angular_momentum> angular_momentum{};
-  static constexpr function<System, mechanics::quantity::center_of_mass> center_of_mass{};
-
-  /// What the configuration constraints leave, zero where they hold.
-  static constexpr function<System, mechanics::quantity::configuration_residual> configuration_residual{};
-  /// How large the terms are of which each of that is the sum.
-  static constexpr function<System, mechanics::quantity::configuration_terms> configuration_terms{};
-  /// Its derivatives by the dependent coordinates.
-  static constexpr function<System, mechanics::quantity::configuration_jacobian> configuration_jacobian{};
-  /// Its derivatives by all coordinates.
-  static constexpr function<System, mechanics::quantity::configuration_jacobian_full>
-      configuration_jacobian_full{};
-  /// The step of Newton's method for the dependent coordinates, to be added to them.
-  static constexpr function<System, mechanics::quantity::configuration_step> configuration_step{};
-  /// What the velocity constraints and the rates of the configuration constraints leave.
-  static constexpr function<System, mechanics::quantity::velocity_residual> velocity_residual{};
-  static constexpr function<System, mechanics::quantity::velocity_terms> velocity_terms{};
-  /// Both residuals, those of configurations first.
-  static constexpr function<System, mechanics::quantity::constraint_residual> constraint_residual{};
-  /// J in J u + c = 0.
-  static constexpr function<System, mechanics::quantity::constraint_jacobian> constraint_jacobian{};
-  /// The dependent speeds as the constraints give them by the independent ones.
-  static constexpr function<System, mechanics::quantity::dependent_speeds> dependent_speeds{};
-  /// A in u̇_d = A u̇_i + b.
-  static constexpr function<System, mechanics::quantity::dependency> dependency{};
-  /// b in u̇_d = A u̇_i + b.
-  static constexpr function<System, mechanics::quantity::acceleration_bias> acceleration_bias{};
-  /// The forces of the constraints, each along the direction in which it holds a velocity zero.
-  static constexpr function<System, mechanics::quantity::multipliers> multipliers{};
-  /// The forces that keep the auxiliary speeds zero.
-  static constexpr function<System, mechanics::quantity::auxiliary_forces> auxiliary_forces{};
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

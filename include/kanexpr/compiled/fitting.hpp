@@ -11,8 +11,8 @@
 /// Vectors of numbers beside what a system takes.
 namespace kanexpr::compiled {
 
-constexpr mechanics::problem check_size(std::string_view what, std::string_view system, int given,
-                                        int wanted) {
+constexpr mechanics::sentence check_size(std::string_view what, std::string_view system, int given,
+                                         int wanted) {
   if (given == Eigen::Dynamic || given == wanted) return {};
   symbolic::name w, g;
   w.append(wanted), g.append(given);
@@ -36,18 +36,18 @@ constexpr int entries_of() {
 template <class System, symbols_of which, int given>
 struct fitting {
   static constexpr symbol_range wanted = range_of(which, survey_of<System>);
-  static constexpr mechanics::problem mistake = [] {
-    if (survey_of<System>.mistake) return mechanics::problem{};
+  static constexpr mechanics::sentence mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::sentence{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
-  static_assert(derivation::tell<fitting>());
+  static_assert(deriving::tell<fitting>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
 
 /// A scalar type that cannot hold the values of a system.
 template <class System, class Scalar>
-constexpr mechanics::problem check_scalar() {
+constexpr mechanics::sentence check_scalar() {
   if (!std::is_integral_v<Scalar> || survey_of<System>.mistake) return {};
   return mechanics::sentence({"the values of ", type_name<System>(), " are real numbers, and ",
                               type_name<Scalar>(), " holds whole numbers only; take double"});
@@ -55,8 +55,8 @@ constexpr mechanics::problem check_scalar() {
 
 template <class System, class Scalar>
 struct holding {
-  static constexpr mechanics::problem mistake = check_scalar<System, Scalar>();
-  static_assert(derivation::tell<holding>());
+  static constexpr mechanics::sentence mistake = check_scalar<System, Scalar>();
+  static_assert(deriving::tell<holding>());
 };
 
 constexpr std::string_view plural_of(symbols_of which) {
@@ -70,7 +70,7 @@ constexpr std::string_view plural_of(symbols_of which) {
 
 /// One vector of a system in the place of another, or another system's, even where the sizes agree.
 template <class System, symbols_of wanted, class Other, symbols_of given>
-constexpr mechanics::problem check_exchanged(std::string_view caller) {
+constexpr mechanics::sentence check_exchanged(std::string_view caller) {
   if (given == wanted && std::is_same_v<Other, System>) return {};
   if (survey_of<System>.mistake || survey_of<Other>.mistake) return {};
   return mechanics::sentence({caller, type_name<System>(), " is given the ", plural_of(given), " of ",
@@ -79,8 +79,8 @@ constexpr mechanics::problem check_exchanged(std::string_view caller) {
 
 template <class System, symbols_of wanted, class Other, symbols_of given>
 struct exchanged {
-  static constexpr mechanics::problem mistake = check_exchanged<System, wanted, Other, given>({});
-  static_assert(derivation::tell<exchanged>());
+  static constexpr mechanics::sentence mistake = check_exchanged<System, wanted, Other, given>({});
+  static_assert(deriving::tell<exchanged>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };

@@ -5,8 +5,8 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derive/cut.hpp>
 #include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/evaluate.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/lower/unrolled_tape.hpp>
 
 #include <tuple>
 
@@ -20,15 +20,15 @@ struct code {
   using system = System;
 
 private:
-  static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
+  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
 
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
-  static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
-  static constexpr mechanics::problem mistake = cut.mistake;
+  static constexpr auto causes = deriving::trimmed<cut.causes.sizes>(cut.causes);
+  static constexpr mechanics::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
-  static_assert(derivation::tell<code>());
+  static_assert(deriving::tell<code>());
 };
 
 /// What a load finds in the arguments of a call.
@@ -61,8 +61,8 @@ struct arguments {
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
-  constexpr derivation::extent size =
-      derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
+  constexpr deriving::extent size =
+      deriving::extent_of(deriving::requested<wanted>::value, deriving::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<T>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
@@ -72,8 +72,11 @@ auto no_result_of() {
 }
 
 template <auto wanted, class System>
-inline constexpr derivation::extent extent_of =
-    derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
+inline constexpr deriving::extent extent_of =
+    deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
+
+template <class System, auto... wanted>
+struct derives {};
 
 } // namespace compiled
 
@@ -123,7 +126,7 @@ struct function {
       }
       return t;
     });
-    constexpr derivation::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
+    constexpr deriving::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
     lower::constant_matrix<size.rows, size.columns> result;
     for (int i = 0; i < size.rows * size.columns; ++i)
       result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
@@ -150,14 +153,14 @@ private:
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
     if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
-      derivation::tell_in_code<compiled::surveyed<System>>();
-      derivation::tell_in_code<code>();
+      deriving::tell_in_code<compiled::surveyed<System>>();
+      deriving::tell_in_code<code>();
       return no_results<T>();
     } else {
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
       return collect_from<T>(
-          lower::evaluation<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+          lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
 
@@ -169,11 +172,11 @@ private:
       return std::tuple(compiled::no_result_of<T, wanted>()...);
   }
 
-  static constexpr int guards = code::causes.sizes.count;
-  static constexpr int first_guard = code::tape.sizes.results - 2 * guards;
+  static constexpr int checks = code::causes.sizes.count;
+  static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
   template <class T>
-  [[gnu::always_inline]] static auto collect_from(const lower::evaluation<code, T>& done) noexcept {
+  [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
       return with_status_of<T>(done, collect<T, 0, wanted...>(done));
     } else {
@@ -183,36 +186,36 @@ private:
 
   /// A result of which nothing had to be solved comes alone.
   template <class T, class Result>
-  [[gnu::always_inline]] static auto with_status_of(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
                                                     const Result& result) noexcept {
-    if constexpr (guards == 0)
+    if constexpr (checks == 0)
       return result;
     else
-      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, guards>{})};
+      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, checks>{})};
   }
 
   /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
   template <class T, int... i>
-  [[gnu::always_inline]] static status status_of(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
     int first = -1;
-    const int order[]{(first = passes<T, guards - 1 - i>(done) ? first : guards - 1 - i, 0)...};
+    const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
     static_cast<void>(order);
     const std::string_view cause = code::causes[first < 0 ? 0 : first];
     return first < 0 ? status() : status(cause);
   }
 
   template <class T, int i>
-  [[gnu::always_inline]] static bool passes(const lower::evaluation<code, T>& done) noexcept {
-    constexpr bool of_finiteness = code::tells_finiteness && i == guards - 1;
-    return lower::passes<of_finiteness, T>(done.template result<first_guard + 2 * i>(),
-                                           done.template result<first_guard + 2 * i + 1>(),
-                                           mechanics::least_regularity<T>());
+  [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, T>& done) noexcept {
+    constexpr bool of_finiteness = code::tells_finiteness && i == checks - 1;
+    return lower::passes<of_finiteness, T>(done.template result<first_check + 2 * i>(),
+                                           done.template result<first_check + 2 * i + 1>(),
+                                           mechanics::least_singularity_measure<T>());
   }
 
   template <class T, int first, auto one>
-  [[gnu::always_inline]] static auto collect(const lower::evaluation<code, T>& done) noexcept {
-    constexpr derivation::extent size = compiled::extent_of<one, System>;
+  [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, T>& done) noexcept {
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
@@ -223,7 +226,7 @@ private:
 
   // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
   template <class T, int first, int rows, int columns, int... i>
-  [[gnu::always_inline]] static auto fill(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto fill(const lower::unrolled_tape<code, T>& done,
                                           std::integer_sequence<int, i...>) noexcept {
     Eigen::Matrix<T, rows, columns> m;
     const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
@@ -232,14 +235,14 @@ private:
   }
 
   static constexpr int first_of(std::size_t which) {
-    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
+    const deriving::extent sizes[]{compiled::extent_of<wanted, System>...};
     int first = 0;
     for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
     return first;
   }
 
   template <class T, std::size_t... i>
-  [[gnu::always_inline]] static auto collect_all(const lower::evaluation<code, T>& done,
+  [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, T>& done,
                                                  std::index_sequence<i...>) noexcept {
     return std::tuple(with_status_of<T>(done, collect<T, first_of(i), wanted>(done))...);
   }

@@ -57,8 +57,8 @@ constexpr gap gap_in(const std::complex<Real>& value) {
 }
 
 /// "System has no parameter ll", by what is left of the name.
-constexpr mechanics::problem unknown_told_of(double value, const symbol_range& range,
-                                             std::string_view system) {
+constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& range,
+                                              std::string_view system) {
   std::uint64_t letters = std::bit_cast<std::uint64_t>(value) << 16;
   symbolic::name kept;
   for (; letters >> 56 > static_cast<unsigned char>(more_letters); letters <<= 8) {
@@ -69,8 +69,8 @@ constexpr mechanics::problem unknown_told_of(double value, const symbol_range& r
 }
 
 /// What is wrong with the value of a symbol, as a sentence; empty: nothing.
-constexpr mechanics::problem told_of(gap found, const derivation::survey& known, int place,
-                                     std::string_view system) {
+constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, int place,
+                                      std::string_view system) {
   const auto symbol = [&] { return symbol_called(known, place); };
   switch (found) {
   case gap::none: break;
@@ -87,8 +87,8 @@ constexpr mechanics::problem told_of(gap found, const derivation::survey& known,
 
 /// The first entry of a vector of values that is no finite number, as a sentence; empty: there is none.
 template <class Vector>
-mechanics::problem first_gap(const Vector& values, const derivation::survey& known, const symbol_range& range,
-                             std::string_view system) {
+mechanics::sentence first_gap(const Vector& values, const deriving::survey& known, const symbol_range& range,
+                              std::string_view system) {
   for (int i = 0; i < range.size && i < static_cast<int>(values.size()); ++i)
     if (const gap found = gap_in(values[i]); found != gap::none) {
       if constexpr (std::is_same_v<typename Vector::Scalar, double>)

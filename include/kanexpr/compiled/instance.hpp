@@ -15,6 +15,10 @@ struct finite_function;
 
 namespace compiled {
 
+/// Complete in files that can derive functions.
+template <class System, auto... wanted>
+struct derives;
+
 /// The shape of a result: `rows`, `columns`, and whether it is a scalar.
 template <class System, auto wanted>
 struct result_shape;

@@ -16,7 +16,7 @@ namespace kanexpr {
 template <class System>
 struct linearization {
   using quantity = mechanics::quantity;
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
 
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
@@ -35,12 +35,12 @@ struct linearization {
       implicit_form{};
 
   /// The same at rates of the speeds that are known already: f(x, p, r, udot).
-  static constexpr finite_function<System, derivation::at_given_rates{quantity::state_matrix},
-                                   derivation::at_given_rates{quantity::input_matrix}>
+  static constexpr finite_function<System, deriving::at_given_rates{quantity::state_matrix},
+                                   deriving::at_given_rates{quantity::input_matrix}>
       explicit_form_at{};
-  static constexpr finite_function<System, derivation::at_given_rates{quantity::implicit_mass_matrix},
-                                   derivation::at_given_rates{quantity::implicit_state_matrix},
-                                   derivation::at_given_rates{quantity::implicit_input_matrix}>
+  static constexpr finite_function<System, deriving::at_given_rates{quantity::implicit_mass_matrix},
+                                   deriving::at_given_rates{quantity::implicit_state_matrix},
+                                   deriving::at_given_rates{quantity::implicit_input_matrix}>
       implicit_form_at{};
 
   /// The derivatives of ẋ = [q̇; u̇], as `equations_of_motion<System>::rhs` gives it, by the whole state [q; u]
@@ -54,8 +54,8 @@ struct linearization {
   /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector counts by its
   /// components.
   template <auto... measured>
-  static constexpr finite_function<System, derivation::sensitivity<false, measured...>{},
-                                   derivation::sensitivity<true, measured...>{}>
+  static constexpr finite_function<System, deriving::sensitivity<false, measured...>{},
+                                   deriving::sensitivity<true, measured...>{}>
       outputs{};
 
   /// The places of the states of the linearized equations in [q; u].

@@ -13,9 +13,7 @@ typename linked_instance<T, Function, alignment>::results
 linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
                                                   const typename vectors::parameters& p,
                                                   const typename vectors::inputs& r) noexcept {
-  results all{};
-  put(all, Function{}(t, x, p, r));
-  return all;
+  return results_of<results, Function>(t, x, p, r);
 }
 template <class T, class Function, int alignment>
 typename linked_instance_at_rates<T, Function, alignment>::results
@@ -23,16 +21,14 @@ linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typ
                                                            const typename vectors::parameters& p,
                                                            const typename vectors::inputs& r,
                                                            const typename vectors::rates& a) noexcept {
-  results all{};
-  put(all, Function{}(t, x, p, r, a));
-  return all;
+  return results_of<results, Function>(t, x, p, r, a);
 }
 
 /// Whether the survey that was written out is that of the system.
 template <class System>
 constexpr bool is_up_to_date() {
-  const derivation::survey &written = surveyed<System>::survey,
-                           &derived = derivation::stages_of<System>::constrained.known;
+  const deriving::survey &written = surveyed<System>::survey,
+                         &derived = deriving::stages_of<System>::constrained.known;
   bool same = written.takes_rates_as_speeds == derived.takes_rates_as_speeds &&
               written.coordinates == derived.coordinates && written.speeds == derived.speeds &&
               written.parameters == derived.parameters && written.inputs == derived.inputs &&

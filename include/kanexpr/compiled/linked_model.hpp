@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/compiled/named_results.hpp>
 
 #include <complex>
 #include <type_traits>
+#include <utility>
 
 /// Models whose functions are compiled once, in a library of their own. The header of such a model, which
 /// `kanexpr_add_model` writes, holds its types, names and sizes; nothing is derived where it is included.
@@ -26,37 +28,56 @@ struct function_list {
   static constexpr bool holds = (std::is_same_v<Function, Functions> || ...);
 };
 
-/// What the library of a model holds for double.
+template <class... Lists>
+struct joined;
+template <class... First, class... Second>
+struct joined<function_list<First...>, function_list<Second...>> {
+  using type = function_list<First..., Second...>;
+};
+
+/// The results that a system has by name, those that are given the rates of the speeds apart.
+template <bool at_rates>
+struct results_by_name {
+  static constexpr bool holds(const mechanics::result_row& row) {
+    return !mechanics::is_of_linearization(row.is) && row.holds_speed_rates == at_rates;
+  }
+  static constexpr int size = [] {
+    int count = 0;
+    for (const mechanics::result_row& row : mechanics::results) count += holds(row) ? 1 : 0;
+    return count;
+  }();
+  static constexpr mechanics::quantity at(int place) {
+    for (const mechanics::result_row& row : mechanics::results)
+      if (holds(row) && place-- == 0) return row.is;
+    return {};
+  }
+};
+template <class System, bool at_rates,
+          class Places = std::make_integer_sequence<int, results_by_name<at_rates>::size>>
+struct functions_by_name;
+template <class System, bool at_rates, int... place>
+struct functions_by_name<System, at_rates, std::integer_sequence<int, place...>> {
+  using type = function_list<function<System, results_by_name<at_rates>::at(place)>...>;
+};
+
+/// What the library of a model holds for double: each result by itself, and what simulations and operating
+/// points ask for together.
 template <class System>
 struct linked_functions {
   using of = mechanics::quantity;
-  using type = function_list<
-      function<System, of::mass_matrix>, function<System, of::forcing>,
-      function<System, of::mass_matrix_full>, function<System, of::forcing_full>, function<System, of::qdot>,
-      function<System, of::udot>, function<System, of::rhs>, function<System, of::active_forces>,
-      function<System, of::kinetic_energy>, function<System, of::potential_energy>,
-      function<System, of::linear_momentum>, function<System, of::angular_momentum>,
-      function<System, of::center_of_mass>, function<System, of::configuration_residual>,
-      function<System, of::configuration_terms>, function<System, of::configuration_jacobian>,
-      function<System, of::configuration_jacobian_full>, function<System, of::configuration_step>,
-      function<System, of::velocity_residual>, function<System, of::velocity_terms>,
-      function<System, of::constraint_residual>, function<System, of::constraint_jacobian>,
-      function<System, of::dependent_speeds>, function<System, of::dependency>,
-      function<System, of::acceleration_bias>, function<System, of::multipliers>,
-      function<System, of::auxiliary_forces>, function<System, of::mass_matrix, of::forcing>,
+  using together = function_list<
+      function<System, of::mass_matrix, of::forcing>,
       function<System, of::kinetic_energy, of::potential_energy>,
-      function<System, of::configuration_residual, of::configuration_jacobian_full>,
+      function<System, of::configuration_residual, of::configuration_jacobian_by_all>,
       function<System, of::velocity_residual, of::constraint_jacobian>,
       finite_function<System, of::state_matrix, of::input_matrix>,
       finite_function<System, of::implicit_mass_matrix, of::implicit_state_matrix, of::implicit_input_matrix>,
       finite_function<System, of::state_jacobian, of::input_jacobian>>;
+  using type = typename joined<typename functions_by_name<System, false>::type, together>::type;
 };
 /// And of functions that are given the rates of the speeds.
 template <class System>
-struct linked_functions_at_rates {
-  using of = mechanics::quantity;
-  using type = function_list<function<System, of::inertia_forces>, function<System, of::unreduced_forces>>;
-};
+struct linked_functions_at_rates : functions_by_name<System, true> {};
 /// And for complex numbers: what operating points ask for.
 template <class System>
 struct linked_functions_of_complex {
@@ -122,7 +143,8 @@ private:
     using v = vectors<System, T>;
     check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function>(),
-                  "the library of this model does not hold this result for numbers of this type");
+                  "the library of this model does not hold this result for numbers of this type; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance<T, Function>::evaluate(
         lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r));
@@ -132,7 +154,8 @@ private:
     using v = vectors<System, T>;
     check_fit<T, X, P, R>();
     static_assert(is_in_library<System, T, Function, true>(),
-                  "the library of this model does not hold this result for numbers of this type");
+                  "the library of this model does not hold this result for numbers of this type; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance_at_rates<T, Function>::evaluate(
         lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r), passed<typename v::rates>(a));
@@ -146,10 +169,15 @@ private:
   }
 };
 
+template <class System>
+struct functions_of_library {
+  template <auto... wanted>
+  using of = linked<function<System, wanted...>>;
+};
+
 /// `equations_of_motion` of a linked model.
 template <class System>
-struct linked_equations {
-  using of = mechanics::quantity;
+struct linked_equations : named_results<functions_of_library<System>> {
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;
@@ -165,41 +193,28 @@ struct linked_equations {
     return survey_of<System>.dependent[place_in<System, symbols_of::state, Symbol>::place];
   }
 
-  static constexpr linked<of::mass_matrix> mass_matrix{};
-  static constexpr linked<of::forcing> forcing{};
-  static constexpr linked<of::mass_matrix_full> mass_matrix_full{};
-  static constexpr linked<of::forcing_full> forcing_full{};
-  static constexpr linked<of::qdot> qdot{};
-  static constexpr linked<of::udot> udot{};
-  static constexpr linked<of::rhs> rhs{};
-  static constexpr linked<of::active_forces> active_forces{};
-  static constexpr linked<of::inertia_forces> inertia_forces{};
-  static constexpr linked<of::unreduced_forces> unreduced_forces{};
-  static constexpr linked<of::kinetic_energy> kinetic_energy{};
-  static constexpr linked<of::potential_energy> potential_energy{};
-  static constexpr linked<of::linear_momentum> linear_momentum{};
-  static constexpr linked<of::angular_momentum> angular_momentum{};
-  static constexpr linked<of::center_of_mass> center_of_mass{};
-  static constexpr linked<of::configuration_residual> configuration_residual{};
-  static constexpr linked<of::configuration_terms> configuration_terms{};
-  static constexpr linked<of::configuration_jacobian> configuration_jacobian{};
-  static constexpr linked<of::configuration_jacobian_full> configuration_jacobian_full{};
-  static constexpr linked<of::configuration_step> configuration_step{};
-  static constexpr linked<of::velocity_residual> velocity_residual{};
-  static constexpr linked<of::velocity_terms> velocity_terms{};
-  static constexpr linked<of::constraint_residual> constraint_residual{};
-  static constexpr linked<of::constraint_jacobian> constraint_jacobian{};
-  static constexpr linked<of::dependent_speeds> dependent_speeds{};
-  static constexpr linked<of::dependency> dependency{};
-  static constexpr linked<of::acceleration_bias> acceleration_bias{};
-  static constexpr linked<of::multipliers> multipliers{};
-  static constexpr linked<of::auxiliary_forces> auxiliary_forces{};
-
   /// Several results of one call, as far as the library holds them together: `mass_matrix` with `forcing`,
   /// and both energies.
   template <auto first, auto second>
   static constexpr auto together(linked<first>, linked<second>) {
     return linked<first, second>{};
+  }
+  template <class... More>
+    requires(sizeof...(More) > 2)
+  static constexpr void together(More...) {
+    static_assert(sizeof...(More) == 2,
+                  "the library of this model holds no more than two results together; write "
+                  "function<System, ...> and include <kanexpr/kanexpr.hpp>");
+  }
+};
+
+/// A function that is derived, in a file that derives nothing.
+struct not_derived_here {
+  template <class... Arguments>
+  void operator()(const Arguments&...) const {
+    static_assert(sizeof...(Arguments) > 100,
+                  "results that the library of a model does not hold are derived where "
+                  "they are asked for; include <kanexpr/kanexpr.hpp>");
   }
 };
 

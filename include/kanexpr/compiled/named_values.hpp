@@ -34,7 +34,7 @@ concept list_of_named_values = requires(const List& list) {
 template <class System, symbols_of which, class Vector, bool may_be_incomplete>
 struct given_values {
   Vector values{};
-  mechanics::problem problem{}; ///< the first mistake in the values, as a sentence; empty: there is none
+  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
 
   given_values() { read(std::initializer_list<named_value>{}); }
   given_values(std::initializer_list<named_value> list) { read(list); }
@@ -45,12 +45,12 @@ struct given_values {
   template <class Derived>
   given_values(const Eigen::MatrixBase<Derived>& numbers) {
     if constexpr (fitting<System, which, Derived::SizeAtCompileTime>::possible) {
-      problem = check_size(range.vector, type_name<System>(), static_cast<int>(numbers.size()), range.size);
-      if (problem) return;
+      mistake = check_size(range.vector, type_name<System>(), static_cast<int>(numbers.size()), range.size);
+      if (mistake) return;
       values = numbers;
       values_reader reader = reads();
       reader.look_for_infinite();
-      problem = reader.problem();
+      mistake = reader.mistake();
     }
   }
   template <class Other, symbols_of given, class Scalar>
@@ -82,7 +82,7 @@ private:
         read_one(reader, entry);
     if constexpr (!may_be_incomplete) reader.look_for_missing();
     reader.look_for_infinite();
-    problem = reader.problem();
+    mistake = reader.mistake();
   }
   static void read_one(values_reader& reader, const named_value& entry) {
     reader.read(entry.what, entry.value);

@@ -9,24 +9,24 @@ namespace kanexpr::compiled {
 
 /// The first entry of parameters or inputs that is no finite number, as a sentence; empty: there is none.
 template <class System, symbols_of which, class Vector>
-mechanics::problem gap_among(const Vector& values) {
+mechanics::sentence gap_among(const Vector& values) {
   if constexpr (requires { Vector::SizeAtCompileTime; })
     return first_gap(values, survey_of<System>, range_of(which, survey_of<System>), type_name<System>());
   else
     return {};
 }
 template <class System, class P, class R>
-mechanics::problem gap_among(const P& p, const R& r) {
-  const mechanics::problem found = gap_among<System, symbols_of::parameters>(p);
+mechanics::sentence gap_among(const P& p, const R& r) {
+  const mechanics::sentence found = gap_among<System, symbols_of::parameters>(p);
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
 /// "m has no finite value" for every symbol of a system, with room for any sentence.
 template <class System>
 constexpr auto causes_of_gaps() {
-  constexpr const derivation::survey& known = survey_of<System>;
-  derivation::cause_list<derivation::cause_sizes{known.symbols(),
-                                                 known.symbols() * mechanics::problem::capacity}>
+  constexpr const deriving::survey& known = survey_of<System>;
+  deriving::cause_list<deriving::cause_sizes{known.symbols(),
+                                             known.symbols() * mechanics::sentence::capacity}>
       all{};
   for (int i = 0; i < known.symbols(); ++i)
     all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));
@@ -36,8 +36,7 @@ constexpr auto causes_of_gaps() {
 /// The same for statuses, which keep no sentences.
 template <class System>
 struct not_finite {
-  static constexpr auto causes =
-      derivation::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
+  static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
   /// Of a failure: what was not finite before it, or else what it says.
   template <class X, class P, class R>

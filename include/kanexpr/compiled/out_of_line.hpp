@@ -10,7 +10,7 @@ namespace compiled {
 
 template <class System, auto wanted>
 struct result_shape {
-  static constexpr derivation::extent size = extent_of<wanted, System>;
+  static constexpr deriving::extent size = extent_of<wanted, System>;
   static constexpr int rows = size.rows, columns = size.columns;
   static constexpr bool is_scalar = size.scalar;
 };
@@ -30,14 +30,20 @@ void put(std::tuple<T...>& results, const std::tuple<Found...>& found) {
   }(std::index_sequence_for<T...>{});
 }
 
+/// What a function gives, each result with its status.
+template <class Results, class Function, class... Given>
+[[gnu::always_inline]] inline Results results_of(const Given&... given) noexcept {
+  Results all{};
+  put(all, Function{}(given...));
+  return all;
+}
+
 template <class T, class Function, int alignment>
 typename instance<T, Function, alignment>::results
 instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
                                            const typename vectors::parameters& p,
                                            const typename vectors::inputs& r) noexcept {
-  results all{};
-  put(all, Function{}(t, x, p, r));
-  return all;
+  return results_of<results, Function>(t, x, p, r);
 }
 
 template <class T, class Function, int alignment>
@@ -46,9 +52,7 @@ instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename v
                                                     const typename vectors::parameters& p,
                                                     const typename vectors::inputs& r,
                                                     const typename vectors::rates& a) noexcept {
-  results all{};
-  put(all, Function{}(t, x, p, r, a));
-  return all;
+  return results_of<results, Function>(t, x, p, r, a);
 }
 
 /// Whether a vector can be passed. A call with another one is left to the function itself, which says what is

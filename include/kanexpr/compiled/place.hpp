@@ -16,28 +16,28 @@ struct placed {
       describe::symbol_storage<kind, called, index, order>::record;
   static constexpr int found = survey_of<System>.place(kind, symbol.called);
   static constexpr int place = found >= 0 ? found : 0;
-  static constexpr mechanics::problem mistake = [] {
-    if (found >= 0 || survey_of<System>.mistake) return mechanics::problem{};
+  static constexpr mechanics::sentence mistake = [] {
+    if (found >= 0 || survey_of<System>.mistake) return mechanics::sentence{};
     if (kind == symbolic::symbol_kind::coordinate_rate)
       return mechanics::sentence(
           {"the state of ", type_name<System>(), " holds no rate of coordinate ", symbol.called.view()});
-    const std::string_view what = derivation::kind_of(symbol);
+    const std::string_view what = deriving::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
-  static_assert(derivation::tell<placed>());
+  static_assert(deriving::tell<placed>());
 };
 
 /// A symbol of a kind that a vector does not hold, such as a parameter asked of the state.
 template <class System, class Symbol, text vector>
 struct misplaced {
   static constexpr Symbol asked{};
-  static constexpr mechanics::problem mistake = [] {
-    if (survey_of<System>.mistake) return mechanics::problem{};
+  static constexpr mechanics::sentence mistake = [] {
+    if (survey_of<System>.mistake) return mechanics::sentence{};
     const describe::symbol_record* s = asked.tokens[0].symbol;
     return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ",
                                 vector.view(), " of ", type_name<System>()});
   }();
-  static_assert(derivation::tell<misplaced>());
+  static_assert(deriving::tell<misplaced>());
   static constexpr int place = 0;
 };
 

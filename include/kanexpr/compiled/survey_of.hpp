@@ -10,6 +10,6 @@ template <class System>
 struct surveyed;
 
 template <class System>
-inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
+inline constexpr const deriving::survey& survey_of = surveyed<System>::survey;
 
 } // namespace kanexpr::compiled

@@ -10,11 +10,11 @@ namespace kanexpr::compiled {
 template <class System>
 struct surveyed {
   using system = System;
-  static constexpr derivation::survey survey = derivation::stages_of<System>::constrained.known;
-  static constexpr mechanics::problem mistake = derivation::stages_of<System>::constrained.mistake;
+  static constexpr deriving::survey survey = deriving::stages_of<System>::constrained.known;
+  static constexpr mechanics::sentence mistake = deriving::stages_of<System>::constrained.mistake;
   static constexpr bool follows_from_unparsed =
-      derivation::stages_of<System>::constrained.follows_from_unparsed;
-  static_assert(derivation::tell<surveyed>());
+      deriving::stages_of<System>::constrained.follows_from_unparsed;
+  static_assert(deriving::tell<surveyed>());
 };
 
 } // namespace kanexpr::compiled

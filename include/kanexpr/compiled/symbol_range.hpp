@@ -15,7 +15,7 @@ struct symbol_range {
   constexpr bool holds(int place) const { return place >= first && place < first + size; }
 };
 
-constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
+constexpr symbol_range range_of(symbols_of which, const deriving::survey& s) {
   using symbolic::symbol_kind;
   switch (which) {
   case symbols_of::parameters:
@@ -29,7 +29,7 @@ constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
 
 /// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",
 /// by the place in a survey.
-constexpr mechanics::problem symbol_called(const derivation::survey& known, int place) {
+constexpr mechanics::sentence symbol_called(const deriving::survey& known, int place) {
   using symbolic::symbol_kind;
   const std::string_view name = known.names[place].view();
   if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});

@@ -15,7 +15,7 @@ namespace kanexpr::compiled {
 /// first: with Eigen's assignments beside it, `x = {0.1, 2}` could mean two things.
 ///
 /// In a list of names every symbol needs a value, but for the dependent ones, which the constraints give and
-/// which are zero here. What has none, or two, is not a number, and `problem()` says why.
+/// which are zero here. What has none, or two, is not a number, and `mistake()` says why.
 template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
@@ -24,7 +24,7 @@ public:
 
   /// A state is zero; parameters and inputs are not numbers until they are set.
   value_vector() {
-    derivation::tell_in_code<surveyed<System>>();
+    deriving::tell_in_code<surveyed<System>>();
     fill(from(which == symbols_of::state ? 0 : number_for(gap::never_set)));
   }
 
@@ -70,7 +70,7 @@ public:
   }
 
   /// The first entry that has no finite value, as a sentence; empty: there is none.
-  mechanics::problem problem() const {
+  mechanics::sentence mistake() const {
     return first_gap(*this, survey_of<System>, range, type_name<System>());
   }
 
@@ -123,7 +123,7 @@ struct belonging {
   template <class System, symbols_of wanted>
   static constexpr bool fits = vector == wanted && std::is_same_v<Of, System>;
   template <class System, symbols_of wanted>
-  static constexpr mechanics::problem mistake(std::string_view caller) {
+  static constexpr mechanics::sentence mistake(std::string_view caller) {
     return check_exchanged<System, wanted, Of, vector>(caller);
   }
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
@@ -12,10 +12,11 @@
 
 namespace kanexpr::compiled {
 
-/// Puts values that are given by name into their places, and keeps the first mistake.
+/// Puts values that are given by name into their places, and keeps the first mistake. A model that was
+/// derived while the program runs has no name: "the model has no parameter ll".
 class values_reader {
 public:
-  values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+  values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
                 const symbol_range& range, double* values)
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
@@ -24,20 +25,20 @@ public:
   void look_for_missing();
   void look_for_infinite();
 
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
 
 private:
   int place_of(std::string_view name) const;
   bool is_bound(std::string_view name) const;
   void fail(std::initializer_list<std::string_view> pieces);
 
-  const derivation::survey& known_;
+  const deriving::survey& known_;
   const describe::system_record& told_;
   std::string_view system_;
   symbol_range range_;
   double* values_;
-  std::array<bool, derivation::survey::room> named_{};
-  mechanics::problem problem_{};
+  std::array<bool, deriving::survey::room> named_{};
+  mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::compiled

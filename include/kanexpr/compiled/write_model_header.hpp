@@ -32,12 +32,12 @@ public:
   }
 
 private:
-  void add(const derivation::survey& known, std::string_view spelled) {
+  void add(const deriving::survey& known, std::string_view spelled) {
     out_ << "\ntemplate <>\nstruct kanexpr::compiled::surveyed<" << spelled
          << "> {\n  using system = " << spelled
          << ";\n  static constexpr bool is_linked = true;\n"
-            "  static constexpr kanexpr::derivation::survey survey = [] {\n"
-            "    kanexpr::derivation::survey s;\n";
+            "  static constexpr kanexpr::deriving::survey survey = [] {\n"
+            "    kanexpr::deriving::survey s;\n";
     set("takes_rates_as_speeds", known.takes_rates_as_speeds);
     set("coordinates", known.coordinates);
     set("speeds", known.speeds);
@@ -53,12 +53,16 @@ private:
       if (known.quaternion_of[i] != 0)
         out_ << "    s.quaternion_of[" << i << "] = " << known.quaternion_of[i] << ";\n";
     }
-    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::problem mistake{};\n"
+    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::sentence mistake{};\n"
             "  static constexpr bool follows_from_unparsed = false;\n};\n"
             "template <>\nstruct kanexpr::equations_of_motion<"
          << spelled << "> : kanexpr::compiled::linked_equations<" << spelled
          << "> {};\ntemplate <>\nstruct kanexpr::linearization<" << spelled
-         << "> : kanexpr::compiled::linked_linearization<" << spelled << "> {};\n";
+         << "> : kanexpr::compiled::linked_linearization<" << spelled
+         << "> {};\ntemplate <auto... wanted>\n"
+            "  requires(!requires { sizeof(kanexpr::compiled::derives<"
+         << spelled << ", wanted...>); })\nstruct kanexpr::function<" << spelled
+         << ", wanted...> : kanexpr::compiled::not_derived_here {};\n";
   }
   void set(const char* member, int value) {
     if (value != 0) out_ << "    s." << member << " = " << value << ";\n";

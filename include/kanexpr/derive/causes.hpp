@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 
 #include <cstdint>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 struct cause_sizes {
   int count = 0;
@@ -26,10 +26,10 @@ struct cause_list {
     const int begin = i > 0 ? end[i - 1] : 0;
     return {letters + begin, static_cast<std::size_t>(end[i] - begin)};
   }
-  constexpr bool has_room_for(const mechanics::problem& p) const {
+  constexpr bool has_room_for(const mechanics::sentence& p) const {
     return sizes.count < room.count && sizes.letters + p.length <= room.letters;
   }
-  constexpr void push(const mechanics::problem& p) {
+  constexpr void push(const mechanics::sentence& p) {
     for (char letter : p.view()) letters[sizes.letters++] = letter;
     end[sizes.count++] = static_cast<std::remove_reference_t<decltype(*end)>>(sizes.letters);
   }
@@ -53,10 +53,10 @@ constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
 /// The sentence that a function without captures makes, alone in a list of its size.
 template <class Make>
 constexpr auto only_cause(Make make) {
-  constexpr mechanics::problem p = make();
+  constexpr mechanics::sentence p = make();
   cause_list<cause_sizes{1, p.length}> one{};
   one.push(p);
   return one;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,10 +4,10 @@
 #include <kanexpr/derive/read/symbol_reader.hpp>
 
 /// Whether the words of a system are all that it needs, and nothing else.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// `speed<u>` in place of `speeds<u>`.
-constexpr problem check_symbol_among_words(const describe::token& t, std::string_view system) {
+constexpr sentence check_symbol_among_words(const describe::token& t, std::string_view system) {
   using symbolic::symbol_kind;
   const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
   const std::string_view list = kind == symbol_kind::coordinate  ? "coordinates"
@@ -24,7 +24,7 @@ constexpr problem check_symbol_among_words(const describe::token& t, std::string
 /// What stands beside the words of a system, or beside one of them: `struct System : kane_system<…>,
 /// loads<…>`.
 template <class Told>
-constexpr problem word_beside() {
+constexpr sentence word_beside() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
   if constexpr (__is_base_of(describe::load_words, Told)) {
     return sentence(
@@ -44,7 +44,7 @@ constexpr problem word_beside() {
 
 /// What a system holds that is not one of its words.
 template <class Told>
-constexpr problem check_word(std::string_view system) {
+constexpr sentence check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
     return word_beside<Told>();
   else if constexpr (requires { Told::content(); })
@@ -67,15 +67,15 @@ constexpr problem check_word(std::string_view system) {
 }
 
 template <describe::method by, class... Words>
-constexpr problem check_each_word(std::string_view system, const describe::system_told_by<by, Words...>*) {
-  problem found;
+constexpr sentence check_each_word(std::string_view system, const describe::system_told_by<by, Words...>*) {
+  sentence found;
   ((found = found ? found : check_word<Words>(system)), ...);
   return found;
 }
 
 /// Words of one method in a system of the other, or words that do not go together.
 template <class System>
-constexpr problem check_method(std::string_view called) {
+constexpr sentence check_method(std::string_view called) {
   const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;
   if (System::record.derived_by == describe::method::kane) {
     if (whole)
@@ -96,7 +96,7 @@ constexpr problem check_method(std::string_view called) {
 
 /// A word that is missing, doubled or foreign.
 template <class System>
-constexpr problem check_words() {
+constexpr sentence check_words() {
   constexpr std::string_view called = type_name<System>();
   if constexpr (describe::is_unparsed<System>()) {
     return sentence(
@@ -109,10 +109,10 @@ constexpr problem check_words() {
     else
       return sentence({called, " is derived from two systems; give each a name of its own"});
   } else {
-    if (const problem beside = word_beside<System>()) return beside;
-    const problem foreign = check_each_word(called, static_cast<const System*>(nullptr));
+    if (const sentence beside = word_beside<System>()) return beside;
+    const sentence foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
-    problem found = check_method<System>(called);
+    sentence found = check_method<System>(called);
     const auto needs = [&](std::initializer_list<std::string_view> words) {
       for (std::string_view word : words)
         if (!found && System::times_told(word) == 0)
@@ -131,4 +131,4 @@ constexpr problem check_words() {
   }
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

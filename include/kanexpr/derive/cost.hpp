@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// What `function<System, wanted…>::cost()` says, by the same derivation while the program runs.
 template <class System>
@@ -18,4 +18,4 @@ symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
   return lower::cost_of(lower::tape_of(system.graph(), nodes_for(system, all).nodes));
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -5,24 +5,24 @@
 #include <kanexpr/derive/stages.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The straight-line code for some results. The measures and scales of what may be singular are behind all
 /// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold
 /// it.
 struct cut_code {
-  problem mistake{};
+  sentence mistake{};
   roomy_causes causes{};
   lower::roomy_tape tape{};
   bool follows_from_unparsed = false; ///< the mistake, from something that did not parse
   bool tells_finiteness = false;      ///< the last pair
 
   constexpr cut_code() = default;
-  constexpr explicit cut_code(const problem& because) : mistake(because) {}
+  constexpr explicit cut_code(const sentence& because) : mistake(because) {}
 };
 
 /// What no room is left for.
-constexpr problem check_room(std::string_view system, const lower::tape_sizes& sizes) {
+constexpr sentence check_room(std::string_view system, const lower::tape_sizes& sizes) {
   if (lower::has_room_for(sizes)) return {};
   return sentence({"what is asked of ", system, " at once takes ", mechanics::counted(sizes.steps).view(),
                    " operations and has ", mechanics::counted(sizes.results).view(),
@@ -30,10 +30,17 @@ constexpr problem check_room(std::string_view system, const lower::tape_sizes& s
                    " of each; ask for it in parts"});
 }
 
+template <cause_sizes room>
+constexpr sentence check_room(std::string_view system, const cause_list<room>& causes, const sentence& next) {
+  if (causes.has_room_for(next)) return {};
+  return sentence({"what is asked of ", system,
+                   " at once may be singular in more ways than there is room for; ask for it in parts"});
+}
+
 /// The nodes of all entries of the results, then those of what may be singular on the way to them.
 struct cut_nodes {
   sequence<int> nodes{};
-  sequence<mechanics::guard> guards{};
+  sequence<mechanics::singularity_check> checks{};
 };
 
 constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> all) {
@@ -43,8 +50,8 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
     for (const expression& entry : result.entries) found.nodes.push(entry.node());
   }
   if (system.mistake()) return found;
-  found.guards = system.equations().guards_of(found.nodes);
-  for (const mechanics::guard& g : found.guards) {
+  found.checks = system.equations().singularity_checks_of(found.nodes);
+  for (const mechanics::singularity_check& g : found.checks) {
     found.nodes.push(g.measure.node());
     found.nodes.push(g.scale.node());
   }
@@ -52,7 +59,7 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
 }
 
 /// A symbol that an expression adds to those of the system: no vector of numbers has a place for it.
-constexpr problem check_symbols(std::string_view system, const survey& known, const mechanism& m) {
+constexpr sentence check_symbols(std::string_view system, const survey& known, const mechanism& m) {
   struct list {
     std::string_view kind;
     const sequence<expression>& symbols;
@@ -72,18 +79,15 @@ constexpr cut_code cut(derived_system& system, std::string_view called, const su
                        std::span<const request> all) {
   const cut_nodes found = nodes_for(system, all);
   if (system.mistake()) return cut_code(system.mistake());
-  if (const problem added = check_symbols(called, of_system, system.model())) return cut_code(added);
+  if (const sentence added = check_symbols(called, of_system, system.mechanism())) return cut_code(added);
   cut_code code;
-  for (const mechanics::guard& g : found.guards) {
-    if (!code.causes.has_room_for(g.cause))
-      return cut_code(
-          sentence({"what is asked of ", called,
-                    " at once may be singular in more ways than there is room for; ask for it in parts"}));
+  for (const mechanics::singularity_check& g : found.checks) {
+    if (const sentence lacking = check_room(called, code.causes, g.cause)) return cut_code(lacking);
     code.causes.push(g.cause);
     code.tells_finiteness = g.of_finiteness;
   }
   const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
-  if (const problem lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);
+  if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);
   code.tape = lower::fixed(tape);
   return code;
 }
@@ -95,25 +99,14 @@ constexpr stage stage_for(std::span<const request> all) {
   return furthest;
 }
 
-/// The same out of a stage that is there already; a request that mentions entities which the system itself
-/// does not use is a derivation of its own.
+/// The same out of a stage that is there already.
 template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
-  derived_system known(from, aside);
-  bool has_all = true;
-  for (const request& each : all) has_all = has_all && has_all_of(each, known.reader());
-  if (has_all) {
-    for (const request& each : all) visit(each, known.reader());
-    return cut(known, called, of_system, all);
-  }
-  derived_system own(from);
-  for (const request& each : all) visit(each, own.reader());
-  go_on(own, stage::constrained);
-  if (!own.mistake()) return cut(own, called, of_system, all);
-  cut_code refused(own.mistake());
-  refused.follows_from_unparsed = own.reader().follows_from_unparsed();
-  return refused;
+  derived_system system(from, aside);
+  cut_code code = cut(system, called, of_system, all);
+  code.follows_from_unparsed = system.reader().follows_from_unparsed();
+  return code;
 }
 
 /// The code for what template arguments ask for.
@@ -134,4 +127,4 @@ constexpr cut_code code_for() {
   }
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -7,8 +7,9 @@
 
 #include <concepts>
 #include <optional>
+#include <utility>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// A system on its way from the types of a model to equations that can be asked for results. It stays where
 /// it was made. The first mistake ends the way.
@@ -16,24 +17,23 @@ class derived_system {
   // before who calls it: clang++ forms no template for a constant expression that comes later in its class
   template <class Self, class Visit>
   static constexpr void each_part(Self& self, Visit& visit) {
-    visit(self.mechanism_);
+    visit(self.system_);
     visit(self.reader_);
     visit(*self.equations_);
   }
 
 public:
-  constexpr explicit derived_system(const system_record& from)
-      : mechanism_(graph_), reader_(from, mechanism_) {
+  constexpr explicit derived_system(const system_record& from) : system_(graph_), reader_(from, system_) {
     reader_.read();
   }
   /// Goes on where a derivation of the same record was set aside. A template, as `write` is, so that files
   /// which derive nothing do not form what it needs.
   template <std::same_as<image> Image>
   constexpr derived_system(const system_record& from, const Image& aside)
-      : mechanism_(graph_), reader_(from, mechanism_) {
-    equations_.emplace(mechanism_, mechanics::equations::set_aside{});
-    reader_.know(*equations_);
-    image_reader read(aside, graph_, mechanism_);
+      : system_(graph_), reader_(from, system_) {
+    equations_.emplace(system_, mechanics::equations::set_aside{});
+    reader_.know(equations_->known());
+    image_reader read(aside, graph_, system_.mechanism);
     each_part(*this, read);
   }
   derived_system(const derived_system&) = delete;
@@ -41,17 +41,20 @@ public:
 
   /// Looks for mistakes in what was read.
   constexpr void check_model() {
-    if (!mistake()) mistake_ = mechanics::check_mechanism(mechanism_);
+    if (!mistake()) mistake_ = mechanics::check_system(system_);
   }
 
-  /// Forms what the equations start from, and takes up loads that speak of motion and the constraints.
+  /// Reads loads that speak of motion and the constraints, and forms what the equations start from.
   constexpr void derive() {
     if (mistake()) return;
-    equations_.emplace(mechanism_);
-    reader_.know(*equations_);
+    mechanics::known_motion known(system_.mechanism);
+    reader_.know(known);
     reader_.read_lagrangian();
-    if (reader_.read_moving_loads() && !mistake()) mistake_ = mechanics::check_loads(mechanism_);
+    if (reader_.read_moving_loads() && !mistake())
+      mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
     reader_.read_constraints();
+    equations_.emplace(system_, std::move(known));
+    reader_.know(equations_->known());
     if (!mistake()) equations_->constrain();
   }
 
@@ -62,7 +65,7 @@ public:
     each_part(*this, write);
   }
 
-  constexpr const problem& mistake() const {
+  constexpr const sentence& mistake() const {
     if (reader_.mistake()) return reader_.mistake();
     if (mistake_ || !equations_.has_value()) return mistake_;
     return equations_->mistake();
@@ -72,18 +75,18 @@ public:
 
   constexpr symbolic::graph& graph() { return graph_; }
   constexpr const symbolic::graph& graph() const { return graph_; }
-  constexpr const mechanism& model() const { return mechanism_; }
-  constexpr derivation::reader& reader() { return reader_; }
+  constexpr const mechanics::mechanism& mechanism() const { return system_.mechanism; }
+  constexpr deriving::reader& reader() { return reader_; }
 
   /// Only without a mistake, and after `derive`.
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:
   symbolic::graph graph_{};
-  mechanism mechanism_;
-  derivation::reader reader_;
-  problem mistake_{};
+  mechanics::multibody_system system_;
+  deriving::reader reader_;
+  sentence mistake_{};
   std::optional<mechanics::equations> equations_{};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

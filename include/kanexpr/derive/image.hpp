@@ -5,16 +5,16 @@
 
 #include <cstdint>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// A derivation that was set aside, as plain arrays that can leave a constant evaluation: the graph node by
-/// node, and all else that is known by then as a row of words.
+/// node, and all else that is known by then as a row of integers.
 ///
 /// It has room for any model that a compiler can be asked to derive, and what is behind the counts is unused.
 /// So only constant evaluations may hold one: whatever else refers to it puts it into the program.
 struct image {
   static constexpr int most_nodes = 1 << 17;
-  static constexpr int most_words = 1 << 18;
+  static constexpr int most_integers = 1 << 18;
   static constexpr int most_numbers = 1 << 14;
   static constexpr int most_entities = 1 << 12;
 
@@ -28,8 +28,8 @@ struct image {
   std::int64_t denominators[most_numbers]{};
   double reals[most_numbers]{};
 
-  int words = 0;
-  int word[most_words]{};
+  int integers = 0;
+  int integer[most_integers]{};
 
   int frames = 0;
   const describe::frame_record* frame[most_entities]{};
@@ -40,4 +40,4 @@ struct image {
   bool is_full = false;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

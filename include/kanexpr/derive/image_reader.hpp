@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Reads a derivation from an image: `read(part)` for each part, in the order in which `image_writer` wrote
 /// them. Nodes keep their numbers.
@@ -50,12 +50,12 @@ public:
   constexpr void operator()(const mechanics::mechanism*& m) { m = &m_; }
 
 private:
-  constexpr int read() { return from_.word[next_word_++]; }
+  constexpr int read() { return from_.integer[next_integer_++]; }
 
   const image& from_;
   symbolic::graph& g_;
   const mechanics::mechanism& m_;
-  int next_word_ = 0, next_frame_ = 0, next_point_ = 0;
+  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0;
 };
 
 constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
@@ -66,9 +66,9 @@ constexpr image_reader::image_reader(const image& from, symbolic::graph& g, cons
     numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
   symbolic::sequence<symbolic::symbol> symbols;
   (*this)(symbols);
-  g.restart(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
-            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.nodes);
-  for (int id = 0; id < from.nodes; ++id) g.restore({from.op[id], from.a[id], from.b[id]});
+  g.restore(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
+            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b,
+            from.nodes);
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

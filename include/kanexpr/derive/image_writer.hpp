@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
 /// order.
@@ -34,6 +34,15 @@ public:
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }
+  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of what there is
+    write(all.size());
+    if (into_.integers + all.size() > image::most_integers) {
+      into_.is_full = true;
+      return;
+    }
+    for (const symbolic::expression& e : all)
+      into_.integer[into_.integers++] = e.is_given() ? e.node() : none;
+  }
   constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
   constexpr void operator()(const symbolic::name& called) {
     write(called.length);
@@ -55,8 +64,8 @@ private:
     return count < most;
   }
 
-  constexpr void write(int word) {
-    if (has_room(into_.words, image::most_words)) into_.word[into_.words++] = word;
+  constexpr void write(int integer) {
+    if (has_room(into_.integers, image::most_integers)) into_.integer[into_.integers++] = integer;
   }
 
   constexpr void write_nodes(const symbolic::graph& g) {
@@ -91,4 +100,4 @@ constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : in
   (*this)(g.symbols());
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

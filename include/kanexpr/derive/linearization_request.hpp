@@ -3,7 +3,7 @@
 #include <kanexpr/derive/request.hpp>
 
 /// What can be asked of a linearization beside its quantities.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// A quantity at rates of the speeds that the caller gives.
 struct at_given_rates {
@@ -35,4 +35,4 @@ struct requested<wanted> {
       .what = request::kind::sensitivity, .phrases = words, .is_to_inputs = to_inputs};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/text.hpp>
 
 #include <utility>
@@ -8,7 +8,7 @@
 /// How a mistake in a model reaches the person who made it: as the one error of the compilation, a sentence.
 namespace kanexpr {
 
-namespace derivation {
+namespace deriving {
 
 /// Whether there is a sentence to report, `Told::mistake`, and not left to `tell_in_code`.
 template <class Told>
@@ -28,7 +28,7 @@ constexpr auto text_of() {
   return t;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
@@ -38,7 +38,7 @@ struct model_error {
   static_assert(sentence.view().empty(), sentence.view());
 };
 
-namespace derivation {
+namespace deriving {
 
 /// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is reported
 /// again.
@@ -50,7 +50,7 @@ constexpr bool tell() {
     return true;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #else
 
@@ -58,18 +58,18 @@ constexpr bool tell() {
 template <text... sentence>
 struct model_error;
 
-namespace derivation {
+namespace deriving {
 
 // g++ prints character arrays in full, clang cuts them after some thirty letters: there the sentence comes in
 // pieces.
 #ifdef __clang__
 inline constexpr int longest_piece = 30;
 #else
-inline constexpr int longest_piece = mechanics::problem::capacity;
+inline constexpr int longest_piece = mechanics::sentence::capacity;
 #endif
 
 /// Where the piece of a sentence ends that begins at `begin`: at a space, if there is one, else in a word.
-constexpr int piece_end(const mechanics::problem& p, int begin) {
+constexpr int piece_end(const mechanics::sentence& p, int begin) {
   const int most = begin + longest_piece;
   if (most >= p.length) return p.length;
   int end = most;
@@ -78,7 +78,7 @@ constexpr int piece_end(const mechanics::problem& p, int begin) {
 }
 
 /// Where piece number `piece` of a sentence begins; the length of the sentence for those behind its end.
-constexpr int piece_begin(const mechanics::problem& p, int piece) {
+constexpr int piece_begin(const mechanics::sentence& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
     begin = piece_end(p, begin);
@@ -93,7 +93,7 @@ constexpr auto piece_of() {
   return text_of<Told, begin, piece_end(Told::mistake, begin)>();
 }
 
-constexpr int count_pieces(const mechanics::problem& p) {
+constexpr int count_pieces(const mechanics::sentence& p) {
   int pieces = 1;
   while (piece_begin(p, pieces) < p.length) ++pieces;
   return pieces;
@@ -132,11 +132,11 @@ constexpr bool tell() {
     return true;
 }
 
-} // namespace derivation
+} // namespace deriving
 
 #endif
 
-namespace derivation {
+namespace deriving {
 
 /// Compilers look at this attribute when they make code, which they do where there was no error before.
 template <class System>
@@ -155,6 +155,6 @@ inline void tell_in_code() noexcept {
   if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();
 }
 
-} // namespace derivation
+} // namespace deriving
 
 } // namespace kanexpr

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::quantity;
 
@@ -69,18 +69,11 @@ constexpr mechanics::stage stage_for(const request& r) {
   return mechanics::stage::constrained;
 }
 
-/// Reads the entities that a request mentions, before the mechanism is taken as complete.
+/// Reads the entities that a request mentions.
 constexpr void visit(const request& wanted, reader& r) {
   if (wanted.what == request::kind::foreign)
     r.refuse("what a function is asked for is not an expression of a model");
   for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
-}
-
-/// Whether a system has all entities that a request mentions.
-constexpr bool has_all_of(const request& wanted, const reader& r) {
-  for (const phrase& p : wanted.phrases)
-    if (!r.has_all_of(p)) return false;
-  return wanted.what != request::kind::foreign;
 }
 
 namespace detail {
@@ -96,7 +89,7 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
       continue;
     }
     const bool is_put_in_axes =
-        p.tokens[p.size - 1].what == describe::word::in_axes && v.vector.parts.size() == 1;
+        p.tokens[p.size - 1].what == describe::token_kind::in_axes && v.vector.parts.size() == 1;
     const components c =
         is_put_in_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
     for (int k = 0; k < 3; ++k) column.entries.push(c[k]);
@@ -123,6 +116,8 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, cons
 /// The result with the symbols q̇ and u̇, where it has them.
 constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mechanics::equations& e) {
   const mechanism& m = *e.skeleton_used().model;
+  visit(wanted, r);
+  if (r.mistake()) return {};
   switch (wanted.what) {
   case request::kind::foreign: break;
   case request::kind::result:
@@ -171,4 +166,4 @@ struct requested<wanted> {
       .what = request::kind::jacobian, .phrases = words, .whom = "a jacobian", .by = wanted.by};
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

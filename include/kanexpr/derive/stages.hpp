@@ -5,7 +5,7 @@
 
 /// The derivation of a system in stages, each of which goes on where the one before it was set aside. A stage
 /// is derived when something of it is asked for, and once.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::stage;
 
@@ -23,7 +23,7 @@ constexpr void go_on(derived_system& system, stage to) {
 
 /// Where a stage ended: at a mistake, or set aside. It has room for any model, so a program must not hold it.
 struct staged {
-  problem mistake{};
+  sentence mistake{};
   bool follows_from_unparsed = false; ///< the compiler has told an error about it already
   image aside{};
 
@@ -43,7 +43,7 @@ struct surveyed_stage : staged {
 };
 
 template <class System>
-constexpr surveyed_stage survey_of() {
+constexpr surveyed_stage first_stage() {
   surveyed_stage s;
   s.known.mistake = s.mistake = check_words<System>();
   s.follows_from_unparsed = describe::is_unparsed<System>();
@@ -55,7 +55,9 @@ constexpr surveyed_stage survey_of() {
     s.follows_from_unparsed = system.reader().follows_from_unparsed();
     s.take(system, type_name<System>());
     if (s.known.symbols() > survey::room) {
-      if (!s.mistake) s.mistake = sentence({type_name<System>(), " has more than 512 symbols"});
+      if (!s.mistake)
+        s.mistake = sentence(
+            {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
       s.known = {}; // which has no names of them
     }
   }
@@ -78,9 +80,9 @@ constexpr staged next_stage(const staged& before, stage to) {
 /// The stages of a system. Each constant is evaluated where it is first used.
 template <class System>
 struct stages_of {
-  static constexpr surveyed_stage constrained = survey_of<System>();
+  static constexpr surveyed_stage constrained = first_stage<System>();
   static constexpr staged equations = next_stage<System>(constrained, stage::equations);
   static constexpr staged linearized = next_stage<System>(equations, stage::linearized);
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

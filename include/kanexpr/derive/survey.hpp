@@ -1,10 +1,15 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::mechanics {
+struct mechanism;
+class equations;
+} // namespace kanexpr::mechanics
+
+namespace kanexpr::deriving {
 
 class derived_system;
 
@@ -12,7 +17,7 @@ class derived_system;
 struct survey {
   static constexpr int room = 512;
 
-  mechanics::problem mistake{};
+  mechanics::sentence mistake{};
   bool takes_rates_as_speeds = false; ///< by Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -55,6 +60,8 @@ struct survey {
   }
 
   constexpr void take(derived_system& system);
+  /// Of a mechanism and its equations: null where a mistake came before them.
+  constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
   constexpr int first_of(symbolic::symbol_kind kind) const {
     switch (kind) {
@@ -93,4 +100,4 @@ struct survey {
   }
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -4,10 +4,13 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 constexpr void survey::take(derived_system& system) {
-  const mechanism& m = system.model();
+  take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+}
+
+constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
@@ -18,17 +21,16 @@ constexpr void survey::take(derived_system& system) {
   int next = 0;
   for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
     for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
-  if (system.mistake()) return;
+  if (!is_sound) return;
   for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
     ++quaternions;
     for (int place : places) quaternion_of[place] = quaternions;
   }
-  if (!system.is_derived()) return;
-  mechanics::equations& e = system.equations();
-  constraints = e.constraints_used().size();
-  configuration_constraints = m.configuration_constraints.size();
-  for (int i : e.coordinates().dependent) dependent[i] = true;
-  for (int i : e.speeds().dependent) dependent[coordinates + i] = true;
+  if (derived == nullptr) return;
+  constraints = derived->constraints_used().size();
+  configuration_constraints = derived->constraints_used().on_configuration.size();
+  for (int i : derived->coordinates().dependent) dependent[i] = true;
+  for (int i : derived->speeds().dependent) dependent[coordinates + i] = true;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -83,7 +83,7 @@ constexpr scalar<1> constant(T value) {
   return {{t}};
 }
 
-constexpr token with(word what) {
+constexpr token with(token_kind what) {
   token t{};
   t.what = what;
   return t;
@@ -91,13 +91,13 @@ constexpr token with(word what) {
 
 constexpr token with(symbolic::operation function) {
   token t{};
-  t.what = word::scalar_function;
+  t.what = token_kind::scalar_function;
   t.operation = function;
   return t;
 }
 
 constexpr token misused(misuse what) {
-  token t = with(word::misused);
+  token t = with(token_kind::misused);
   t.index = static_cast<int>(what);
   return t;
 }
@@ -114,7 +114,7 @@ constexpr token done_with(T value, Step what, misuse of_nothing) {
 
 template <int a>
 constexpr scalar<a + 1> operator-(const scalar<a>& x) {
-  return describe::join<scalar<a + 1>>(x.tokens, describe::with(describe::word::negate));
+  return describe::join<scalar<a + 1>>(x.tokens, describe::with(describe::token_kind::negate));
 }
 template <int a>
 constexpr const scalar<a>& operator+(const scalar<a>& x) {
@@ -123,23 +123,26 @@ constexpr const scalar<a>& operator+(const scalar<a>& x) {
 
 template <int a, int b>
 constexpr scalar<a + b + 1> operator+(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::add));
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::token_kind::add));
 }
 template <int a, int b>
 constexpr scalar<a + b + 1> operator-(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::subtract));
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens,
+                                           describe::with(describe::token_kind::subtract));
 }
 template <int a, int b>
 constexpr scalar<a + b + 1> operator*(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::multiply));
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens,
+                                           describe::with(describe::token_kind::multiply));
 }
 template <int a, int b>
 constexpr scalar<a + b + 1> operator/(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::divide));
+  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::token_kind::divide));
 }
 template <int a, int b>
 constexpr equation<a + b + 1> operator==(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<equation<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::word::subtract));
+  return describe::join<equation<a + b + 1>>(x.tokens, y.tokens,
+                                             describe::with(describe::token_kind::subtract));
 }
 
 template <int a, describe::plain_number T>
@@ -162,13 +165,13 @@ template <int a, describe::plain_number T>
 constexpr scalar<a + 2> operator*(const scalar<a>& x, T y) {
   return describe::join<scalar<a + 2>>(
       x.tokens, describe::constant(y).tokens,
-      describe::done_with(y, describe::word::multiply, describe::misuse::zero_factor));
+      describe::done_with(y, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
 constexpr scalar<a + 2> operator*(T x, const scalar<a>& y) {
   return describe::join<scalar<a + 2>>(
       describe::constant(x).tokens, y.tokens,
-      describe::done_with(x, describe::word::multiply, describe::misuse::zero_factor));
+      describe::done_with(x, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
 constexpr auto operator/(const scalar<a>& x, T y) {
@@ -178,7 +181,7 @@ template <int a, describe::plain_number T>
 constexpr scalar<a + 2> operator/(T x, const scalar<a>& y) {
   return describe::join<scalar<a + 2>>(
       describe::constant(x).tokens, y.tokens,
-      describe::done_with(x, describe::word::divide, describe::misuse::zero_factor));
+      describe::done_with(x, describe::token_kind::divide, describe::misuse::zero_factor));
 }
 template <int a, describe::plain_number T>
 constexpr auto operator==(const scalar<a>& x, T y) {

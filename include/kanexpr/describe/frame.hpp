@@ -37,7 +37,7 @@ inline constexpr frame_record frame_of = record_frame<Frame>();
 
 constexpr vector<1> basis(const frame_record* frame, int axis) {
   token t{};
-  t.what = word::basis;
+  t.what = token_kind::basis;
   t.index = axis;
   t.frame = frame;
   return {{t}};
@@ -166,7 +166,7 @@ struct direction_cosines : describe::axes<Self> {
 /// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always. It is
 /// that of the orientation, or that and the spin about an axis by an angle which the orientation leaves out.
 template <class Reference, auto... value>
-struct angular_velocity : describe::turning_words {
+struct angular_velocity : describe::angular_velocity_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
   static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
   static constexpr describe::arguments turns_with =
@@ -176,7 +176,7 @@ struct angular_velocity : describe::turning_words {
 
 /// The same of a frame whose orientation does not follow its angular velocity, on purpose.
 template <class Reference, auto... value>
-struct angular_velocity_apart_from_orientation : describe::turning_words {
+struct angular_velocity_apart_from_orientation : describe::angular_velocity_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
   static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
   static constexpr describe::arguments turns_with = describe::arguments_of(

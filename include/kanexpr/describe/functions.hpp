@@ -101,6 +101,15 @@ constexpr auto log(const X& x) {
 }
 
 template <int a>
+constexpr auto tanh(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::tanh, x);
+}
+template <describe::no_scalar X>
+constexpr auto tanh(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tanh));
+}
+
+template <int a>
 constexpr auto abs(const scalar<a>& x) {
   return describe::function_of(symbolic::operation::abs, x);
 }
@@ -164,10 +173,6 @@ constexpr auto sinh(const X& x) {
 }
 template <describe::expression_of_a_model X>
 constexpr auto cosh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto tanh(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
 template <describe::expression_of_a_model X>

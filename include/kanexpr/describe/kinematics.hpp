@@ -7,14 +7,14 @@ namespace kanexpr {
 namespace describe {
 
 /// A frame and the one from which its orientation and its declared angular velocity are given.
-struct turning {
+struct kinematics_of_frame {
   token tokens[2];
 };
 
-constexpr shape shape_of(const turning&) { return shape::turning; }
+constexpr shape shape_of(const kinematics_of_frame&) { return shape::kinematics; }
 
-constexpr turning turning_of(const frame_record* frame, const frame_record* reference) {
-  turning both{{with(word::angular_velocity), with(word::angular_velocity)}};
+constexpr kinematics_of_frame kinematics_between(const frame_record* frame, const frame_record* reference) {
+  kinematics_of_frame both{{with(token_kind::angular_velocity), with(token_kind::angular_velocity)}};
   both.tokens[0].frame = frame;
   both.tokens[1].frame = reference;
   return both;
@@ -26,10 +26,11 @@ constexpr turning turning_of(const frame_record* frame, const frame_record* refe
 /// orientation in `Reference` equals what `angular_velocity<Reference, …>` says. Three equations, or four for
 /// a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
 template <class Frame, class... Reference>
-inline constexpr describe::turning kinematics_of = describe::turning_of(&describe::frame_of<Frame>, nullptr);
+inline constexpr describe::kinematics_of_frame kinematics_of =
+    describe::kinematics_between(&describe::frame_of<Frame>, nullptr);
 
 template <class Frame, class Reference>
-inline constexpr describe::turning kinematics_of<Frame, Reference> =
-    describe::turning_of(&describe::frame_of<Frame>, &describe::frame_of<Reference>);
+inline constexpr describe::kinematics_of_frame kinematics_of<Frame, Reference> =
+    describe::kinematics_between(&describe::frame_of<Frame>, &describe::frame_of<Reference>);
 
 } // namespace kanexpr

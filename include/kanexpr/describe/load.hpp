@@ -1,8 +1,21 @@
 #pragma once
 
+#include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/point.hpp>
 
 namespace kanexpr {
+
+enum class describe::load_word : unsigned char {
+  force,
+  torque,
+  gravity,
+  potential_energy,
+  spring,
+  damper,
+  torsional_spring,
+  torsional_damper,
+  none,
+};
 
 /// A force that acts at a point: `force<P, F*N::x>`.
 template <class Point, auto... vector>
@@ -13,6 +26,26 @@ struct force : describe::load_words {
       .fits = describe::arguments_of("force<Point, vector>", sizeof...(vector), 1),
       .point = &describe::point_of<Point>,
       .value = describe::given_phrases<vector...>[0]};
+};
+
+namespace describe {
+
+template <class Point, auto... coefficient>
+inline constexpr phrase drag_on[]{
+    phrase_of<-(coefficient* magnitude(velocity_of<Point>)) * velocity_of<Point>>..., phrase_of<0>};
+
+} // namespace describe
+
+/// A force against the velocity of a point and with its square: `drag<P, c>` is −c |v| v. Of a body in a
+/// fluid c is ½ ρ C A, with the density, the drag coefficient and the frontal area.
+template <class Point, auto... coefficient>
+struct drag : describe::load_words {
+  static constexpr describe::load_record load{
+      .what = describe::load_word::force,
+      .word = "the drag",
+      .fits = describe::arguments_of("drag<Point, coefficient>", sizeof...(coefficient), 1),
+      .point = &describe::point_of<Point>,
+      .value = describe::drag_on<Point, coefficient...>[0]};
 };
 
 /// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.

@@ -8,7 +8,7 @@ namespace kanexpr::describe {
 struct orientation_words {};
 struct place_words {};
 struct body_words {};
-struct turning_words {};
+struct angular_velocity_words {};
 struct velocity_words {};
 struct fixing_words {};
 struct inertia_words {};
@@ -54,8 +54,8 @@ constexpr misfit find_misfit() {
   constexpr bool is_point = __is_base_of(place_words, Entity);
   constexpr bool is_body = __is_base_of(body_words, Entity);
   constexpr bool is_load = __is_base_of(load_words, Entity);
-  constexpr bool turns = __is_base_of(turning_words, Entity), moves = __is_base_of(velocity_words, Entity),
-                 is_fixed = __is_base_of(fixing_words, Entity);
+  constexpr bool turns = __is_base_of(angular_velocity_words, Entity),
+                 moves = __is_base_of(velocity_words, Entity), is_fixed = __is_base_of(fixing_words, Entity);
   if (is_frame && is_point) return misfit::frame_and_point;
   if (is_frame && is_body) return misfit::frame_and_body;
   if (is_point && is_body) return misfit::point_and_body;
@@ -70,8 +70,8 @@ constexpr misfit find_misfit() {
     return hides<body_words>(e) ? misfit::hidden : misfit::two_bodies;
   if constexpr (is_load && !requires { static_cast<load_words*>(e); })
     return hides<load_words>(e) ? misfit::hidden : misfit::two_loads;
-  if constexpr (turns && !requires { static_cast<turning_words*>(e); })
-    return hides<turning_words>(e) ? misfit::hidden : misfit::two_angular_velocities;
+  if constexpr (turns && !requires { static_cast<angular_velocity_words*>(e); })
+    return hides<angular_velocity_words>(e) ? misfit::hidden : misfit::two_angular_velocities;
   if constexpr (moves && !requires { static_cast<velocity_words*>(e); })
     return hides<velocity_words>(e) ? misfit::hidden : misfit::two_velocities;
   if constexpr (is_fixed && !requires { static_cast<fixing_words*>(e); })
@@ -91,7 +91,7 @@ constexpr misfit find_misfit() {
 template <class Told>
 constexpr bool has_word_beside() {
   return __is_base_of(orientation_words, Told) || __is_base_of(place_words, Told) ||
-         __is_base_of(body_words, Told) || __is_base_of(turning_words, Told) ||
+         __is_base_of(body_words, Told) || __is_base_of(angular_velocity_words, Told) ||
          __is_base_of(velocity_words, Told) || __is_base_of(fixing_words, Told) ||
          __is_base_of(inertia_words, Told) || __is_base_of(load_words, Told);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::describe {
@@ -32,8 +32,8 @@ enum class misuse : unsigned char {
   operands,
 };
 
-inline constexpr mechanics::problem which_functions_there_are = [] {
-  mechanics::problem p; // written letter by letter, since each file that includes this header forms it
+inline constexpr mechanics::sentence which_functions_there_are = [] {
+  mechanics::sentence p; // written letter by letter, since each file that includes this header forms it
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };

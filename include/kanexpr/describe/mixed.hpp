@@ -48,55 +48,55 @@ constexpr auto meaningless(const X& x, const Y& y, const token& last) {
 template <class X, class Y>
   requires describe::no_sum<X, Y>
 constexpr auto operator+(const X& x, const Y& y) {
-  return describe::meaningless<vector>(x, y, describe::with(describe::word::add));
+  return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::add));
 }
 template <class X, class Y>
   requires describe::no_sum<X, Y>
 constexpr auto operator-(const X& x, const Y& y) {
-  return describe::meaningless<vector>(x, y, describe::with(describe::word::subtract));
+  return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::subtract));
 }
 template <class X, class Y>
   requires describe::no_product<X, Y>
 constexpr auto operator*(const X& x, const Y& y) {
-  return describe::meaningless<vector>(x, y, describe::with(describe::word::multiply));
+  return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::multiply));
 }
 template <class X, class Y>
   requires describe::no_quotient<X, Y>
 constexpr auto operator/(const X& x, const Y& y) {
-  return describe::meaningless<vector>(x, y, describe::with(describe::word::divide));
+  return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::divide));
 }
 template <class X, class Y>
   requires describe::no_function<X, Y>
 constexpr auto operator==(const X& x, const Y& y) {
-  return describe::meaningless<equation>(x, y, describe::with(describe::word::subtract));
+  return describe::meaningless<equation>(x, y, describe::with(describe::token_kind::subtract));
 }
 template <int a>
 constexpr auto operator-(const equation<a>& e) {
-  return describe::meaningless<vector>(e, describe::with(describe::word::negate));
+  return describe::meaningless<vector>(e, describe::with(describe::token_kind::negate));
 }
 
 template <class X, class Y>
   requires describe::no_dot_product<X, Y>
 constexpr auto dot(const X& x, const Y& y) {
-  return describe::meaningless<scalar>(x, y, describe::with(describe::word::dot));
+  return describe::meaningless<scalar>(x, y, describe::with(describe::token_kind::dot));
 }
 template <class X, class Y>
   requires describe::no_vectors<X, Y>
 constexpr auto cross(const X& x, const Y& y) {
-  return describe::meaningless<vector>(x, y, describe::with(describe::word::cross));
+  return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::cross));
 }
 template <class X, class Y>
   requires describe::no_vectors<X, Y>
 constexpr auto outer(const X& x, const Y& y) {
-  return describe::meaningless<dyadic>(x, y, describe::with(describe::word::outer));
+  return describe::meaningless<dyadic>(x, y, describe::with(describe::token_kind::outer));
 }
 template <describe::no_vector X>
 constexpr auto magnitude(const X& x) {
-  return describe::meaningless<scalar>(x, describe::with(describe::word::magnitude));
+  return describe::meaningless<scalar>(x, describe::with(describe::token_kind::magnitude));
 }
 template <describe::no_vector X>
 constexpr auto normalized(const X& x) {
-  return describe::meaningless<vector>(x, describe::with(describe::word::normalized));
+  return describe::meaningless<vector>(x, describe::with(describe::token_kind::normalized));
 }
 
 } // namespace kanexpr

@@ -8,19 +8,19 @@ namespace kanexpr {
 
 namespace describe {
 
-constexpr vector<1> motion_of(word what, const point_record* point) {
+constexpr vector<1> motion_of(token_kind what, const point_record* point) {
   token t = with(what);
   t.point = point;
   return {{t}};
 }
 
-constexpr vector<1> motion_of(word what, const frame_record* frame) {
+constexpr vector<1> motion_of(token_kind what, const frame_record* frame) {
   token t = with(what);
   t.frame = frame;
   return {{t}};
 }
 
-constexpr token by_symbol(word what, const scalar<1>& symbol) {
+constexpr token by_symbol(token_kind what, const scalar<1>& symbol) {
   token t = with(what);
   t.symbol = symbol.tokens[0].symbol;
   return t.symbol != nullptr ? t : misused(misuse::partial);
@@ -42,37 +42,38 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
 
 /// The position of `Point` from `From`; both must hang on one origin.
 template <class Point, class... From>
-inline constexpr auto position_of = describe::misused<vector>(
-    describe::motion_of(describe::word::position, &describe::point_of<Point>), describe::misuse::points);
+inline constexpr auto position_of =
+    describe::misused<vector>(describe::motion_of(describe::token_kind::position, &describe::point_of<Point>),
+                              describe::misuse::points);
 
 template <class Point, class From>
 inline constexpr auto position_of<Point, From> =
-    describe::motion_of(describe::word::position, &describe::point_of<Point>) -
-    describe::motion_of(describe::word::position, &describe::point_of<From>);
+    describe::motion_of(describe::token_kind::position, &describe::point_of<Point>) -
+    describe::motion_of(describe::token_kind::position, &describe::point_of<From>);
 
 /// Velocity of a point in the inertial frame.
 template <class Point, class... In>
 inline constexpr auto velocity_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::word::velocity, &describe::point_of<Point>));
+    describe::motion_of(describe::token_kind::velocity, &describe::point_of<Point>));
 
 /// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
 template <class Point, class... In>
 inline constexpr auto acceleration_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::word::acceleration, &describe::point_of<Point>));
+    describe::motion_of(describe::token_kind::acceleration, &describe::point_of<Point>));
 
 /// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
 template <class Frame, class... In>
 inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::word::angular_velocity, &describe::frame_of<Frame>));
+    describe::motion_of(describe::token_kind::angular_velocity, &describe::frame_of<Frame>));
 
 template <class Frame, class... In>
 inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::word::angular_acceleration, &describe::frame_of<Frame>));
+    describe::motion_of(describe::token_kind::angular_acceleration, &describe::frame_of<Frame>));
 
 /// The time derivative of a vector as it is seen in `Frame`.
 template <class Frame, int a>
 constexpr vector<a + 1> derivative_in(const vector<a>& v) {
-  describe::token t = describe::with(describe::word::derivative);
+  describe::token t = describe::with(describe::token_kind::derivative);
   t.frame = &describe::frame_of<Frame>;
   return describe::join<vector<a + 1>>(v.tokens, t);
 }
@@ -80,13 +81,13 @@ constexpr vector<a + 1> derivative_in(const vector<a>& v) {
 /// The time derivative of a scalar.
 template <int a>
 constexpr scalar<a + 1> derivative(const scalar<a>& s) {
-  return describe::join<scalar<a + 1>>(s.tokens, describe::with(describe::word::derivative));
+  return describe::join<scalar<a + 1>>(s.tokens, describe::with(describe::token_kind::derivative));
 }
 
 /// The same vector by its components in the axes of `Frame`.
 template <class Frame, int a>
 constexpr vector<a + 1> in_axes_of(const vector<a>& v) {
-  describe::token t = describe::with(describe::word::in_axes);
+  describe::token t = describe::with(describe::token_kind::in_axes);
   t.frame = &describe::frame_of<Frame>;
   return describe::join<vector<a + 1>>(v.tokens, t);
 }
@@ -95,11 +96,11 @@ constexpr vector<a + 1> in_axes_of(const vector<a>& v) {
 /// partial velocity.
 template <int a>
 constexpr scalar<a + 1> partial(const scalar<a>& s, const scalar<1>& symbol) {
-  return describe::join<scalar<a + 1>>(s.tokens, describe::by_symbol(describe::word::partial, symbol));
+  return describe::join<scalar<a + 1>>(s.tokens, describe::by_symbol(describe::token_kind::partial, symbol));
 }
 template <int a>
 constexpr vector<a + 1> partial(const vector<a>& v, const scalar<1>& symbol) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::word::partial, symbol));
+  return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::token_kind::partial, symbol));
 }
 
 template <class X, describe::no_symbol Symbol>

@@ -129,17 +129,8 @@ struct body_record {
   bool unparsed = false;
 };
 
-enum class load_word : unsigned char {
-  force,
-  torque,
-  gravity,
-  potential_energy,
-  spring,
-  damper,
-  torsional_spring,
-  torsional_damper,
-  none,
-};
+/// What the values of a load mean; the words are in load.hpp.
+enum class load_word : unsigned char;
 
 struct load_record {
   load_word what{};

@@ -9,9 +9,9 @@ enum class shape : unsigned char {
   vector,
   dyadic,
   equation,
-  vanishing, ///< zero_along
-  turning,   ///< kinematics_of
-  foreign,   ///< it is none
+  vanishing,  ///< zero_along
+  kinematics, ///< kinematics_of
+  foreign,    ///< it is none
 };
 
 } // namespace kanexpr::describe

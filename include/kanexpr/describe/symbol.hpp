@@ -25,7 +25,7 @@ struct symbol_storage {
 template <symbolic::symbol_kind kind, text called, int index, int order = unprescribed>
 constexpr scalar<1> symbol_token() {
   token t{};
-  t.what = word::symbol;
+  t.what = token_kind::symbol;
   t.symbol = &symbol_storage<kind, called, index, order>::record;
   return {{t}};
 }

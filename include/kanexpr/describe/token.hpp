@@ -22,7 +22,7 @@ struct symbol_record {
   bool is_named = true; ///< as a symbol may be
 };
 
-enum class word : unsigned char {
+enum class token_kind : unsigned char {
   number,
   symbol,
   scalar_function, ///< `operation` says which
@@ -49,7 +49,7 @@ enum class word : unsigned char {
 };
 
 struct token {
-  word what = word::number;
+  token_kind what = token_kind::number;
   symbolic::operation operation{};
   int index = 0;
   symbolic::number number{};

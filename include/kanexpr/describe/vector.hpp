@@ -31,7 +31,7 @@ struct dyadic {
 
 template <int a>
 constexpr vector<a + 1> operator-(const vector<a>& v) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::word::negate));
+  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::token_kind::negate));
 }
 template <int a>
 constexpr const vector<a>& operator+(const vector<a>& v) {
@@ -39,15 +39,17 @@ constexpr const vector<a>& operator+(const vector<a>& v) {
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator+(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::add));
+  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::add));
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator-(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::subtract));
+  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens,
+                                           describe::with(describe::token_kind::subtract));
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator*(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens, describe::with(describe::word::multiply));
+  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens,
+                                           describe::with(describe::token_kind::multiply));
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator*(const vector<a>& v, const scalar<b>& s) {
@@ -55,7 +57,7 @@ constexpr vector<a + b + 1> operator*(const vector<a>& v, const scalar<b>& s) {
 }
 template <int a, int b>
 constexpr vector<a + b + 1> operator/(const vector<a>& v, const scalar<b>& s) {
-  return describe::join<vector<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::word::divide));
+  return describe::join<vector<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::token_kind::divide));
 }
 template <describe::plain_number T, int b>
 constexpr auto operator*(T s, const vector<b>& v) {
@@ -72,42 +74,44 @@ constexpr auto operator/(const vector<a>& v, T s) {
 
 template <int a, int b>
 constexpr scalar<a + b + 1> dot(const vector<a>& v, const vector<b>& w) {
-  return describe::join<scalar<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::dot));
+  return describe::join<scalar<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::dot));
 }
 template <int a, int b>
 constexpr vector<a + b + 1> cross(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::cross));
+  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::cross));
 }
 template <int a>
 constexpr scalar<a + 1> magnitude(const vector<a>& v) {
-  return describe::join<scalar<a + 1>>(v.tokens, describe::with(describe::word::magnitude));
+  return describe::join<scalar<a + 1>>(v.tokens, describe::with(describe::token_kind::magnitude));
 }
 /// The unit vector along `v`.
 template <int a>
 constexpr vector<a + 1> normalized(const vector<a>& v) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::word::normalized));
+  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::token_kind::normalized));
 }
 
 /// The dyad v ⊗ w.
 template <int a, int b>
 constexpr dyadic<a + b + 1> outer(const vector<a>& v, const vector<b>& w) {
-  return describe::join<dyadic<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::word::outer));
+  return describe::join<dyadic<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::outer));
 }
 template <int a>
 constexpr dyadic<a + 1> operator-(const dyadic<a>& d) {
-  return describe::join<dyadic<a + 1>>(d.tokens, describe::with(describe::word::negate));
+  return describe::join<dyadic<a + 1>>(d.tokens, describe::with(describe::token_kind::negate));
 }
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator+(const dyadic<a>& d, const dyadic<b>& e) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens, describe::with(describe::word::add));
+  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens, describe::with(describe::token_kind::add));
 }
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator-(const dyadic<a>& d, const dyadic<b>& e) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens, describe::with(describe::word::subtract));
+  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens,
+                                           describe::with(describe::token_kind::subtract));
 }
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator*(const scalar<a>& s, const dyadic<b>& d) {
-  return describe::join<dyadic<a + b + 1>>(s.tokens, d.tokens, describe::with(describe::word::multiply));
+  return describe::join<dyadic<a + b + 1>>(s.tokens, d.tokens,
+                                           describe::with(describe::token_kind::multiply));
 }
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator*(const dyadic<a>& d, const scalar<b>& s) {
@@ -123,7 +127,7 @@ constexpr auto operator*(const dyadic<a>& d, T s) {
 }
 template <int a, int b>
 constexpr dyadic<a + b + 1> operator/(const dyadic<a>& d, const scalar<b>& s) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, s.tokens, describe::with(describe::word::divide));
+  return describe::join<dyadic<a + b + 1>>(d.tokens, s.tokens, describe::with(describe::token_kind::divide));
 }
 template <int a, describe::plain_number T>
 constexpr auto operator/(const dyadic<a>& d, T s) {
@@ -132,7 +136,7 @@ constexpr auto operator/(const dyadic<a>& d, T s) {
 /// The vector d·v.
 template <int a, int b>
 constexpr vector<a + b + 1> dot(const dyadic<a>& d, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(d.tokens, v.tokens, describe::with(describe::word::dot));
+  return describe::join<vector<a + b + 1>>(d.tokens, v.tokens, describe::with(describe::token_kind::dot));
 }
 
 } // namespace kanexpr

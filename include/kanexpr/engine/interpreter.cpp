@@ -1,10 +1,10 @@
-#include <kanexpr/runtime/guarded_code.hpp>
+#include <kanexpr/runtime/checked_code.hpp>
 
 namespace kanexpr::runtime {
 
 template class interpreter<double>;
 template class interpreter<float>;
-template class guarded_code<double>;
-template class guarded_code<float>;
+template class checked_code<double>;
+template class checked_code<float>;
 
 } // namespace kanexpr::runtime

@@ -25,15 +25,14 @@ struct constant_matrix {
 };
 
 /// A step of an elimination; the solution of a singular system is not-a-number.
-constexpr void constant_elimination(const elimination& e, const int* operands, const double* slot,
-                                    double* out) {
-  using math = numeric::constant_elimination;
+constexpr void run_linear_step(const linear_step& e, const int* operands, const double* slot, double* out) {
+  using math = numeric::constant_elimination_math;
   const double* const factors = slot + e.factors;
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
-  if (e.op == operation::regularity) {
+  if (e.op == operation::singularity_measure) {
     const bool singular = numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
-    *out = singular ? 0 : numeric::regularity_of<math>(e.order, factors, inputs.begin());
+    *out = singular ? 0 : numeric::singularity_measure_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];
@@ -55,10 +54,10 @@ constexpr auto constant_slots(ValueOf value_of) {
   for (int i = 0; i < tape.sizes.numbers; ++i) slot[next++] = tape.numbers[i].value();
   for (int i = 0; i < tape.sizes.loads; ++i) slot[next++] = value_of(tape.loads[i]);
   for (int i = 0, e = 0; i < tape.sizes.steps;) {
-    if (e < tape.sizes.eliminations && tape.eliminations[e].step == i) {
-      constant_elimination(tape.eliminations[e], tape.operands, slot.data(), slot.data() + next);
-      i += tape.eliminations[e].outputs();
-      next += static_cast<std::size_t>(tape.eliminations[e++].outputs());
+    if (e < tape.sizes.linear_steps && tape.linear_steps[e].step == i) {
+      run_linear_step(tape.linear_steps[e], tape.operands, slot.data(), slot.data() + next);
+      i += tape.linear_steps[e].outputs();
+      next += static_cast<std::size_t>(tape.linear_steps[e++].outputs());
     } else {
       slot[next++] = symbolic::value_of(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
                                         slot[static_cast<std::size_t>(tape.b[i])]);

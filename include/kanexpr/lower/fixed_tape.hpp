@@ -9,7 +9,7 @@ struct tape_sizes {
   int numbers = 0;
   int loads = 0;
   int results = 0;
-  int eliminations = 0;
+  int linear_steps = 0;
   int operands = 0;
   int first_angle = 0;
   int angles = 0;
@@ -29,7 +29,7 @@ struct fixed_tape {
   symbolic::number numbers[at_least_one(own.numbers)]{};
   load loads[at_least_one(own.loads)]{};
   int results[at_least_one(own.results)]{};
-  elimination eliminations[at_least_one(own.eliminations)]{};
+  linear_step linear_steps[at_least_one(own.linear_steps)]{};
   int operands[at_least_one(own.operands)]{};
 
   constexpr int first_step() const { return sizes.numbers + sizes.loads; }
@@ -38,7 +38,7 @@ struct fixed_tape {
 
 /// Room for any model that a compiler can be asked to derive.
 inline constexpr int most_steps = 1 << 16;
-inline constexpr int most_eliminations = most_steps / 16;
+inline constexpr int most_linear_steps = most_steps / 16;
 
 /// The same with that room; what is behind the sizes is unused. It costs nothing as long as only constant
 /// evaluation sees it: `trimmed` makes the tape that programs use.
@@ -58,22 +58,22 @@ struct roomy_tape {
   symbolic::symbol_kind loaded_from[most_steps]{};
   int loaded_position[most_steps]{};
   int results[most_steps]{};
-  operation eliminating[most_eliminations]{};
-  int orders[most_eliminations]{};
-  int elimination_steps[most_eliminations]{};
-  int factors[most_eliminations]{};
-  int first_operands[most_eliminations]{};
+  operation linear_operations[most_linear_steps]{};
+  int orders[most_linear_steps]{};
+  int linear_step_slots[most_linear_steps]{};
+  int factors[most_linear_steps]{};
+  int first_operands[most_linear_steps]{};
   int operands[most_steps]{};
 };
 
 constexpr tape_sizes sizes_of(const tape& t) {
   return {t.steps.size(),        t.numbers.size(),  t.loads.size(), t.results.size(),
-          t.eliminations.size(), t.operands.size(), t.first_angle,  t.angle_count};
+          t.linear_steps.size(), t.operands.size(), t.first_angle,  t.angle_count};
 }
 
 constexpr bool has_room_for(const tape_sizes& s) {
   return s.steps <= most_steps && s.numbers <= most_steps && s.loads <= most_steps &&
-         s.results <= most_steps && s.eliminations <= most_eliminations && s.operands <= most_steps;
+         s.results <= most_steps && s.linear_steps <= most_linear_steps && s.operands <= most_steps;
 }
 
 /// Only of a tape that there is room for.
@@ -81,11 +81,12 @@ constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
   out.sizes = sizes_of(t);
   out.cost = cost_of(t);
+  const instruction* const steps = t.steps.begin();
   for (int i = 0; i < out.sizes.steps; ++i) {
-    out.op[i] = t.steps[i].op;
-    out.paired[i] = t.steps[i].paired;
-    out.a[i] = t.steps[i].a;
-    out.b[i] = t.steps[i].b;
+    out.op[i] = steps[i].op;
+    out.paired[i] = steps[i].paired;
+    out.a[i] = steps[i].a;
+    out.b[i] = steps[i].b;
   }
   for (int i = 0; i < out.sizes.numbers; ++i) {
     out.numerators[i] = t.numbers[i].numerator;
@@ -97,12 +98,12 @@ constexpr roomy_tape fixed(const tape& t) {
     out.loaded_position[i] = t.loads[i].position;
   }
   for (int i = 0; i < out.sizes.results; ++i) out.results[i] = t.results[i];
-  for (int i = 0; i < out.sizes.eliminations; ++i) {
-    out.eliminating[i] = t.eliminations[i].op;
-    out.orders[i] = t.eliminations[i].order;
-    out.elimination_steps[i] = t.eliminations[i].step;
-    out.factors[i] = t.eliminations[i].factors;
-    out.first_operands[i] = t.eliminations[i].operands;
+  for (int i = 0; i < out.sizes.linear_steps; ++i) {
+    out.linear_operations[i] = t.linear_steps[i].op;
+    out.orders[i] = t.linear_steps[i].order;
+    out.linear_step_slots[i] = t.linear_steps[i].step;
+    out.factors[i] = t.linear_steps[i].factors;
+    out.first_operands[i] = t.linear_steps[i].operands;
   }
   for (int i = 0; i < out.sizes.operands; ++i) out.operands[i] = t.operands[i];
   return out;
@@ -124,9 +125,9 @@ constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
     out.numbers[i] = {from.numerators[i], from.denominators[i], from.reals[i]};
   for (int i = 0; i < sizes.loads; ++i) out.loads[i] = {from.loaded_from[i], from.loaded_position[i]};
   for (int i = 0; i < sizes.results; ++i) out.results[i] = from.results[i];
-  for (int i = 0; i < sizes.eliminations; ++i)
-    out.eliminations[i] = {from.eliminating[i], from.orders[i], from.elimination_steps[i], from.factors[i],
-                           from.first_operands[i]};
+  for (int i = 0; i < sizes.linear_steps; ++i)
+    out.linear_steps[i] = {from.linear_operations[i], from.orders[i], from.linear_step_slots[i],
+                           from.factors[i], from.first_operands[i]};
   for (int i = 0; i < sizes.operands; ++i) out.operands[i] = from.operands[i];
   return out;
 }

@@ -19,19 +19,19 @@ struct instruction {
 
 /// A step on many slots, on the way to solve a linear system: it fills slots from `step` on, as many as its
 /// operation asks for; in the list of steps they are marked as components of it.
-struct elimination {
+struct linear_step {
   operation op = operation::factorization;
   int order = 0;
   int step = 0;
   int factors = 0;  ///< first slot of the factorization that it uses
-  int operands = 0; ///< where its operands begin among those of all eliminations
+  int operands = 0; ///< where its operands begin among those of all linear steps
 
   constexpr int inputs() const {
-    return op == operation::factorization || op == operation::regularity ? order * order : order;
+    return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
   }
   constexpr int outputs() const {
     if (op == operation::factorization) return numeric::factors{order}.size();
-    return op == operation::regularity ? 1 : order;
+    return op == operation::singularity_measure ? 1 : order;
   }
 };
 
@@ -51,7 +51,7 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
-  sequence<elimination> eliminations{};
+  sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   int first_angle = 0;
   int angle_count = 0;
@@ -67,18 +67,16 @@ class scheduling {
 public:
   constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
       : g_(g), live_(static_cast<sequence<char>&&>(live)), slots_(g.size(), none), outputs_(outputs),
-        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()), end_(g.size()) {
-    for (int id = 0; id < end_; ++id)
-      if (nodes_[id].op == operation::tan && is_live_[id] != 0 && has_either(id))
-        is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
+        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()) {
+    if (list_live(g.size())) list_live(g.size());
   }
   scheduling(const scheduling&) = delete;
   scheduling& operator=(const scheduling&) = delete;
 
   constexpr tape run() {
     sequence<int> symbols;
-    for (int id = 0; id < end_; ++id) {
-      if (is_live_[id] == 0 || nodes_[id].op > operation::symbol) continue;
+    for (int id : nodes_in_order_) {
+      if (nodes_[id].op > operation::symbol) continue;
       if (nodes_[id].op == operation::symbol)
         symbols.push(id);
       else
@@ -89,15 +87,33 @@ public:
       slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
     }
     first_step_ = tape_.first_step();
+    tape_.steps.reserve(nodes_in_order_.size());
     gather_angles();
-    for (int id = 0; id < end_; ++id)
-      if (is_live_[id] != 0 && slot_[id] == none) put(id);
+    for (int id : nodes_in_order_)
+      if (slot_[id] == none) put(id);
     for (int id : outputs_) tape_.results.push(slot_[id]);
     return static_cast<tape&&>(tape_);
   }
 
 private:
   static constexpr int none = -1;
+
+  /// Lists what is live, and whether tangents made more so.
+  constexpr bool list_live(int end) {
+    bool adds = false;
+    int count = 0;
+    for (int id = 0; id < end; ++id) count += is_live_[id];
+    nodes_in_order_.resize(count);
+    int* next = nodes_in_order_.begin();
+    for (int id = 0; id < end; ++id) {
+      if (is_live_[id] == 0) continue;
+      *next++ = id;
+      if (nodes_[id].op != operation::tan || !has_either(id) || has_both(id)) continue;
+      is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
+      adds = true;
+    }
+    return adds;
+  }
 
   constexpr int sine_of(int id) const { return g_.find({operation::sin, nodes_[id].a, 0}); }
   constexpr int cosine_of(int id) const { return g_.find({operation::cos, nodes_[id].a, 0}); }
@@ -115,16 +131,17 @@ private:
 
   /// Angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    sequence<char> is_free(end_,
-                           0); // of nodes that depend on no function: sums and products of what is given
+    // of nodes that depend on no function: sums and products of what is given
+    sequence<char> is_free(slots_.size(), 0);
     char* const free = is_free.begin();
     sequence<int> gathered;
-    for (int id = 0; id < end_; ++id) {
+    for (int id : nodes_in_order_) {
       const symbolic::node& n = nodes_[id];
-      if (n.op <= operation::divide)
-        free[id] =
-            n.op <= operation::symbol || (free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0));
-      else if (n.op == operation::sin && is_live_[id] != 0 && free[n.a] != 0 && has_both(id)) {
+      if (n.op <= operation::symbol)
+        free[id] = 1;
+      else if (n.op <= operation::divide)
+        free[id] = free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0);
+      else if (n.op == operation::sin && free[n.a] != 0 && has_both(id)) {
         put_with_operands(n.a);
         gathered.push(id);
       }
@@ -171,7 +188,7 @@ private:
       return;
     }
     const bool factorizes = n.op == operation::factorization;
-    const elimination added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
+    const linear_step added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
                             factorizes ? 0 : slot_[n.a], tape_.operands.size()};
     sequence<int> inputs;
     if (factorizes)
@@ -179,7 +196,7 @@ private:
     else
       inputs = symbolic::elements_of(g_, n.b);
     for (int input : inputs) tape_.operands.push(slot_[input]);
-    tape_.eliminations.push(added);
+    tape_.linear_steps.push(added);
     slot_[id] = first_step_ + added.step;
     for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
   }
@@ -192,8 +209,8 @@ private:
   const sequence<int>& outputs_;
   const symbolic::node* nodes_;
   char* is_live_;
-  int* slot_; ///< by node
-  int end_;   ///< of the nodes
+  int* slot_;                      ///< by node
+  sequence<int> nodes_in_order_{}; ///< those that are live
   int first_step_ = 0;
   tape tape_{};
 };
@@ -219,19 +236,21 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
 /// What one evaluation of a tape does.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
-  for (const elimination& e : t.eliminations) {
+  for (const linear_step& e : t.linear_steps) {
     if (e.op == operation::factorization)
       total.count_factorization(e.order);
-    else if (e.op == operation::regularity)
-      total.count_regularity(e.order);
+    else if (e.op == operation::singularity_measure)
+      total.count_singularity_measure(e.order);
     else
       total.count_substitution(e.order);
   }
+  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // by operation
   for (const instruction& step : t.steps) {
-    if (step.op == operation::component) continue;
-    total.count(step.op);
+    ++times[static_cast<int>(step.op)];
     if (step.op == operation::cos && step.paired) --total.trigonometric;
   }
+  for (int op = 0; op < static_cast<int>(operation::component); ++op)
+    total.count(static_cast<operation>(op), times[op]);
   return total;
 }
 

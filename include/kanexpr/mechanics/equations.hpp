@@ -8,9 +8,11 @@
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
-#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
 
@@ -20,21 +22,24 @@ namespace kanexpr::mechanics {
 
 /// The equations of one system. Nothing is formed before it is asked for, and nothing twice.
 ///
-/// Velocities are there from the start, so that constraints can speak of them. The constraints are taken up
-/// by `constrain`, or when the first result is asked for.
+/// Constraints are taken up by `constrain`, or when the first result is asked for.
 class equations {
 public:
-  constexpr explicit equations(const mechanism& m) : s_(skeleton_of(m)), m_(&m) {}
+  constexpr explicit equations(const multibody_system& of) : equations(of, known_motion(of.mechanism)) {}
+  /// Goes on from what was known of its motion while loads and constraints were given.
+  constexpr equations(const multibody_system& of, known_motion&& known)
+      : system_(&of), m_(&of.mechanism), known_(std::move(known)) {}
   /// To be read from what was set aside.
-  struct set_aside {};
-  constexpr equations(const mechanism& m, set_aside) : s_{&m}, m_(&m) {}
+  using set_aside = known_motion::set_aside;
+  constexpr equations(const multibody_system& of, set_aside empty)
+      : equations(of, known_motion(of.mechanism, empty)) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
 
   /// What was formed, but for what is formed again at little cost. There is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.s_);
+    visit(self.known_);
     visit(self.constraints_);
     visit(self.configuration_);
     visit(self.speeds_);
@@ -50,34 +55,43 @@ public:
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
   constexpr void constrain() {
     is_constrained_ = true;
-    mistake_ = check_contents_of_constraints(*m_);
-    if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving());
+    const given_constraints& given = system_->constraints;
+    mistake_ = check_contents_of_constraints(*m_, given);
+    if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving(), system_->loads);
     if (mistake_) return;
     constraints_ = no_constraints(*m_);
-    if (!m_->velocity_constraints.empty() || !m_->configuration_constraints.empty())
-      constraints_ = form_constraints(moving());
-    configuration_ = mechanics::configuration_jacobian(*m_);
+    constraints_.on_accelerations = given.on_accelerations;
+    if (!given.on_velocities.empty() || !given.on_configuration.empty())
+      constraints_ = form_constraints(moving(), given);
+    configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
-    if (!mistake_) mistake_ = check_choice(*m_, constraints_, configuration_, by_q, by_u);
+    if (!mistake_) mistake_ = check_choice(*m_, given, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_, configuration_);
     if (mistake_) return;
-    coordinates_ = partition_of(by_q, configuration_, m_->dependent_coordinates,
+    coordinates_ = partition_of(by_q, configuration_, given.dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));
-    speeds_ = partition_of(by_u, constraints_.jacobian, m_->dependent_speeds, moving_dependent_coordinates());
-    if (m_->auxiliary_speeds.empty()) return;
-    drop_auxiliary_speeds(s_);
-    has_motion_ = false;
+    speeds_ =
+        partition_of(by_u, constraints_.jacobian, given.dependent_speeds, moving_dependent_coordinates());
+    known_.drop_auxiliary_speeds();
   }
 
   constexpr const skeleton& skeleton_used() const { return s_; }
+  constexpr const loads& loads_used() const { return system_->loads; }
   constexpr const constraints& constraints_used() const { return constraints_; }
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
 
+  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
+  constexpr sentence check_bodies(quantity wanted) const {
+    if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
+    return sentence(
+        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
+  }
+
   /// A mistake that only the derivation could find.
-  constexpr const problem& mistake() const { return mistake_; }
+  constexpr const sentence& mistake() const { return mistake_; }
 
   constexpr symbolic::matrix get(quantity wanted) {
     if (!is_constrained_) constrain();
@@ -94,25 +108,26 @@ public:
     case quantity::inertia_forces: return column(dynamics_.inertia_forces());
     case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
     case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
-    case quantity::potential_energy: return column({mechanics::potential_energy(s_)});
+    case quantity::potential_energy: return column({mechanics::potential_energy(s_, system_->loads)});
     case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
     case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
-    case quantity::configuration_residual: return column(m_->configuration_constraints);
-    case quantity::configuration_terms: return column(terms_of(m_->configuration_constraints));
-    case quantity::configuration_jacobian:
+    case quantity::generalized_momenta: return column(momenta());
+    case quantity::configuration_residual: return column(constraints_.on_configuration);
+    case quantity::configuration_terms: return column(terms_of(constraints_.on_configuration));
+    case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
-    case quantity::configuration_jacobian_full: return configuration_;
+    case quantity::configuration_jacobian_by_all: return configuration_;
     case quantity::configuration_step: return step_of_configuration();
     case quantity::velocity_residual: return column(velocity_residual());
     case quantity::velocity_terms: return column(terms_of(velocity_residual()));
-    case quantity::constraint_residual: return column(m_->configuration_constraints, velocity_residual());
+    case quantity::constraint_residual: return column(constraints_.on_configuration, velocity_residual());
     case quantity::constraint_jacobian: return constraints_.jacobian;
     case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
     case quantity::dependency: return dynamics_.dependent().on_independent;
     case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
     case quantity::multipliers: return dynamics_.lambda();
-    case quantity::auxiliary_forces: return column(dynamics_.auxiliary_forces());
+    case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
     case quantity::state_matrix:
     case quantity::input_matrix:
     case quantity::state_jacobian:
@@ -194,42 +209,34 @@ public:
   }
 
   /// What may be singular at a state in the way to some results; last, whether they are finite.
-  constexpr sequence<guard> guards_of(const sequence<int>& outputs) {
-    sequence<guard> all = guards_of_rates(*m_, s_.rate_blocks);
+  constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
+    sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
-      for (const guard& g : guards_of_speeds(*m_, speeds_, dynamics_.dependent().blocks)) all.push(g);
-    for (const guard& g : guards_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
+      for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
+        all.push(g);
+    for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
     const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
     if (any)
-      for (const guard& g : guards_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
+      for (const singularity_check& g :
+           checks_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
         all.push(g);
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
-      for (const guard& g : guards_of_mass(*m_, speeds_, pivots())) all.push(g);
-    sequence<guard> live = live_guards(*m_->g, all, outputs);
-    for (const guard& g : guards_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
+      for (const singularity_check& g : checks_of_mass(*m_, speeds_, pivots())) all.push(g);
+    sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
+    for (const singularity_check& g : checks_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
     return live;
   }
 
   /// Velocities and accelerations as they are, with the symbols u̇.
-  constexpr motion& moving() {
-    if (!has_motion_) motion_ = motion(s_, m_->speed_rates);
-    has_motion_ = true;
-    return motion_;
-  }
+  constexpr motion& moving() { return known_.moving(); }
+  constexpr known_motion& known() { return known_; }
 
 private:
-  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
-  constexpr problem check_bodies(quantity wanted) const {
-    if (!row_of(wanted).is_of_bodies || !m_->has_lagrangian) return {};
-    return sentence(
-        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
-  }
-
   constexpr system_form form() {
-    return {s_, constraints_, configuration_, coordinates_, speeds_, dynamics_};
+    return {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_};
   }
 
   /// A matrix with the multipliers that go with the rates q̇ and u̇ in it.
@@ -264,7 +271,7 @@ private:
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
-    const bool is_positive = !m_->has_lagrangian && energy_of_motion(s_).is_positive();
+    const bool is_positive = !system_->loads.has_lagrangian && energy_of_motion(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
     // where lengths have no bounds rounding may take all of a pivot
     is_mass_regular_ =
@@ -303,8 +310,15 @@ private:
     return full;
   }
 
+  /// ∂T/∂u; of a Lagrangian that the model gives, ∂L/∂q̇.
+  constexpr sequence<expression> momenta() {
+    if (system_->loads.has_lagrangian) return gradient_of(*m_, system_->loads.lagrangian).momenta;
+    return gradient_of(*m_, mechanics::kinetic_energy(moving())).momenta;
+  }
+
   constexpr symbolic::matrix step_of_configuration() {
-    const symbolic::linear_solution solved = configuration_step(*m_, configuration_, coordinates_);
+    const symbolic::linear_solution solved =
+        configuration_step(*m_, constraints_.on_configuration, configuration_, coordinates_);
     step_blocks_ = solved.blocks;
     return solved.x;
   }
@@ -331,16 +345,17 @@ private:
     return column(sequence<expression>{v.x, v.y, v.z});
   }
 
-  skeleton s_;
+  const multibody_system* system_;
   const mechanism* m_;
-  problem mistake_{};
+  known_motion known_;
+  const skeleton& s_ = known_.skeleton_used();
+  sentence mistake_{};
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};
   sequence<symbolic::solved_block> step_blocks_{}; ///< of Newton's step for the dependent coordinates
-  dynamics dynamics_{s_, constraints_, speeds_};
-  bool is_constrained_ = false, has_motion_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
-  motion motion_{};
+  dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
+  bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
 };
 

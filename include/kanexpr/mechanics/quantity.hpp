@@ -18,31 +18,33 @@ enum class quantity : unsigned char {
   inertia_forces,   ///< F_r* of the independent speeds, p−m, with the symbols u̇
   unreduced_forces, ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
   kinetic_energy,
-  potential_energy,            ///< of gravity, of springs and what the model gives as one
-  linear_momentum,             ///< 3, inertial axes
-  angular_momentum,            ///< 3, inertial axes, about the origin
-  center_of_mass,              ///< 3, inertial axes, from the origin
-  configuration_residual,      ///< l
-  configuration_terms,         ///< l: how large the terms are of which that is the sum
-  configuration_jacobian,      ///< its derivatives by the dependent coordinates, l×l
-  configuration_jacobian_full, ///< its derivatives by all coordinates, l×n
-  configuration_step,          ///< of Newton's method, for the dependent coordinates, l
-  velocity_residual,           ///< m: the velocity constraints, then the rates of configuration constraints
-  velocity_terms,              ///< m: how large the terms are of which that is the sum
-  constraint_residual,         ///< both, l+m
-  constraint_jacobian,         ///< J in J u + c = 0, m×p
-  dependent_speeds,            ///< u_d as the constraints give them by the independent ones, m
-  dependency,                  ///< A in u̇_d = A u̇_i + b, m×(p−m)
-  acceleration_bias,           ///< b in u̇_d = A u̇_i + b, m
-  multipliers,                 ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
-  auxiliary_forces,            ///< the forces that keep the auxiliary speeds zero, one for each
-  state_matrix,                ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
-  input_matrix,                ///< B, (n−l+p−m)×s
-  state_jacobian,              ///< ∂[q̇; u̇]/∂[q; u], as if nothing bound the state, (n+p)×(n+p)
-  input_jacobian,              ///< ∂[q̇; u̇]/∂r, (n+p)×s
-  implicit_mass_matrix,        ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
-  implicit_state_matrix,       ///< A, (n+p+k)×(n−l+p−m)
-  implicit_input_matrix,       ///< B, (n+p+k)×s
+  potential_energy,                    ///< of gravity, of springs and what the model gives as one
+  linear_momentum,                     ///< 3, inertial axes
+  angular_momentum,                    ///< 3, inertial axes, about the origin
+  center_of_mass,                      ///< 3, inertial axes, from the origin
+  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints bind them, p
+  configuration_residual,              ///< l
+  configuration_terms,                 ///< l: how large the terms are of which that is the sum
+  configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
+  configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
+  configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
+  velocity_residual,      ///< m: the velocity constraints, then the rates of configuration constraints
+  velocity_terms,         ///< m: how large the terms are of which that is the sum
+  constraint_residual,    ///< both, l+m
+  constraint_jacobian,    ///< J in J u + c = 0, m×p
+  dependent_speeds,       ///< u_d as the constraints give them by the independent ones, m
+  dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
+  acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
+  multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
+  noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
+  state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
+  input_matrix,           ///< B, (n−l+p−m)×s
+  state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u], as if nothing bound the state, (n+p)×(n+p)
+  input_jacobian,         ///< ∂[q̇; u̇]/∂r, (n+p)×s
+  implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
+  implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
+  implicit_input_matrix,  ///< B, (n+p+k)×s
+  auxiliary_forces = noncontributing_forces, ///< by another name
 };
 
 /// How many rows or columns a result has, by what there is that many of.
@@ -76,7 +78,8 @@ struct result_row {
   std::string_view called{}; ///< by who asks for it
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false; ///< and not known where a model gives its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< and not known where a model gives its Lagrangian as a whole
+  bool holds_speed_rates = false; ///< the symbols u̇, which its function is given
 };
 
 inline constexpr result_row results[]{
@@ -93,8 +96,9 @@ inline constexpr result_row results[]{
     {quantity::active_forces, "active_forces", extent_by::independent_speeds, extent_by::one,
      stage::equations},
     {quantity::inertia_forces, "inertia_forces", extent_by::independent_speeds, extent_by::one,
-     stage::equations},
-    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations},
+     stage::equations, false, true},
+    {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations,
+     false, true},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
      true},
     {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
@@ -104,13 +108,15 @@ inline constexpr result_row results[]{
     {quantity::angular_momentum, "angular_momentum", extent_by::three, extent_by::one, stage::constrained,
      true},
     {quantity::center_of_mass, "center_of_mass", extent_by::three, extent_by::one, stage::constrained, true},
+    {quantity::generalized_momenta, "generalized_momenta", extent_by::speeds, extent_by::one,
+     stage::constrained},
     {quantity::configuration_residual, "configuration_residual", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
     {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
-    {quantity::configuration_jacobian, "configuration_jacobian", extent_by::configuration_constraints,
-     extent_by::configuration_constraints, stage::constrained},
-    {quantity::configuration_jacobian_full, "configuration_jacobian_full",
+    {quantity::configuration_jacobian_by_dependent, "configuration_jacobian_by_dependent",
+     extent_by::configuration_constraints, extent_by::configuration_constraints, stage::constrained},
+    {quantity::configuration_jacobian_by_all, "configuration_jacobian_by_all",
      extent_by::configuration_constraints, extent_by::coordinates, stage::constrained},
     {quantity::configuration_step, "configuration_step", extent_by::configuration_constraints, extent_by::one,
      stage::constrained},
@@ -129,7 +135,7 @@ inline constexpr result_row results[]{
     {quantity::acceleration_bias, "acceleration_bias", extent_by::speed_constraints, extent_by::one,
      stage::equations},
     {quantity::multipliers, "multipliers", extent_by::speed_constraints, extent_by::one, stage::equations},
-    {quantity::auxiliary_forces, "auxiliary_forces", extent_by::auxiliary_speeds, extent_by::one,
+    {quantity::noncontributing_forces, "noncontributing_forces", extent_by::auxiliary_speeds, extent_by::one,
      stage::equations},
     {quantity::state_matrix, "explicit_form", extent_by::independent_states, extent_by::independent_states,
      stage::linearized},
@@ -154,6 +160,9 @@ static_assert([] {
     if (static_cast<int>(row.is) != next++) return false;
   return true;
 }());
+
+/// Whether a result is a part of the linearized equations, which are asked for as a whole.
+constexpr bool is_of_linearization(quantity wanted) { return wanted >= quantity::state_matrix; }
 
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/newton.hpp>
 
@@ -16,22 +16,22 @@ struct assembly {
   int steps = 0;                     ///< of Newton's method
   double configuration_residual = 0; ///< the largest magnitude at the end
   double velocity_residual = 0;
-  mechanics::problem reason{};
+  mechanics::sentence failure{};
 
   explicit operator bool() const { return assembled; }
   /// Why it was not assembled, as a sentence; empty: it was.
-  std::string_view cause() const { return reason.view(); }
+  std::string_view cause() const { return failure.view(); }
 };
 
 /// Whether a state satisfies the constraints.
 struct consistency {
   double configuration_residual = 0; ///< the largest magnitude
   double velocity_residual = 0;
-  mechanics::problem reason{};
+  mechanics::sentence failure{};
 
-  explicit operator bool() const { return !reason; }
+  explicit operator bool() const { return !failure; }
   /// Which constraint is off and by how much, as a sentence; empty: none.
-  std::string_view cause() const { return reason.view(); }
+  std::string_view cause() const { return failure.view(); }
 };
 
 using assembly_options = numeric::newton_options;
@@ -39,9 +39,9 @@ using assembly_options = numeric::newton_options;
 namespace numeric {
 
 /// A sentence that ends in a number.
-inline mechanics::problem with_number(std::string_view before, double number, int precision = 3) {
+inline mechanics::sentence with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
-  const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number);
+  const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number + 0.0);
   return mechanics::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 
@@ -63,7 +63,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   assembly report;
   State placed = x;
   if (const status unit = c.normalize_quaternions(placed); !unit) {
-    report.reason = mechanics::sentence({unit.cause()});
+    report.failure = mechanics::sentence({unit.cause()});
     return report;
   }
   vector q(c.coordinates());
@@ -77,11 +77,11 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   if constexpr (vector::RowsAtCompileTime != 0)
     found = newton(
         q, [&](const vector& tried) -> vector { return c.configuration_residual(at(tried)); },
-        [&](const vector& tried) { return c.configuration_jacobian(at(tried)); }, options);
+        [&](const vector& tried) { return c.configuration_jacobian_by_all(at(tried)); }, options);
   report.steps = found.steps;
   report.configuration_residual = found.residual;
   if (!found.converged) {
-    report.reason =
+    report.failure =
         with_number(found.singular ? "the configuration constraints are singular where the search for the "
                                      "dependent coordinates ended, with a residual of "
                                    : "the search for the dependent coordinates did not converge and ended "
@@ -92,12 +92,12 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   at(q);
   c.normalize_quaternions(placed);
   if (const status solved = c.solve_speeds(placed); !solved) {
-    report.reason = mechanics::sentence({solved.cause()});
+    report.failure = mechanics::sentence({solved.cause()});
     return report;
   }
   report.velocity_residual = largest(c.velocity_residual(placed));
   if (!std::isfinite(report.velocity_residual)) {
-    report.reason = mechanics::sentence({"the velocity constraints are not finite at this state"});
+    report.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
   report.assembled = true;
@@ -111,9 +111,9 @@ template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
-    for (int i = 0; i < residual.size() && !report.reason; ++i)
+    for (int i = 0; i < residual.size() && !report.failure; ++i)
       if (!(std::isfinite(residual(i)) && std::abs(residual(i)) <= tolerance * terms(i)))
-        report.reason =
+        report.failure =
             with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
                         residual(i));
     return largest(residual);
@@ -122,9 +122,9 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
       look_at(c.configuration_residual(x), c.configuration_terms(x), "configuration constraint ");
   report.velocity_residual = look_at(c.velocity_residual(x), c.velocity_terms(x), "velocity constraint ");
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
-  for (int i = 0; i < halves.size() && !report.reason; ++i)
+  for (int i = 0; i < halves.size() && !report.failure; ++i)
     if (const double norm = std::sqrt(1 + 2 * halves(i)); !(std::abs(norm - 1) <= tolerance))
-      report.reason = with_number(
+      report.failure = with_number(
           mechanics::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
   return report;
 }

@@ -194,6 +194,16 @@ constexpr std::pair<int, real> split_log(double x) noexcept {
   return {exponent + (large ? 53 : 52), 2 * s * series(reciprocals, 2, 23, s * s)};
 }
 
+// The k and e^r of e^x = 2^k e^r with |r| <= log(2)/2, for |x| <= 2000. Log 2 is in two parts, of which k
+// times the first is exact (Cody and Waite, "Software Manual for the Elementary Functions", 1980). The first
+// term of DLMF 4.2.19 left out is below 2^-62.
+constexpr std::pair<int, real> split_exp(double x) noexcept {
+  const auto wide = static_cast<real>(x);
+  const int k = nearest(wide * log2_e);
+  const real r = (wide - k * 0x1.62e42feep-1L) - k * 0x1.a39ef35793c7673p-33L;
+  return {k, series(reciprocal_factorials, 1, 14, r)};
+}
+
 // x^y for finite x > 0 and y; the exponential series (DLMF 4.2.19) is cut as in exp.
 constexpr double positive_pow(double x, double y) noexcept {
   // Up to the 15th, no power of a double leaves the range of the 80-bit format.
@@ -268,16 +278,29 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 [[nodiscard]] constexpr double atan(double x) noexcept { return atan2(x, 1.0); }
 
-// x = k log 2 + r with log 2 in two parts, of which k times the first is exact (Cody and Waite, "Software
-// Manual for the Elementary Functions", 1980). The first term of DLMF 4.2.19 left out is below 2^-62.
 [[nodiscard]] constexpr double exp(double x) noexcept {
   if (detail::is_nan(x)) return detail::not_a_number;
   if (x > 710) return detail::infinity;
   if (x < -746) return 0;
-  const auto wide = static_cast<detail::real>(x);
-  const int k = detail::nearest(wide * detail::log2_e);
-  const detail::real r = (wide - k * 0x1.62e42feep-1L) - k * 0x1.a39ef35793c7673p-33L;
-  return detail::scaled(detail::series(detail::reciprocal_factorials, 1, 14, r), k);
+  const auto [k, power] = detail::split_exp(x);
+  return detail::scaled(power, k);
+}
+
+// sinh x / cosh x by their series (DLMF 4.33.1, 4.33.2) up to 1/2, beyond that 1 - 2 / (e^2x + 1); from 20 on
+// nothing is left of the quotient.
+[[nodiscard]] constexpr double tanh(double x) noexcept {
+  if (detail::is_nan(x)) return detail::not_a_number;
+  if (abs(x) >= 20) return detail::copy_sign(1.0, x);
+  detail::real value = static_cast<detail::real>(abs(x));
+  if (value < 0.5L) {
+    const detail::real square = value * value;
+    value *= detail::series(detail::reciprocal_factorials, 2, 15, square) /
+             detail::series(detail::reciprocal_factorials, 2, 16, square);
+  } else {
+    const auto [k, power] = detail::split_exp(2 * abs(x));
+    value = 1 - 2 / (power * static_cast<detail::real>(detail::power_of_two(k)) + 1);
+  }
+  return detail::copy_sign(static_cast<double>(value), x);
 }
 
 [[nodiscard]] constexpr double log(double x) noexcept {

@@ -1,8 +1,8 @@
 #pragma once
 
 /// Gaussian elimination with row exchanges, without a branch on a value: rows are compared and exchanged by
-/// selection. What is done in which order is the same wherever a system is solved; lower/eliminate.hpp
-/// unrolls it.
+/// selection. What is done in which order is the same wherever a system is solved;
+/// lower/unrolled_elimination.hpp unrolls it.
 namespace kanexpr::numeric {
 
 /// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
@@ -83,7 +83,7 @@ constexpr void solve_transposed_factorized(int order, const T* f, T* x) {
 /// done to `squares` of their sizes, by rows, without a cancellation. Each has the unit of its entry, so it
 /// does not matter in which units rows and columns are. What is not a number remains none.
 template <class Math, class T>
-constexpr T regularity_of(int order, const T* f, T* squares) {
+constexpr T singularity_measure_of(int order, const T* f, T* squares) {
   const factors place{order};
   T largest = f[0]; // overwritten by the first
   for (int k = 0; k < order; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination.hpp>
+#include <kanexpr/numeric/constant_elimination_math.hpp>
 
 #include <Eigen/Core>
 
@@ -19,17 +19,19 @@ public:
     for (int i = 0; i < order_; ++i)
       for (int j = 0; j < order_; ++j) f_(place.at(i, j)) = a(i, j);
     largest_ = a.cwiseAbs().maxCoeff();
-    factorize<constant_elimination>(order_, f_.data());
+    factorize<constant_elimination_math>(order_, f_.data());
   }
 
   /// The least pivot beside the largest entry.
-  double regularity() const { return f_(factors{order_}.least_pivot()) / largest_; }
+  double singularity_measure() const { return f_(factors{order_}.least_pivot()) / largest_; }
 
   /// Whether rounding decides on the least pivot.
-  bool is_singular() const { return !(regularity() > order_ * std::numeric_limits<double>::epsilon()); }
+  bool is_singular() const {
+    return !(singularity_measure() > order_ * std::numeric_limits<double>::epsilon());
+  }
 
   /// Turns b into the solution of A x = b.
-  void solve(Vector& b) const { solve_factorized<constant_elimination>(order_, f_.data(), b.data()); }
+  void solve(Vector& b) const { solve_factorized<constant_elimination_math>(order_, f_.data(), b.data()); }
 
 private:
   static constexpr int fixed = Vector::RowsAtCompileTime;

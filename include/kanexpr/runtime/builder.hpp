@@ -1,11 +1,15 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 #include <kanexpr/runtime/model.hpp>
 
+#include <concepts>
 #include <memory>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace kanexpr {
 
@@ -21,24 +25,45 @@ KANEXPR_ENGINE model derive(const runtime::builder& built);
 
 namespace kanexpr::runtime {
 
-/// Builds a mechanism from values while the program runs. It stays where it was made; `derive(b)` gives a
+/// A number among expressions.
+class number_or_expression {
+public:
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+  number_or_expression(Number value) : held_(static_cast<double>(value)) {}
+  number_or_expression(expression e) : held_(e) {}
+
+  const std::variant<double, expression>& held() const { return held_; }
+
+private:
+  std::variant<double, expression> held_;
+};
+
+/// A vector that has no part along some directions.
+struct vanishing {
+  vector value;
+  std::vector<vector> directions;
+};
+
+/// Builds a system from values while the program runs. It stays where it was made; `derive(b)` gives a
 /// model of it, with the results of a system that was described as types.
 ///
 /// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
 ///
-/// Constraints may speak of velocities, which `mechanics::equations derived(b.mechanism());` knows before
-/// they are taken up.
+/// Loads and constraints may speak of velocities, which `mechanics::known_motion known(b.mechanism());` knows
+/// once frames and points are there.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame);
   builder(const builder&) = delete;
   builder& operator=(const builder&) = delete;
 
-  /// The first mistake made while building, or else the first that the mechanism holds; empty: none.
-  problem(check)() const;
-  const problem& mistake() const { return inspect_.mistake(); }
+  /// The first mistake made while building, or else the first that the system holds; empty: none.
+  sentence(check)() const;
+  const sentence& mistake() const { return inspect_.mistake(); }
 
-  const mechanics::mechanism& mechanism() const { return m_; }
+  const mechanics::multibody_system& system() const { return system_; }
+  const mechanics::mechanism& mechanism() const { return system_.mechanism; }
   symbolic::graph& graph() { return *graph_; }
 
   // ---- scalars
@@ -69,13 +94,17 @@ public:
 
   // ---- vectors and dyadics
 
-  vector along(frame_id axes, expression x, expression y, expression z);
-  vector along(frame_id axes, double x, double y, double z);
+  /// By its components, numbers or expressions: `b.along(A, l, 0, 0)`.
+  vector along(frame_id axes, const number_or_expression& x, const number_or_expression& y,
+               const number_or_expression& z);
+  expression dot(const vector& a, const vector& b);
 
   /// Inertia scalars in the axes of a frame; products with the sign of Σ m (r·r E − r r).
-  dyadic inertia(frame_id axes, expression xx, expression yy, expression zz, expression xy, expression yz,
-                 expression zx);
-  dyadic inertia(frame_id axes, expression xx, expression yy, expression zz);
+  dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
+                 const number_or_expression& zz, const number_or_expression& xy,
+                 const number_or_expression& yz, const number_or_expression& zx);
+  dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
+                 const number_or_expression& zz);
 
   // ---- frames
 
@@ -105,6 +134,8 @@ public:
   point_id offset(std::string_view called, point_id parent, const vector& from_parent);
   /// The two-point theorem: the point and its parent are both fixed in `frame`.
   void fixed_in(point_id point, frame_id frame);
+  /// The position of a point from another.
+  vector position_of(point_id point, point_id from);
   /// The velocity of a point in `reference`, used in place of the derived one.
   void velocity(point_id point, frame_id reference, const vector& value);
 
@@ -141,14 +172,25 @@ public:
   /// A torque −damping·ω on a frame that turns with ω in another, and the opposite on that.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
-  // ---- constraints; what vanishes may hold velocities that `mechanics::equations` knew before
+  // ---- constraints; what vanishes may hold velocities of a `mechanics::known_motion`
+
+  /// What one constraint along each direction says of a vector: `b.configuration_constraint(b.zero_along(
+  /// b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1, 0)))`.
+  template <std::same_as<vector>... Directions>
+  static vanishing zero_along(const vector& v, const Directions&... directions) {
+    return {v, {directions...}};
+  }
 
   /// An expression of the coordinates that vanishes.
   void configuration_constraint(expression vanishes);
+  /// A position that vanishes along each of some directions.
+  void configuration_constraint(const vanishing& v);
   /// An expression that vanishes, linear in speeds or rates of coordinates.
   void velocity_constraint(expression vanishes);
   /// A velocity that vanishes along a direction.
-  void velocity_constraint(const vector& vanishing, const vector& direction);
+  void velocity_constraint(const vector& vanishes, const vector& direction);
+  /// The same along each of some directions.
+  void velocity_constraint(const vanishing& v);
   /// An expression that vanishes, linear in the rates of the speeds: `dot(u1) + dot(u2)`.
   void acceleration_constraint(expression vanishes);
   /// A coordinate or speed that the constraints are to be solved for.
@@ -157,6 +199,8 @@ public:
 private:
   friend model kanexpr::derive(const builder& built);
 
+  expression of(const number_or_expression& given);
+  bool may_vanish(const vector& v, const vector& direction, std::string_view whose);
   void declare(frame_id frame, frame_id reference, const vector& value, bool apart);
 
   std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }
@@ -176,7 +220,8 @@ private:
                        const symbolic::sequence<expression>& angles, bool space_fixed);
 
   std::shared_ptr<symbolic::graph> graph_ = std::make_shared<symbolic::graph>(); ///< shared with models
-  mechanics::mechanism m_;
+  mechanics::multibody_system system_;
+  mechanics::mechanism& m_ = system_.mechanism;
   inspector inspect_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 
 namespace kanexpr {
 
@@ -11,7 +11,7 @@ namespace mechanics {
 struct mechanism;
 class equations;
 } // namespace mechanics
-namespace derivation {
+namespace deriving {
 class reader;
 }
 
@@ -26,12 +26,15 @@ public:
   derived& operator=(const derived&) = delete;
   virtual ~derived() = default;
 
-  virtual const mechanics::problem& mistake() const = 0;
+  virtual const mechanics::sentence& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
-  virtual derivation::reader& reader() = 0;
+  virtual deriving::reader& reader() = 0;
   /// Null where a mistake came before them.
   virtual mechanics::equations* equations() = 0;
+
+  /// What is wrong with the last request alone; the system is sound.
+  mechanics::sentence refused{};
 };
 
 } // namespace runtime

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -11,7 +11,7 @@
 namespace kanexpr::runtime {
 
 using mechanics::dyadic;
-using mechanics::problem;
+using mechanics::sentence;
 using mechanics::vector;
 using symbolic::expression;
 
@@ -27,7 +27,7 @@ class inspector {
 public:
   explicit inspector(const mechanics::mechanism& m) : m_(m) {}
 
-  const problem& mistake() const { return mistake_; }
+  const sentence& mistake() const { return mistake_; }
 
   bool fail(std::initializer_list<std::string_view> pieces) {
     if (!mistake_) mistake_ = mechanics::sentence(pieces);
@@ -101,7 +101,7 @@ private:
     return fail({whom, " names ", what, " number ", told.view(), ", which does not exist"});
   }
   bool tellable(std::string_view kinds, std::string_view called) {
-    const problem found = mechanics::check_name(called, kinds);
+    const sentence found = mechanics::check_name(called, kinds);
     return !found || fail({found.view()});
   }
 
@@ -109,7 +109,7 @@ private:
 
   const mechanics::mechanism& m_;
   mechanics::finiteness numbers_;
-  problem mistake_;
+  sentence mistake_;
   bool has_time_ = false;
 };
 

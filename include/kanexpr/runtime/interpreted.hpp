@@ -1,30 +1,35 @@
 #pragma once
 
-#include <kanexpr/runtime/guarded_code.hpp>
+#include <kanexpr/runtime/checked_code.hpp>
 
 #include <Eigen/Core>
 
 #include <limits>
+#include <string_view>
 
 namespace kanexpr::runtime {
 
 /// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
-/// f(t, x, p, r, a). It keeps the matrix that it returns, and takes no memory when it is called.
+/// f(t, x, p, r, a). It keeps the matrix that it returns, and takes no memory when it is called. Where a
+/// vector is too short for what is needed of it, the result is not a number, and the status says so.
 template <class Scalar = double>
 class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `guards`: what may be singular on the way to the results.
+  /// `checks`: what may be singular on the way to the results.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
-              const symbolic::sequence<mechanics::guard>& guards = {})
-      : code_(g, wanted, guards), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {}
+              const symbolic::sequence<mechanics::singularity_check>& checks = {})
+      : code_(g, wanted, checks), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {
+    for (const lower::load& each : code_.code().loads)
+      if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);
+  }
 
   /// Operations of one call.
   symbolic::cost cost() const { return code_.cost(); }
 
   /// Whether all that the last call had to solve could be solved at its state.
-  kanexpr::status status() const { return code_.status(); }
+  kanexpr::status status() const { return too_short_ ? kanexpr::status(too_short_.view()) : code_.status(); }
 
   template <class X>
   const matrix& operator()(const X& x) {
@@ -45,10 +50,16 @@ public:
   template <class X, class P, class R, class A>
   const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
     using symbolic::symbol_kind;
+    too_short_ = {};
+    check(state_, x), check(parameters_, p), check(inputs_, r), check(rates_, a);
+    if (too_short_) {
+      result_.setConstant(not_a_number());
+      return result_;
+    }
     const Scalar* const found = code_.evaluate([&](const lower::load& each) -> Scalar {
       switch (each.from) {
-      case symbol_kind::coordinate: return Scalar(x[each.position]);
-      case symbol_kind::speed: return Scalar(x[coordinates_ + each.position]);
+      case symbol_kind::coordinate:
+      case symbol_kind::speed: return Scalar(x[place_of(each)]);
       case symbol_kind::parameter: return Scalar(p[each.position]);
       case symbol_kind::input: return Scalar(r[each.position]);
       case symbol_kind::speed_rate: return Scalar(a[each.position]);
@@ -66,11 +77,60 @@ public:
 private:
   /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
   struct nothing {
-    Scalar operator[](Eigen::Index) const { return std::numeric_limits<Scalar>::quiet_NaN(); }
+    Scalar operator[](Eigen::Index) const { return not_a_number(); }
+  };
+  static Scalar not_a_number() {
+    return lower::scalar_math<Scalar>::from(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The last entry that the code reads of a vector.
+  struct need {
+    std::string_view vector;
+    int entries = 0;
+    symbolic::name last{};
+
+    void take(int place, const symbolic::graph& g, const lower::load& read) {
+      if (place < entries) return;
+      entries = place + 1;
+      for (const symbolic::symbol& s : g.symbols())
+        if (s.kind == read.from && s.position == read.position) last = s.called;
+    }
   };
 
-  guarded_code<Scalar> code_;
+  need* need_of(symbolic::symbol_kind kind) {
+    using symbolic::symbol_kind;
+    switch (kind) {
+    case symbol_kind::coordinate:
+    case symbol_kind::speed: return &state_;
+    case symbol_kind::parameter: return &parameters_;
+    case symbol_kind::input: return &inputs_;
+    case symbol_kind::speed_rate: return &rates_;
+    case symbol_kind::time:
+    case symbol_kind::coordinate_rate:
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier: break;
+    }
+    return nullptr;
+  }
+  int place_of(const lower::load& read) const {
+    return read.from == symbolic::symbol_kind::speed ? coordinates_ + read.position : read.position;
+  }
+
+  template <class Vector>
+  void check(const need& of, const Vector& given) {
+    if constexpr (requires { given.size(); }) {
+      const int size = static_cast<int>(given.size());
+      if (too_short_ || size >= of.entries) return;
+      too_short_ =
+          mechanics::sentence({"the ", of.vector, " vector has ", mechanics::counted(size).view(),
+                               size == 1 ? " entry" : " entries", ", and none for ", of.last.view()});
+    }
+  }
+
+  checked_code<Scalar> code_;
   int coordinates_;
+  need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"};
+  mechanics::sentence too_short_{};
   matrix result_;
 };
 

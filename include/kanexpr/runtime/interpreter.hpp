@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/lower/interpret.hpp>
+#include <kanexpr/lower/evaluate_steps.hpp>
 
 namespace kanexpr::runtime {
 
@@ -26,13 +26,11 @@ public:
   }
 
 private:
-  using interpretation = lower::interpretation<lower::tape, T>;
-
   void run();
 
   lower::tape code_;
   symbolic::sequence<T> slots_;
-  symbolic::sequence<T> squares_; ///< while they grow
+  symbolic::sequence<T> aside_; ///< what a step works on
 };
 
 // Not inside of the class: there they would be inline, and every file would compile them.
@@ -40,13 +38,13 @@ private:
 template <class T>
 interpreter<T>::interpreter(const lower::tape& code)
     : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)),
-      squares_(interpretation::squares_of(code), lower::scalar_math<T>::from(0)) {
-  interpretation(code_, slots_.begin(), squares_.begin()).place_numbers();
+      aside_(lower::aside_of(code), lower::scalar_math<T>::from(0)) {
+  for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
 }
 
 template <class T>
 void interpreter<T>::run() {
-  interpretation(code_, slots_.begin(), squares_.begin()).run();
+  lower::evaluate_steps(code_, slots_.begin(), aside_.begin());
 }
 
 #if defined KANEXPR_COMPILED_ENGINE

@@ -34,14 +34,14 @@ struct output_matrices {
 /// formed.
 class linearization {
 public:
-  /// Of a system with a mistake there are no results, and the mistake is the problem.
+  /// Of a system with a mistake there are no results, and the mistake is the failure.
   linearization(std::shared_ptr<derived> system, const linearization_point& at);
 
   /// Whether the point satisfies all equations, and all that was asked for so far has a value there.
-  explicit operator bool() const { return problems().empty(); }
+  explicit operator bool() const { return failures().empty(); }
 
   /// What is wrong with the point, and which entries have no value there, as sentences.
-  const std::vector<std::string>& problems() const;
+  const std::vector<std::string>& failures() const;
 
   const implicit_matrices& implicit_form();
   const explicit_matrices& explicit_form();

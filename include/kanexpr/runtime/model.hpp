@@ -16,16 +16,21 @@
 
 namespace kanexpr {
 
+namespace deriving {
+struct survey;
+}
+
 /// A system derived while the program runs, by the functions that derive it in the compiler: its results are
 /// expressions, to print, to look into and to evaluate. Copies share one derivation, which lives as long as
 /// the last of them and of their linearizations; one thread at a time may use it.
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use.
-  explicit model(const describe::system_record& from, std::span<const derivation::request> also = {});
+  explicit model(const describe::system_record& from, std::span<const deriving::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
-  /// The first mistake of the system as a sentence; empty: there is none.
+  /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
+  /// empty: there is none.
   std::string mistake() const;
 
   /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and
@@ -50,7 +55,9 @@ public:
   symbolic::matrix udot() { return get(mechanics::quantity::udot); }
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
-  symbolic::matrix auxiliary_forces() { return get(mechanics::quantity::auxiliary_forces); }
+  symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
+  /// The same by another name.
+  symbolic::matrix auxiliary_forces() { return noncontributing_forces(); }
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
@@ -60,10 +67,14 @@ public:
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
   template <auto... measured>
   symbolic::matrix measured_by() {
-    const derivation::request all[]{derivation::requested<measured>::value...};
+    const deriving::request all[]{deriving::requested<measured>::value...};
     return measured_by(all);
   }
-  symbolic::matrix measured_by(std::span<const derivation::request> measured);
+  symbolic::matrix measured_by(std::span<const deriving::request> measured);
+
+  /// An expression with the rates q̇ and u̇ as the equations of motion give them; as it is where the system has
+  /// a mistake.
+  symbolic::expression in_motion(symbolic::expression e);
 
   /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
   /// a mistake.
@@ -73,9 +84,9 @@ public:
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
   template <auto wanted>
   symbolic::matrix get() {
-    return get(derivation::requested<wanted>::value);
+    return get(deriving::requested<wanted>::value);
   }
-  symbolic::matrix get(const derivation::request& wanted);
+  symbolic::matrix get(const deriving::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted>
@@ -89,12 +100,16 @@ public:
   std::string latex(const mechanics::vector& v,
                     mechanics::basis_style style = mechanics::basis_style::xyz) const;
 
-  /// Interpreted evaluation of a result: the steps of the compiled function, so it agrees with that to the
-  /// last bit.
+  /// Interpreted evaluation of a result: the steps of the compiled function, so a result that is the first to
+  /// be asked for agrees with that to the last bit. Results share expressions with those that were formed
+  /// before them, which may change the order of operations, and so the last bits.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    return {graph(), result, coordinates(), guards_of(result)};
+    return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
+
+  /// Its symbols in order, and which of them are dependent.
+  std::shared_ptr<const deriving::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
@@ -104,7 +119,7 @@ public:
 private:
   int coordinates() const;
   /// What may be singular on the way to a result.
-  symbolic::sequence<mechanics::guard> guards_of(const symbolic::matrix& result);
+  symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 
   std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };
@@ -115,7 +130,7 @@ model derive() {
   if constexpr (sizeof...(also) == 0) {
     return model(System::record);
   } else {
-    const derivation::request all[]{derivation::requested<also>::value...};
+    const deriving::request all[]{deriving::requested<also>::value...};
     return model(System::record, all);
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/code_table.hpp>
-#include <kanexpr/lower/interpret.hpp>
+#include <kanexpr/lower/evaluate_steps.hpp>
 #include <kanexpr/lower/regular.hpp>
 
 #include <vector>
@@ -12,17 +12,18 @@ namespace kanexpr::runtime {
 template <class T>
 class table_interpreter {
 public:
-  table_interpreter(const compiled::code_table& table, const derivation::survey& known)
+  table_interpreter(const compiled::code_table& table, const deriving::survey& known)
       : table_(table), known_(known), slots_(static_cast<std::size_t>(table.tape.slot_count())),
-        squares_(static_cast<std::size_t>(interpretation::squares_of(table.tape))) {
-    steps().place_numbers();
+        aside_(static_cast<std::size_t>(lower::aside_of(table.tape))) {
+    for (int i = 0; i < table.tape.numbers.size(); ++i)
+      slots_[static_cast<std::size_t>(i)] = lower::number_as<T>(table.tape.numbers[i]);
   }
 
   /// Writes the results one after another, each row by row.
   status evaluate(const T& t, const T* x, const T* p, const T* r, T* results) {
     T* load = slots_.data() + table_.tape.numbers.size();
     for (const lower::load& each : table_.tape.loads) *load++ = value_of(each, t, x, p, r);
-    steps().run();
+    lower::evaluate_steps(table_.tape, slots_.data(), aside_.data());
     const int all = table_.tape.results.size() - 2 * table_.causes;
     for (int i = 0; i < all; ++i) results[i] = found(i);
     for (int i = 0; i < table_.causes; ++i)
@@ -31,9 +32,6 @@ public:
   }
 
 private:
-  using interpretation = lower::interpretation<lower::tape_view, T>;
-  interpretation steps() { return {table_.tape, slots_.data(), squares_.data()}; }
-
   const T& found(int result) const { return slots_[static_cast<std::size_t>(table_.tape.results[result])]; }
 
   T value_of(const lower::load& l, const T& t, const T* x, const T* p, const T* r) const {
@@ -45,15 +43,15 @@ private:
   }
 
   bool passes(int cause, const T& measure, const T& scale) const {
-    constexpr double least = mechanics::least_regularity<T>();
+    constexpr double least = mechanics::least_singularity_measure<T>();
     return table_.tells_finiteness && cause == table_.causes - 1
                ? lower::passes<true>(measure, scale, least)
                : lower::passes<false>(measure, scale, least);
   }
 
   const compiled::code_table& table_;
-  const derivation::survey& known_;
-  std::vector<T> slots_, squares_;
+  const deriving::survey& known_;
+  std::vector<T> slots_, aside_;
 };
 
 } // namespace kanexpr::runtime

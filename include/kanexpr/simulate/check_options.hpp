@@ -83,19 +83,19 @@ inline std::string check_output_times(const std::vector<double>& times, const ti
 }
 
 inline std::string check_options(const settings& o, const time_span& span) {
-  if (const std::string wrong = check_span(span); !wrong.empty()) return wrong;
+  if (const std::string mistake = check_span(span); !mistake.empty()) return mistake;
   if (!o.mistake_in_inputs.empty()) return std::string(o.mistake_in_inputs);
   for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance.value_or(1)})
-    if (std::string wrong = check_tolerance(tolerance); !wrong.empty()) return wrong;
+    if (std::string mistake = check_tolerance(tolerance); !mistake.empty()) return mistake;
   if (o.relative_tolerance >= 1)
     return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
-  if (std::string wrong = check_output_every(o.output_every, span, o.keep ? o.bytes_of_sample : 0);
-      !wrong.empty())
-    return wrong;
+  if (std::string mistake = check_output_every(o.output_every, span, o.keep ? o.bytes_of_sample : 0);
+      !mistake.empty())
+    return mistake;
   if (o.output_every > 0 && !o.output_times.empty())
     return "samples are asked for at regular and at particular times; give output_every or output_times";
   for (const double step : {o.first_step, o.least_step, o.greatest_step})
-    if (std::string wrong = check_step(step); !wrong.empty()) return wrong;
+    if (std::string mistake = check_step(step); !mistake.empty()) return mistake;
   if (o.greatest_step > 0 && o.least_step > o.greatest_step)
     return "the least step, " + digits(o.least_step) + ", is longer than the greatest, " +
            digits(o.greatest_step);
@@ -119,7 +119,7 @@ inline std::string read_tolerances(const system& of, const settings& o, const Ei
                                  each.data());
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
   reader.look_for_infinite();
-  if (reader.problem()) return "of the tolerances, " + std::string(reader.problem().view());
+  if (reader.mistake()) return "of the tolerances, " + std::string(reader.mistake().view());
   if (!std::ranges::all_of(each, [](double size) { return size > 0; })) return "a tolerance must be positive";
   tolerances.assign(each.begin(), each.end());
   return {};

@@ -15,7 +15,7 @@ namespace kanexpr::simulated {
 template <class System, integrator by>
 class compiled_system final : public system {
   using quantity = mechanics::quantity;
-  static constexpr const derivation::survey& of = compiled::survey_of<System>;
+  static constexpr const deriving::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds;
   static constexpr int m = of.constraints, l = of.configuration_constraints;
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
@@ -48,7 +48,7 @@ public:
   void configuration(double t, const double* x, const double* r, double* left,
                      double* by_coordinates) const override {
     if constexpr (l != 0)
-      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_full>(t, x, r), left,
+      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_by_all>(t, x, r), left,
            by_coordinates);
   }
   void velocities(double t, const double* x, const double* r, double* left,
@@ -148,7 +148,7 @@ private:
       }
       if constexpr (l != 0) {
         const auto [kept, jacobian] = out_of_line<
-            function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{}(
+            function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
             t, x, p, r);
         left.template head<n>() -= jacobian.transpose() * vector<T, l>(y + n + o + m);
         left.template tail<l>() = kept;

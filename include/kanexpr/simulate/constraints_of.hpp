@@ -30,7 +30,7 @@ public:
     if (coordinates() != 0) evaluate(x);
     return left_;
   }
-  Eigen::MatrixXd configuration_jacobian(const vector& x) {
+  Eigen::MatrixXd configuration_jacobian_by_all(const vector& x) {
     evaluate(x);
     Eigen::MatrixXd by_dependent(coordinates(), coordinates());
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all_.col(place_of_coordinate(i));

@@ -69,13 +69,13 @@ struct watched {
   static constexpr describe::phrase words = describe::phrase_of<expression>;
   static constexpr bool passes_zero =
       words.kind == describe::shape::scalar || words.kind == describe::shape::equation;
-  static constexpr mechanics::problem mistake = [] {
-    if (passes_zero) return mechanics::problem{};
+  static constexpr mechanics::sentence mistake = [] {
+    if (passes_zero) return mechanics::sentence{};
     return mechanics::sentence({"what when<...> watches", words.size > 0 ? ", with " : "",
-                                derivation::name_in(words), words.size > 0 ? "," : "",
-                                derivation::is_a(words.kind), "it must be a scalar, to pass zero"});
+                                deriving::name_in(words), words.size > 0 ? "," : "",
+                                deriving::is_a(words.kind), "it must be a scalar, to pass zero"});
   }();
-  static_assert(derivation::tell<watched>());
+  static_assert(deriving::tell<watched>());
 };
 
 } // namespace simulated

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace kanexpr {
@@ -27,9 +28,7 @@ public:
   input_source() : input_source(given_inputs<System>()) {}
   input_source(std::initializer_list<named_value> constants)
       : input_source(given_inputs<System>(constants)) {}
-  input_source(const given_inputs<System>& constants)
-      : problem_(constants.problem),
-        give_([r = constants.values](double, const state&, inputs& out) { out = r; }) {}
+  input_source(const given_inputs<System>& constants) : constants_(constants) {}
   template <class Derived>
   input_source(const Eigen::MatrixBase<Derived>& constants) : input_source(given_inputs<System>(constants)) {}
 
@@ -48,19 +47,33 @@ public:
   input_source(Function of_time)
       : give_([f = std::move(of_time)](double t, const state&, inputs& r) { r = f(t); }) {}
 
+  /// Puts constants that were given by name into their places, of a model whose symbols are known only while
+  /// the program runs.
+  template <class Known>
+  void read(const Known& known) {
+    if (constants_) constants_->read(known);
+  }
+
   /// A mistake in constants, as a sentence.
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const {
+    static constexpr mechanics::sentence none{};
+    return constants_ ? constants_->mistake : none;
+  }
   bool depends_on_state() const { return depends_on_state_; }
 
   /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
   void give(double t, const state& x, inputs& r) const {
+    if (constants_) {
+      r = constants_->values;
+      return;
+    }
     std::fill_n(r.data(), r.size(), std::numeric_limits<double>::quiet_NaN());
     give_(t, x, r);
   }
 
 private:
-  mechanics::problem problem_;
-  std::function<void(double, const state&, inputs&)> give_;
+  std::optional<given_inputs<System>> constants_{};
+  std::function<void(double, const state&, inputs&)> give_{};
   bool depends_on_state_ = false;
 };
 

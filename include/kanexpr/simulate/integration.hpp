@@ -36,17 +36,17 @@ public:
 private:
   using state = Eigen::VectorXd;
 
-  const derivation::survey& known() const { return around_.known(); }
+  const deriving::survey& known() const { return around_.known(); }
   solvers::stepper& stepper() { return moving_.stepper(); }
 
   bool fail(std::string why) {
-    if (result_.reason.empty()) result_.reason = std::move(why);
+    if (result_.failure.empty()) result_.failure = std::move(why);
     return false;
   }
 
   /// Ends the simulation where it stands.
   bool fail_here(const std::string& why) {
-    const std::string because = around_.reason();
+    const std::string because = around_.last_refusal();
     if (has_begun_) sampling_.end(result_.time, state_);
     std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
     for (int i = 0; i < around_.system().states(); ++i)
@@ -56,15 +56,17 @@ private:
 
   bool begin() {
     solvers::stepper_options o = stepper_options();
-    if (std::string wrong = check_options(options_, span_); !wrong.empty()) return fail(std::move(wrong));
+    if (std::string mistake = check_options(options_, span_); !mistake.empty())
+      return fail(std::move(mistake));
     state first = state_;
     if (!assemble_at(span_.from, first)) return false;
     state_ = first;
     const state_sizes found(around_, span_.from, first, around_.length());
     around_.set_sizes(found.sizes());
-    if (std::string wrong = read_tolerances(around_.system(), options_, found.sizes(), o.absolute_tolerances);
-        !wrong.empty())
-      return fail(std::move(wrong));
+    if (std::string mistake =
+            read_tolerances(around_.system(), options_, found.sizes(), o.absolute_tolerances);
+        !mistake.empty())
+      return fail(std::move(mistake));
     const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
     if (moving_.start(state_, o) != answer::given) return fail_here("");

@@ -52,8 +52,8 @@ public:
                            const given_parameters<System>& parameters = {},
                            const operating_point_options<System>& options = {})
       : x(guess.values), p(parameters.values), r(options.inputs.values) {
-    for (const mechanics::problem* wrong : {&guess.problem, &parameters.problem, &options.inputs.problem})
-      if (cause_.empty()) cause_ = wrong->view();
+    for (const mechanics::sentence* mistake : {&guess.mistake, &parameters.mistake, &options.inputs.mistake})
+      if (cause_.empty()) cause_ = mistake->view();
     if (cause_.empty()) cause_ = mistake_in(options);
     if (cause_.empty()) find(options);
   }
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  static constexpr const derivation::survey& known = compiled::survey_of<System>;
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
   static constexpr int states = known.coordinates + known.speeds;
 
   Eigen::VectorXd all() const {
@@ -100,7 +100,7 @@ private:
     std::copy_n(values + states + known.parameters, known.inputs, r.data());
     iterations = found.iterations;
     freedom = found.freedom;
-    cause_ = std::move(found.cause);
+    cause_ = std::move(found.failure);
     residuals_ = std::move(found.residuals);
   }
 

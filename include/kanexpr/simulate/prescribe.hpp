@@ -4,6 +4,10 @@
 
 #include <boost/math/differentiation/autodiff.hpp>
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+
 namespace kanexpr {
 
 /// Gives a prescribed quantity and its derivatives among the inputs the values of a function of time, which
@@ -11,7 +15,7 @@ namespace kanexpr {
 template <class System, text called, int index, class Function>
 void prescribe(input_values<System>& r, const prescribed<called, index>& quantity, double t,
                const Function& f) {
-  constexpr const derivation::survey& known = compiled::survey_of<System>;
+  constexpr const deriving::survey& known = compiled::survey_of<System>;
   constexpr auto place = [](const describe::symbol_record& s) {
     return known.place(symbolic::symbol_kind::input, s.called);
   };
@@ -23,6 +27,19 @@ void prescribe(input_values<System>& r, const prescribed<called, index>& quantit
       place(describe::symbol_storage<symbolic::symbol_kind::input, called, index, 2>::record);
   if constexpr (first >= 0) r(first) = value.derivative(1);
   if constexpr (second >= 0) r(second) = value.derivative(2);
+}
+
+/// The same by name, of a model that was derived while the program runs: `prescribe(r, "theta", t, …)`.
+template <class Inputs, class Function>
+  requires requires(const Inputs& r, std::string_view name) { r.holds(name); }
+void prescribe(Inputs& r, std::string_view quantity, double t, const Function& f) {
+  const auto value = f(boost::math::differentiation::make_fvar<double, 2>(t));
+  std::string name(quantity);
+  r[name] = value.derivative(0);
+  for (std::size_t order = 1; order <= 2; ++order) {
+    name += '\'';
+    if (r.holds(name)) r[name] = value.derivative(order);
+  }
 }
 
 } // namespace kanexpr

@@ -55,7 +55,7 @@ struct ending {
   std::vector<occurrence> events{};
   integration_statistics statistics{};
   bool stopped_by_event = false;
-  std::string reason{};
+  std::string failure{};
 };
 
 } // namespace simulated

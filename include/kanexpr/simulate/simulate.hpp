@@ -30,13 +30,25 @@ settings settings_of(const simulation_options<System>& o) {
              o.analytic_jacobian,
              {},
              o.progress,
-             o.inputs.problem().view(),
+             o.inputs.mistake().view(),
              o.inputs.depends_on_state(),
              sizeof(sample<System>)};
   for (const event<System>& e : o.events)
     s.events.push_back(
         {e.name, static_cast<int>(e.direction), static_cast<bool>(e.value), static_cast<bool>(e.handler)});
   return s;
+}
+
+/// Runs from the state of the result, and tells there how it went.
+template <integrator by, class System>
+void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
+  ending end = run<by>(moved, result.state.data(), span, options);
+  result.time = end.time;
+  std::copy_n(end.state.data(), end.state.size(), result.state.data());
+  result.events = std::move(end.events);
+  result.statistics = end.statistics;
+  result.stopped_by_event = end.stopped_by_event;
+  result.failure = std::move(end.failure);
 }
 
 } // namespace simulated
@@ -54,16 +66,10 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   result.trajectory = trajectory<System>(p.values);
   result.time = span.from;
   result.state = x.values;
-  result.reason = (p.problem ? p.problem : x.problem).view();
-  if (!result.reason.empty()) return result;
+  result.failure = (p.mistake ? p.mistake : x.mistake).view();
+  if (!result.failure.empty()) return result;
   simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
-  simulated::ending end = simulated::run<by>(moved, x.values.data(), span, simulated::settings_of(options));
-  result.time = end.time;
-  std::copy_n(end.state.data(), end.state.size(), result.state.data());
-  result.events = std::move(end.events);
-  result.statistics = end.statistics;
-  result.stopped_by_event = end.stopped_by_event;
-  result.reason = std::move(end.reason);
+  simulated::run_into<by>(result, moved, span, simulated::settings_of(options));
   return result;
 }
 

@@ -18,10 +18,10 @@ struct [[nodiscard]] simulation {
   double time = 0;                ///< where it ended
   kanexpr::state<System> state{}; ///< the state there
   bool stopped_by_event = false;  ///< as the handler of the last event asked
-  std::string reason{};           ///< what went wrong, as a sentence; empty: nothing
+  std::string failure{};          ///< what went wrong, as a sentence; empty: nothing
 
-  explicit operator bool() const { return reason.empty(); }
-  const std::string& cause() const { return reason; }
+  explicit operator bool() const { return failure.empty(); }
+  const std::string& cause() const { return failure; }
 };
 
 } // namespace kanexpr

@@ -41,7 +41,7 @@ private:
   /// The rates with the inputs of the first instant, where they can be had, and what the configuration
   /// constraints leave.
   Eigen::VectorXd functions(const surroundings& around, double t, const state& x) const {
-    const derivation::survey& known = around.known();
+    const deriving::survey& known = around.known();
     Eigen::VectorXd all(x.size() + known.configuration_constraints);
     around.system().rates(t, x.data(), around.r().data(), all.data());
     if (known.configuration_constraints != 0)

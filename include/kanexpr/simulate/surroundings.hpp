@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/simulate/misnamed.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/system.hpp>
@@ -28,7 +29,7 @@ public:
 
   simulated::system& system() { return of_; }
   const simulated::system& system() const { return of_; }
-  const derivation::survey& known() const { return of_.known; }
+  const deriving::survey& known() const { return of_.known; }
 
   /// Integrators count the time from the start, as numbers are finest near zero.
   double time(double elapsed) const {
@@ -71,13 +72,13 @@ public:
 
   /// Notes why an evaluation has no result here.
   answer refuse(std::string why) {
-    reason_ = std::move(why);
+    last_refusal_ = std::move(why);
     return answer::not_here;
   }
   answer refuse(const status& s) { return refuse(std::string(s.cause())); }
   /// The reason of the last refusal since `forget`.
-  const std::string& reason() const { return reason_; }
-  void forget() { reason_.clear(); }
+  const std::string& last_refusal() const { return last_refusal_; }
+  void forget() { last_refusal_.clear(); }
 
   /// Calls a function of the user.
   template <class Function>
@@ -89,10 +90,12 @@ public:
     try {
       call();
       return answer::given;
+    } catch (const misnamed& found) {
+      last_refusal_.assign(what).append(which).append(": ").append(found.what());
     } catch (const std::exception& thrown) {
-      reason_.assign(what).append(which).append(" threw: ").append(thrown.what());
+      last_refusal_.assign(what).append(which).append(" threw: ").append(thrown.what());
     } catch (...) {
-      reason_.assign(what).append(which).append(" threw something that is not a std::exception");
+      last_refusal_.assign(what).append(which).append(" threw something that is not a std::exception");
     }
     return answer::never;
   }
@@ -117,7 +120,7 @@ private:
   const time_span span_;
   const settings& options_;
   vector x_, sizes_, r_;
-  std::string reason_{};
+  std::string last_refusal_{};
 };
 
 } // namespace kanexpr::simulated

@@ -29,12 +29,12 @@ std::unique_ptr<manifold> manifold_of(const System& of);
 /// and is compiled without one.
 class system {
 public:
-  system(const derivation::survey& of, const describe::system_record& record, std::string_view called,
+  system(const deriving::survey& of, const describe::system_record& record, std::string_view called,
          manifold_maker maker)
       : known(of), told(record), name(called), make_manifold(maker) {}
   virtual ~system() = default;
 
-  const derivation::survey& known;
+  const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
   manifold_maker make_manifold; ///< null: there are no constraints, and no quaternions

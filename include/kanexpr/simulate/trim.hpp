@@ -27,7 +27,7 @@ struct wishes {
 struct subject {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 
-  const derivation::survey& known;
+  const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
   const compiled::code_table *constraints, *rates; ///< null: there are none, or a library has them
@@ -46,7 +46,7 @@ struct finding {
   Eigen::VectorXd left{};   ///< of each equation
   int iterations = 0;
   int freedom = 0;
-  std::string cause{};
+  std::string failure{};
   std::vector<residual> residuals{};
 };
 

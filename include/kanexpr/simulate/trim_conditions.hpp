@@ -18,7 +18,7 @@ struct condition {
 /// as in a survey: [x; p; r].
 class conditions {
 public:
-  conditions(const derivation::survey& known, const describe::system_record& told, std::string_view system,
+  conditions(const deriving::survey& known, const describe::system_record& told, std::string_view system,
              const wishes& asked)
       : known_(known), told_(told), system_(system), states_(known.coordinates + known.speeds),
         residuals_(known.quaternions + known.configuration_constraints + known.constraints) {
@@ -37,12 +37,12 @@ public:
 
   const std::vector<int>& unknowns() const { return unknowns_; }
   const std::vector<condition>& equations() const { return equations_; }
-  const derivation::survey& known() const { return known_; }
+  const deriving::survey& known() const { return known_; }
   int states() const { return states_; }
   int residuals() const { return residuals_; }
 
   /// What is wrong with the names, as a sentence.
-  const mechanics::problem& problem() const { return problem_; }
+  const mechanics::sentence& mistake() const { return mistake_; }
 
   /// "configuration constraint 1", "the rate of speed u1".
   std::string name_of(const condition& c) const {
@@ -121,19 +121,19 @@ private:
     return place < states_ ? place : -1;
   }
 
-  mechanics::problem called(int place) const { return compiled::symbol_called(known_, place); }
+  mechanics::sentence called(int place) const { return compiled::symbol_called(known_, place); }
 
   void fail(std::initializer_list<std::string_view> pieces) {
-    if (!problem_) problem_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = mechanics::sentence(pieces);
   }
 
-  const derivation::survey& known_;
+  const deriving::survey& known_;
   const describe::system_record& told_;
   std::string_view system_;
   int states_, residuals_;
   std::vector<int> unknowns_{};
   std::vector<condition> equations_{};
-  mechanics::problem problem_{};
+  mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::trim

@@ -3,7 +3,7 @@
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
-#include <kanexpr/simulate/trim_evaluation.hpp>
+#include <kanexpr/simulate/trim_values.hpp>
 #include <kanexpr/simulate/trim_sizes.hpp>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ private:
 
   /// Which coordinates are angles, and how long the others are, at the guess.
   void look_at_kinds() {
-    const derivation::survey& known = asked_.known();
+    const deriving::survey& known = asked_.known();
     kinds_.coordinates = known.coordinates;
     kinds_.speeds = known.speeds;
     kinds_.residuals = asked_.residuals();
@@ -132,7 +132,7 @@ private:
   static constexpr double step = 1e-40;
 
   const conditions& asked_;
-  evaluation evaluate_;
+  values_of_equations evaluate_;
   double t_;
   complex_vector at_, all_;
   std::string_view unsolved_{};

@@ -17,8 +17,8 @@ public:
         z_(equations.start()) {}
 
   finding find() {
-    if (const std::string wrong = look_at_start(); !wrong.empty()) {
-      found_.cause = wrong;
+    if (const std::string mistake = look_at_start(); !mistake.empty()) {
+      found_.failure = mistake;
     } else {
       if (z_.size() != 0) go();
       judge();
@@ -42,7 +42,7 @@ private:
     solvers::kinsol newton(equations_, equations_.magnitudes_at(z_), tolerance_, most_iterations_);
     const solvers::search_end end = newton.solve(z_);
     found_.iterations = end.iterations;
-    reason_ = end.reason;
+    failure_ = end.failure;
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) return;
     const solvers::magnitudes sizes = equations_.magnitudes_at(z_);
     while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
@@ -64,9 +64,9 @@ private:
 
   void judge() {
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) {
-      found_.cause = "no operating point: where the search ended, " +
-                     (equations_.unsolved().empty() ? "the equations are not finite"
-                                                    : std::string(equations_.unsolved()));
+      found_.failure = "no operating point: where the search ended, " +
+                       (equations_.unsolved().empty() ? "the equations are not finite"
+                                                      : std::string(equations_.unsolved()));
       return;
     }
     const solvers::magnitudes sizes = equations_.magnitudes_at(z_);
@@ -74,8 +74,8 @@ private:
     if (found_.left.size() == 0) return;
     Eigen::Index worst = 0;
     if (!(found_.left.cwiseQuotient(sizes.equations).cwiseAbs().maxCoeff(&worst) <= tolerance_))
-      found_.cause = "no operating point: " + left_at(worst) + " where the search ended" +
-                     (reason_.empty() ? "" : " (" + reason_ + ")");
+      found_.failure = "no operating point: " + left_at(worst) + " where the search ended" +
+                       (failure_.empty() ? "" : " (" + failure_ + ")");
   }
 
   /// With columns of one length, so that an unknown of small effect counts.
@@ -111,16 +111,16 @@ private:
   int most_iterations_;
   Eigen::VectorXd z_;
   Eigen::MatrixXd slope_{};
-  std::string reason_{};
+  std::string failure_{};
   finding found_{};
 };
 
 KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess) {
   const conditions of(system.known, system.told, system.name, asked);
   finding found;
-  if (of.problem()) {
+  if (of.mistake()) {
     found.values = guess;
-    found.cause = of.problem().view();
+    found.failure = of.mistake().view();
     return found;
   }
   trim_equations equations(of, system, asked.t, guess);

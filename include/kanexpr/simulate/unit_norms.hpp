@@ -9,8 +9,7 @@ namespace kanexpr::simulated {
 /// The quaternions of a system whose norm 1 its motion keeps.
 class unit_norms {
 public:
-  explicit unit_norms(const derivation::survey& known)
-      : places_(static_cast<std::size_t>(known.quaternions)) {
+  explicit unit_norms(const deriving::survey& known) : places_(static_cast<std::size_t>(known.quaternions)) {
     for (int i = 0; i < known.coordinates; ++i) {
       if (known.quaternion_of[i] == 0) continue;
       places_[static_cast<std::size_t>(known.quaternion_of[i] - 1)].push_back(i);
@@ -48,7 +47,7 @@ public:
 
 private:
   std::vector<std::vector<int>> places_;
-  std::vector<mechanics::problem> far_from_one_{};
+  std::vector<mechanics::sentence> far_from_one_{};
   bool are_bound_ = false;
 };
 

@@ -18,7 +18,7 @@ namespace compiled {
 template <class System, class P, class R>
 class constraints_at {
 public:
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const deriving::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
@@ -31,7 +31,7 @@ public:
   /// constraints shares, so that it is compiled once.
   static constexpr auto configuration() {
     return out_of_line<
-        function<System, quantity::configuration_residual, quantity::configuration_jacobian_full>>{};
+        function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{};
   }
   static constexpr auto velocities() {
     return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
@@ -52,7 +52,7 @@ public:
     else
       return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
   }
-  square configuration_jacobian(const state<System>& x) const {
+  square configuration_jacobian_by_all(const state<System>& x) const {
     square by_dependent;
     if constexpr (coordinates() != 0) {
       const state<System> at = at_norm_one(x);
@@ -78,7 +78,7 @@ public:
   Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
     return quaternions::residual(x);
   }
-  static mechanics::problem quaternion_called(int k) { return quaternions::called(k); }
+  static mechanics::sentence quaternion_called(int k) { return quaternions::called(k); }
   kanexpr::status normalize_quaternions(state<System>& x) const {
     return quaternions::normalize(x, lower::norm_range{});
   }
@@ -97,12 +97,12 @@ public:
 
   /// Where the constraints have no finite value: what of the parameters, the inputs or the list that gave the
   /// state has none.
-  mechanics::problem gap_before(const state<System>& x) const {
+  mechanics::sentence gap_before(const state<System>& x) const {
     if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
     const bool is_of_list =
         std::any_of(x.begin(), x.end(), [](double entry) { return gap_in(entry) >= gap::never_set; });
-    const mechanics::problem found =
-        is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::problem{};
+    const mechanics::sentence found =
+        is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::sentence{};
     return found ? found : gap_among<System>(p_, r_);
   }
 
@@ -142,7 +142,7 @@ assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t =
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
   assembly report = numeric::assemble(constraints, x, options);
   if (report) return report;
-  if (const mechanics::problem found = constraints.gap_before(x)) report.reason = found;
+  if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
 }
 
@@ -154,7 +154,7 @@ consistency check_consistency(const state<System>& x, const P& p = {}, const R& 
   const compiled::constraints_at<System, P, R> constraints(t, p, r);
   consistency report = numeric::check_consistency(constraints, x, tolerance);
   if (report) return report;
-  if (const mechanics::problem found = constraints.gap_before(x)) report.reason = found;
+  if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
 }
 

@@ -24,7 +24,7 @@ constexpr symbolic::cost added(symbolic::cost total, const symbolic::cost& c, in
 /// then the dependent speeds. What is independent stays.
 template <class System, int newton_steps>
 class correction {
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const deriving::survey& known = survey_of<System>;
   static constexpr int unknowns = known.configuration_constraints;
   using eom = equations_of_motion<System>;
   using quantity = mechanics::quantity;

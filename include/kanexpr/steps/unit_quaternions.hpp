@@ -12,8 +12,8 @@
 namespace kanexpr::compiled {
 
 /// "the quaternion e0, e1, e2 and e3"
-constexpr mechanics::problem quaternion_called(const derivation::survey& known, int k) {
-  mechanics::problem p = mechanics::sentence({"the quaternion "});
+constexpr mechanics::sentence quaternion_called(const deriving::survey& known, int k) {
+  mechanics::sentence p = mechanics::sentence({"the quaternion "});
   int left = 0;
   for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
   bool is_first = true;
@@ -28,7 +28,7 @@ constexpr mechanics::problem quaternion_called(const derivation::survey& known, 
 /// The quaternions of a system whose norm 1 its motion keeps.
 template <class System>
 class unit_quaternions {
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const deriving::survey& known = survey_of<System>;
 
 public:
   static constexpr int count = known.quaternions;
@@ -41,7 +41,7 @@ public:
     return found;
   }();
 
-  static constexpr mechanics::problem called(int k) { return quaternion_called(known, k); }
+  static constexpr mechanics::sentence called(int k) { return quaternion_called(known, k); }
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
   template <class X>
@@ -113,7 +113,7 @@ private:
   }();
 
   template <int k>
-  static constexpr auto far_from_one = derivation::only_cause(
+  static constexpr auto far_from_one = deriving::only_cause(
       [] { return mechanics::sentence({"the norm of ", called(k).view(), " is far from 1"}); });
 
   template <class X, int... k>

@@ -16,25 +16,25 @@ struct cost {
 
   constexpr bool operator==(const cost&) const = default;
 
-  constexpr void count(operation op) {
-    ++nodes;
+  constexpr void count(operation op, int times = 1) {
+    nodes += times;
     switch (form_of(op)) {
     case form::constant:
     case form::symbol:
     case form::negate: break;
     case form::add:
-    case form::subtract: ++additions; break;
-    case form::multiply: ++multiplications; break;
-    case form::divide: ++divisions; break;
-    case form::function: ++(properties_of(op).is_trigonometric ? trigonometric : other); break;
-    case form::atan2: ++trigonometric; break;
-    case form::power: ++other; break;
+    case form::subtract: additions += times; break;
+    case form::multiply: multiplications += times; break;
+    case form::divide: divisions += times; break;
+    case form::function: (properties_of(op).is_trigonometric ? trigonometric : other) += times; break;
+    case form::atan2: trigonometric += times; break;
+    case form::power: other += times; break;
     case form::pair:
     case form::factorization:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break; // are counted by their order
+    case form::singularity_measure: break; // are counted by their order
     }
   }
 
@@ -44,7 +44,7 @@ struct cost {
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
   }
   constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
-  constexpr void count_regularity(int order) {
+  constexpr void count_singularity_measure(int order) {
     const int updates = (order - 1) * order * (2 * order - 1) / 6;
     count(2 * order + order * (order - 1) / 2 + updates, updates + order - 1, 1);
     count(operation::sqrt);
@@ -73,8 +73,8 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       total.count_factorization(order_of(g, id));
     else if (n.op == operation::solve || n.op == operation::transposed_solve)
       total.count_substitution(order_of(g, n.a));
-    else if (n.op == operation::regularity)
-      total.count_regularity(order_of(g, n.a));
+    else if (n.op == operation::singularity_measure)
+      total.count_singularity_measure(order_of(g, n.a));
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
     if (sine >= 0 && live[sine] != 0) --total.trigonometric;

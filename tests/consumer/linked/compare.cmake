@@ -10,3 +10,16 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build . --target aligned RESULT_VARIA
 if(NOT refused OR NOT said MATCHES "undefined")
   message(FATAL_ERROR "a program whose vectors are aligned differently links the model\n${said}")
 endif()
+
+set(said_of_underived "are derived where they are asked for; include <kanexpr/kanexpr.hpp>")
+set(said_of_together "does not hold this result for numbers of this type; write function<System, ...>")
+set(said_of_all_together "holds no more than two results together; write function<System, ...>")
+set(said_of_misnamed "one of the SYSTEMS of kanexpr_add_model(misnamed")
+foreach(mistake IN ITEMS underived together all_together misnamed)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build . --target ${mistake} RESULT_VARIABLE refused OUTPUT_VARIABLE said
+    ERROR_VARIABLE said)
+  string(FIND "${said}" "${said_of_${mistake}}" found)
+  if(NOT refused OR found EQUAL -1)
+    message(FATAL_ERROR "${mistake}: the compiler does not say: ${said_of_${mistake}}\n${said}")
+  endif()
+endforeach()

@@ -254,7 +254,7 @@ TEST(angular_velocity, may_be_apart_on_purpose) {
   b.angular_velocity_apart_from_orientation(a, b.n, b.along(b.n, b.number(0), b.number(0), 2 * b.u[0]));
   b.rigid_body("Rod", b.o, a, b.number(1), b.inertia(a, b.number(0), b.number(1), b.number(1)));
   EXPECT_EQ(told(b), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   expect_equal(b.in_ground(mechanics::angular_velocity_of_frame(e.moving(), place(a))),
                Vector3d(0, 0, 2 * b.u_now[0]));
 }

@@ -28,7 +28,7 @@ struct beads : bench {
 
 MatrixXd found(beads& b, quantity q) {
   EXPECT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   e.constrain();
   EXPECT_EQ(e.mistake().view(), "");
   return b.numbers(e.get(q));
@@ -97,7 +97,7 @@ TEST(configuration_constraints, may_have_their_rates_among_the_velocity_constrai
 
 std::string told(bench& b) {
   EXPECT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   e.constrain();
   return std::string(e.mistake().view());
 }
@@ -164,10 +164,12 @@ TEST(velocity_constraints, may_repeat_rates_that_hold_at_unit_quaternions) {
       const vector arm = b.along(body, 1, 2, 3), drive = b.along(b.n, zero, zero, b.time());
       const point_id p = b.offset("P", b.o, arm);
       b.rigid_body("Body", p, body, b.number(2), b.inertia(body, b.number(1), b.number(2), b.number(2.5)));
-      mechanics::equations e(b.mechanism());
+      mechanics::known_motion known(b.mechanism());
       const expression up = mechanics::express(b.mechanism(), arm, place(b.n)).z;
       const expression rises =
-          mechanics::express(b.mechanism(), mechanics::velocity_of_point(e.moving(), place(p)), place(b.n)).z;
+          mechanics::express(b.mechanism(), mechanics::velocity_of_point(known.moving(), place(p)),
+                             place(b.n))
+              .z;
       b.configuration_constraint(up - b.time() / 5);
       if (is_bound)
         b.configuration_constraint(b.q[0] * b.q[0] + b.q[1] * b.q[1] + b.q[2] * b.q[2] + e3 * e3 - 1);
@@ -216,7 +218,7 @@ TEST(constraints, are_not_lost_where_they_are_nearly_zero) {
 TEST(dependent_speeds, are_chosen_where_no_state_makes_them_singular) {
   bench b;
   b.velocity_constraint(sin(b.q[0]) * b.u[0] + 3 * b.u[1] + b.number(0.01) * b.u[2]);
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   e.constrain();
   ASSERT_EQ(e.speeds().dependent.size(), 1);
   EXPECT_EQ(e.speeds().dependent[0], 1);

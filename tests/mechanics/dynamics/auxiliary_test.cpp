@@ -27,7 +27,7 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   b.gravity(b.along(b.n, 0, -9.81, 0));
   b.force(end, b.along(b.n, pull(0), pull(1), 0));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   const Vector3d x(std::cos(b.q_now[0]), std::sin(b.q_now[0]), 0), z = Vector3d::UnitZ();
   const double turning = (to_center * x).cross(weight).z() + (to_end * x).cross(pull).z();
@@ -35,7 +35,7 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   const Vector3d acceleration = to_center * (alpha * z.cross(x) - omega * omega * x);
   const Vector3d pin_force = mass * acceleration - weight - pull;
   expect_equal(found(b, e, quantity::udot).head(1), VectorXd::Constant(1, alpha));
-  expect_equal(found(b, e, quantity::auxiliary_forces), pin_force.head(2));
+  expect_equal(found(b, e, quantity::noncontributing_forces), pin_force.head(2));
   // nothing else knows of them
   expect_equal(b.in_ground(mechanics::velocity_of_point(e.moving(), place(center))),
                to_center * omega * z.cross(x));
@@ -54,9 +54,9 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
     b.force(p, b.along(b.n, drag - b.u[0], drag * b.u[1], b.number(3) - 2 * drag));
     b.torque(b.rotated("A", b.n, b.q[2], b.along(b.n, 0, 0, 1)), b.along(b.n, zero, zero, drag));
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
+    mechanics::equations e(b.system());
     udot[held] = found(b, e, quantity::udot);
-    force[held] = found(b, e, quantity::auxiliary_forces);
+    force[held] = found(b, e, quantity::noncontributing_forces);
   }
   expect_equal(udot[1], udot[0]);
   expect_equal(force[1], force[0]);
@@ -79,7 +79,7 @@ TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   b.particle("Elsewhere", b.offset("B", b.o, b.along(b.n, b.q[2], zero, zero)), b.number(1));
   b.torque(a, b.along(a, 0, 0, torque));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   // in A's axes: ω = u1 x + u0 z, and α = u̇1 x + u̇0 z + u0 z × u1 x
   const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ();
@@ -94,7 +94,7 @@ TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   const Vector3d on_rotor = inertia * (udot(1) * x + udot(0) * z) + rest;
   EXPECT_NEAR(on_rotor(0), 0, 1e-14);
   expect_equal(found(b, e, quantity::udot).head(2), udot);
-  expect_equal(found(b, e, quantity::auxiliary_forces), on_rotor.tail(2));
+  expect_equal(found(b, e, quantity::noncontributing_forces), on_rotor.tail(2));
 }
 
 // ---- the rolling disc: what acts where it touches the ground is m a less its weight
@@ -145,11 +145,11 @@ TEST(auxiliary_speeds, give_the_contact_force_of_a_rolling_disc) {
   b.fixed_in(center, d.rolling);
   d.body(b, center);
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   Vector3d udot;
   const Vector3d force = disc::contact_force(b, udot);
   expect_equal(found(b, e, quantity::udot), udot);
-  expect_equal(found(b, e, quantity::auxiliary_forces), force);
+  expect_equal(found(b, e, quantity::noncontributing_forces), force);
 }
 
 // Rolling as constraints: the multipliers are forces along the directions in which the rim does not slip, and
@@ -170,12 +170,13 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     b.fixed_in(contact, d.rolling);
     d.body(b, center);
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
-    const vector v = mechanics::velocity_of_point(e.moving(), place(contact));
+    mechanics::known_motion known(b.mechanism());
+    const vector v = mechanics::velocity_of_point(known.moving(), place(contact));
     b.velocity_constraint(v, b.along(b.n, 1, 0, slope));
     b.velocity_constraint(v, b.along(b.n, 0, 1, 0));
     b.dependent(vx);
     b.dependent(vy);
+    mechanics::equations e(b.system());
     e.constrain();
     ASSERT_EQ(e.mistake().view(), "");
 
@@ -186,7 +187,7 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     expect_equal(found(b, e, quantity::velocity_residual), VectorXd::Zero(2));
     expect_equal(found(b, e, quantity::udot).head(3), udot);
     const VectorXd lambda = found(b, e, quantity::multipliers),
-                   lift = found(b, e, quantity::auxiliary_forces);
+                   lift = found(b, e, quantity::noncontributing_forces);
     expect_equal(Vector3d(lambda(0), lambda(1), lift(0) + slope * lambda(0)), force);
   }
 }

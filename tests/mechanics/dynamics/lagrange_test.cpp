@@ -46,14 +46,14 @@ struct system_of_rates : builder {
   }
 
   MatrixXd results(quantity wanted) {
-    mechanics::equations e(mechanism());
+    mechanics::equations e(system());
     const MatrixXd found = numbers(e.get(wanted));
     EXPECT_EQ(e.mistake().view(), "");
     return found;
   }
   std::string mistake_of_derivation() {
     EXPECT_EQ(check().view(), "");
-    mechanics::equations e(mechanism());
+    mechanics::equations e(system());
     e.constrain();
     return std::string(e.mistake().view());
   }

@@ -30,7 +30,7 @@ TEST(mass, may_be_a_function_of_time) {
   b.particle("Rocket", p, mass);
   b.force(p, b.along(b.n, force, 0, 0));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const double now = full + burning * b.t_now; // beside the ballast
   expect_equal(found(b, e, quantity::udot), Vector3d((force - burning * b.u_now[0]) / (now + 1), 0, 0));
   expect_equal(found(b, e, quantity::linear_momentum),
@@ -45,7 +45,7 @@ TEST(mass, may_be_a_function_of_coordinates) {
   b.particle("Chain", end, b.number(density) * b.q[0]);
   b.force(end, b.along(b.n, b.number(0), b.number(0), b.number(-9.81 * density) * b.q[0]));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const double hangs = density * b.q_now[0], v = b.u_now[0];
   expect_equal(found(b, e, quantity::udot).head(1),
                VectorXd::Constant(1, (9.81 * hangs - density * v * v) / (hangs + 1)));
@@ -63,7 +63,7 @@ TEST(mass, obeys_the_law_of_momentum_in_space) {
   const Vector3d force(0.3, -1, 2);
   b.force(bucket, b.along(b.n, force(0), force(1), force(2)));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const VectorXd udot = found(b, e, quantity::udot);
 
   const course at(b, udot);
@@ -99,7 +99,7 @@ TEST(inertia, obeys_the_law_of_angular_momentum) {
     const Vector3d torque(0.4, -0.2, 0.9);
     b.torque(f, b.along(b.n, torque(0), torque(1), torque(2)));
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
+    mechanics::equations e(b.system());
     const VectorXd udot = found(b, e, quantity::udot);
 
     const auto turned = [&](const jet(&q)[3]) {
@@ -137,7 +137,7 @@ TEST(mass, may_be_prescribed) {
   b.particle("Tank", p, mass);
   ASSERT_EQ(b.check().view(), "");
   b.r_now = {3, 0.8, 100};
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   expect_equal(found(b, e, quantity::udot), Vector3d(-0.8 * b.u_now[0] / (3 + 1), 0, 0));
 }
 
@@ -156,7 +156,7 @@ TEST(inertia, changes_where_its_axes_turn_in_the_body) {
             "body turns; if that is meant, write changing_inertia<...>");
   b.changing_inertia("Wheel");
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const VectorXd udot = found(b, e, quantity::udot);
 
   // in A's axes
@@ -186,7 +186,7 @@ TEST(prescribed, moves_the_pivot_of_a_pendulum) {
   b.gravity(b.along(b.n, 0, -9.81, 0));
   ASSERT_EQ(b.check().view(), "");
   b.r_now = {0.4, -0.3, 1.7, -0.2, 0.6, -2.1};
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const double s = std::sin(b.q_now[0]), c = std::cos(b.q_now[0]), w = b.u_now[0];
   const double alpha = -((9.81 + b.r_now[5]) * s + b.r_now[2] * c) / length;
   expect_equal(found(b, e, quantity::udot).head(1), VectorXd::Constant(1, alpha));
@@ -209,11 +209,11 @@ TEST(prescribed, turns_a_tube) {
   b.gravity(b.along(b.n, 0, -9.81, 0));
   ASSERT_EQ(b.check().view(), "");
   b.r_now = {0.4, -1.3, 1.7};
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const double q = b.q_now[0], u = b.u_now[0], rate = b.r_now[1];
   expect_equal(found(b, e, quantity::udot).head(1),
                VectorXd::Constant(1, q * rate * rate - 9.81 * std::sin(b.r_now[0])));
-  expect_equal(found(b, e, quantity::auxiliary_forces),
+  expect_equal(found(b, e, quantity::noncontributing_forces),
                VectorXd::Constant(1, mass * (q * b.r_now[2] + 2 * u * rate + 9.81 * std::cos(b.r_now[0]))));
 }
 

@@ -53,7 +53,7 @@ TEST(springs, pull_as_force_vectors_do) {
     };
     const double energy = pull(pulled.tip, pulled.wall, 3, 0) + pull(pulled.bob, pulled.tip, 5, 0.6);
     ASSERT_EQ(sprung.check().view(), "");
-    mechanics::equations s(sprung.mechanism()), p(pulled.mechanism());
+    mechanics::equations s(sprung.system()), p(pulled.system());
     for (quantity q : {quantity::udot, quantity::forcing, quantity::active_forces})
       expect_equal(found(sprung, s, q), found(pulled, p, q));
     const double by_gravity = found(pulled, p, quantity::potential_energy)(0);
@@ -78,11 +78,11 @@ TEST(springs, keep_what_dampers_do_not_take) {
       a.torsional_damper(a.second, a.n, a.number(outer));
     }
     ASSERT_EQ(a.check().view(), "");
-    mechanics::equations e(a.mechanism());
+    mechanics::equations e(a.system());
     mechanics::sequence<expression> udot;
     const kanexpr::symbolic::matrix rates = e.get(quantity::udot);
     for (const expression& rate : rates.entries) udot.push(rate);
-    kanexpr::symbolic::derivation along_time =
+    kanexpr::symbolic::differentiation along_time =
         mechanics::time_derivative(a.mechanism(), e.skeleton_used().coordinate_rates, udot);
     kanexpr::symbolic::matrix energy(a.graph(), 1, 1);
     energy.entries[0] = along_time.of(e.get(quantity::kinetic_energy).entries[0] +
@@ -122,7 +122,7 @@ TEST(springs, act_on_quasi_speeds_by_the_kinematic_equations) {
   b.potential_energy(b.q[0] * b.q[0] * b.q[1] + b.time() * cos(b.q[2]));
   b.potential_energy(3 * b.q[1] / b.q[2]);
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
   const double x = b.q_now[0], y = b.q_now[1], z = b.q_now[2], t = b.t_now;
   const Vector3d gradient(2 * x * y, x * x + 3 / z, -t * std::sin(z) - 3 * y / (z * z));
   expect_equal(found(b, e, quantity::active_forces), -w.transpose() * gradient);
@@ -149,8 +149,8 @@ TEST(springs, act_on_auxiliary_speeds) {
       b.damper(p, wall, b.number(0.7));
     }
     ASSERT_EQ(b.check().view(), "");
-    mechanics::equations e(b.mechanism());
-    force[by_vectors] = found(b, e, quantity::auxiliary_forces);
+    mechanics::equations e(b.system());
+    force[by_vectors] = found(b, e, quantity::noncontributing_forces);
   }
   EXPECT_GT(std::abs(force[1](0)), 0.1);
   expect_equal(force[0], force[1]);
@@ -159,12 +159,13 @@ TEST(springs, act_on_auxiliary_speeds) {
 // A load may speak of velocities that the equations knew before they were asked for a result.
 TEST(loads, of_motion_are_built_when_velocities_are_known) {
   arm dragged, pulled;
-  mechanics::equations d(dragged.mechanism()), p(pulled.mechanism());
-  const vector v = mechanics::velocity_of_point(d.moving(), place(dragged.tip));
+  mechanics::known_motion known(dragged.mechanism());
+  const vector v = mechanics::velocity_of_point(known.moving(), place(dragged.tip));
   dragged.force(dragged.tip, dragged.number(-0.7) * v);
   const Vector3d drag = -0.7 * dragged.in_ground(v);
   pulled.force(pulled.tip, pulled.along(pulled.n, drag.x(), drag.y(), drag.z()));
   ASSERT_EQ(dragged.check().view(), "");
+  mechanics::equations d(dragged.system()), p(pulled.system());
   for (quantity q : {quantity::udot, quantity::active_forces})
     expect_equal(found(dragged, d, q), found(pulled, p, q));
 }

@@ -35,7 +35,7 @@ TEST(sequences, are_products_of_turns) {
           expected.r = expected.r * one;
         }
       }
-      mechanics::equations derived(b.mechanism());
+      mechanics::equations derived(b.system());
       expect_equal(b.to_ground(f), expected.r);
       expect_equal(b.in_ground(mechanics::angular_velocity_of_frame(derived.moving(), place(f))),
                    expected.omega);
@@ -62,12 +62,12 @@ TEST(declared_angular_velocity, stands_for_the_derived_one_in_any_reference) {
   };
   bench plain;
   build(plain, -1);
-  mechanics::equations expected(plain.mechanism());
+  mechanics::equations expected(plain.system());
   for (const int reference : {0, 1, 2, 3}) {
     SCOPED_TRACE(reference);
     bench b;
     build(b, reference);
-    mechanics::equations found(b.mechanism());
+    mechanics::equations found(b.system());
     for (const quantity q : {quantity::mass_matrix, quantity::forcing, quantity::udot,
                              quantity::kinetic_energy, quantity::angular_momentum, quantity::inertia_forces})
       expect_equal(b.numbers(found.get(q)), plain.numbers(expected.get(q)));
@@ -92,7 +92,7 @@ TEST(one_point_theorem, adds_the_velocity_in_a_turning_frame) {
   b.velocity(in_a, a, seen_from_a);
   b.velocity(in_n, b.n, seen_from_a + by_a);
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   const Matrix3d ra = b.to_ground(a), rc = b.to_ground(c);
   const Vector3d r = rc * Vector3d(0, b.q_now[2], 0.2), z = Vector3d::UnitZ(), x = ra.col(0);
@@ -126,7 +126,7 @@ TEST(two_point_theorem, takes_an_offset_in_the_axes_of_another_frame) {
   b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
   b.kinematic_equation(b.dot(b.q[2]) - b.u[1] + b.u[2] * tan(b.q[1]));
   ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.mechanism());
+  mechanics::equations e(b.system());
 
   // in L's axes: ω = u, v = ω×r z, and every rate of a vector is that in L plus ω_L×
   const Vector3d u = Vector3d::Map(b.u_now), udot = Vector3d::Map(b.udot_now),
@@ -174,7 +174,7 @@ TEST(inertia, may_be_about_another_point_and_a_sum_over_frames) {
   build(plain, true), build(given, false);
   ASSERT_EQ(plain.check().view(), "");
   ASSERT_EQ(given.check().view(), "");
-  mechanics::equations expected(plain.mechanism()), found(given.mechanism());
+  mechanics::equations expected(plain.system()), found(given.system());
   for (const quantity q : {quantity::mass_matrix, quantity::forcing, quantity::kinetic_energy,
                            quantity::angular_momentum, quantity::linear_momentum})
     expect_equal(given.numbers(found.get(q)), plain.numbers(expected.get(q)));
@@ -190,7 +190,7 @@ TEST(partial_velocities, are_what_unit_loads_do) {
       const point_id p = b.offset("P", b.o, b.along(c, b.q[2], b.number(0.3), b.number(1)));
       const vector unit = b.along(b.n, axis == 0, axis == 1, axis == 2);
       turn ? b.torque(c, unit) : b.force(p, unit);
-      mechanics::equations e(b.mechanism());
+      mechanics::equations e(b.system());
       const Matrix3d rc = b.to_ground(c);
       const Vector3d r = rc * Vector3d(b.q_now[2], 0.3, 1);
       Matrix3d angular = Matrix3d::Zero(), linear;

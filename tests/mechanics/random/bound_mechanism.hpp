@@ -12,10 +12,11 @@ struct bound_mechanism {
   mechanism& m;
   builder b{"N"};
   building built;
+  kanexpr::mechanics::known_motion known;
   kanexpr::mechanics::equations derived;
 
   bound_mechanism(mechanism& of, const std::vector<constraint>& bounds)
-      : m(of), built(m, b), derived(b.mechanism()) {
+      : m(of), built(m, b), known(b.mechanism()), derived(b.system()) {
     for (const constraint& c : bounds) bind(c);
   }
 
@@ -44,10 +45,10 @@ private:
     }
   }
   kanexpr::runtime::vector velocity(int point) {
-    return kanexpr::mechanics::velocity_of_point(derived.moving(), place(built.points[at(point)]));
+    return kanexpr::mechanics::velocity_of_point(known.moving(), place(built.points[at(point)]));
   }
   kanexpr::runtime::vector turning(int frame) {
-    return kanexpr::mechanics::angular_velocity_of_frame(derived.moving(), place(built.frames[at(frame)]));
+    return kanexpr::mechanics::angular_velocity_of_frame(known.moving(), place(built.frames[at(frame)]));
   }
 };
 

@@ -62,7 +62,7 @@ struct comparison {
   void run() {
     const recipe::building built(m, b);
     ASSERT_EQ(b.check().view(), "");
-    equations derived(b.mechanism());
+    equations derived(b.system());
     compare_dynamics(derived);
     compare_motion(derived, built);
   }

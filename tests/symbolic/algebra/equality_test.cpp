@@ -114,7 +114,7 @@ TEST(scrambled_pair, is_decided) {
 TEST_F(comparison, of_two_formulations_of_a_pendulum) {
   const expression q[] = {q1, q2, q3}, u[] = {u1, u2, u3}, theta[] = {theta1, theta2, theta3};
   const expression length[] = {l1, l2, l3}, mass[] = {m1, m2, m3};
-  derivation rate(g);
+  differentiation rate(g);
   for (int i = 0; i < 3; ++i) rate.set_rate(q[i], u[i]);
   expression kinetic = number(0), x_of = number(0), y_of = number(0), angle = number(0);
   for (int i = 0; i < 3; ++i) {

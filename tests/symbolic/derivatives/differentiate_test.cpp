@@ -86,6 +86,7 @@ TEST_F(differentiate_each, function_by_an_imaginary_step) {
                              atan(x),
                              exp(x),
                              log(x),
+                             tanh(x),
                              power(x, number(-3)),
                              power(x, number(0.3)),
                              power(x, fraction(3, 2)),
@@ -132,7 +133,7 @@ TEST_F(differentiate_each, output_of_an_accumulation) {
 }
 
 TEST_F(total_time_derivative, follows_every_rate) {
-  derivation d(g);
+  differentiation d(g);
   d.set_rate(q1, q1_rate);
   d.set_rate(u1, u1_rate);
   EXPECT_EQ(d.of(q1), q1_rate);
@@ -151,7 +152,7 @@ TEST_F(total_time_derivative, is_cheap_where_much_is_shared) {
   expression e = q1;
   for (int i = 0; i < 200; ++i) e = sin(e) * cos(e) + e;
   const int before = g.size();
-  derivation d(g);
+  differentiation d(g);
   d.set_rate(q1, q1_rate);
   d.of(e);
   EXPECT_LT(g.size(), before + 200 * 10);

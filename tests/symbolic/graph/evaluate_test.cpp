@@ -27,7 +27,7 @@ TEST(values, agree_with_long_arithmetic) {
   }
 }
 
-/// 1/a, log(a) and the solution of [a 1; 1 a] x = [1 0] with its regularity, at two values of a.
+/// 1/a, log(a) and the solution of [a 1; 1 a] x = [1 0] with its singularity measure, at two values of a.
 constexpr bool defined_or_not() {
   graph g;
   const expression a = variable(g, {symbol_kind::parameter, name("a"), 0}), one{g, graph::one};
@@ -37,7 +37,7 @@ constexpr bool defined_or_not() {
   const expression factors = factorization(g, m);
   const sequence<expression> x = solve(factors, {one, expression{g, graph::zero}});
   const sequence<int> outputs{(one / (a - 1)).node(), (x[0] + a).node(), x[1].node(),
-                              regularity(factors, entry_squares(m)).node(),
+                              singularity_measure(factors, entry_squares(m)).node(),
                               solve_transposed(factors, {a, a})[1].node()};
   evaluation at(g, outputs);
   at.at([](int) { return 2.0; });

@@ -50,6 +50,7 @@ TEST_F(limits, of_quotients_are_exact) {
   EXPECT_EQ(at_zero((sqrt(q + 4) - 2) / q), fraction(1, 4));
   EXPECT_EQ(at_zero((power(q + 1, fraction(1, 3)) - 1) / q), fraction(1, 3));
   EXPECT_EQ(at_zero((asin(q) - atan(q)) / (q * q * q)), fraction(1, 2));
+  EXPECT_EQ(at_zero((tan(q) - tanh(q)) / (q * q * q)), fraction(2, 3));
   EXPECT_EQ(at({{x, fraction(2, 3)}}, (9 * x * x - 4) / (3 * x - 2)), number(4));
 }
 
@@ -73,6 +74,7 @@ TEST_F(limits, keep_the_symbols_that_stay) {
   EXPECT_EQ(at_zero((a * sin(q1) + b * q1) / q1), a + b);
   EXPECT_EQ(at_zero(tan(a * q1) / q1), a);
   EXPECT_EQ(at_zero((sin(q1 + x) - sin(x)) / q1), cos(x));
+  EXPECT_EQ(at_zero((tanh(q1 + x) - tanh(x)) / q1), 1 - tanh(x) * tanh(x));
   EXPECT_EQ(at_zero((power(q1 + 1, a) - 1) / q1), a);
   EXPECT_EQ(print(at_zero((b * sin(3 * q1) + c * tan(q1)) / (5 * a * q1 + q1 * q1))), "(3*b + c)/(5*a)");
   EXPECT_EQ(at({{x, a}}, (sin(x) - sin(a)) / (x - a)), cos(a));
@@ -147,6 +149,7 @@ TEST_F(limits, do_not_exist_at_poles) {
 TEST_F(limits, are_not_found_without_power_series) {
   EXPECT_EQ(condition_at_zero(q1 * log(q1)), "log(q1) is not finite at q1 = 0");
   EXPECT_EQ(condition_at_zero(sin(q1) / sqrt(q1)), "sqrt(q1) has no derivative at q1 = 0");
+  EXPECT_EQ(condition_at_zero(tanh(1 / q1)), "the argument of tanh(1/q1) is not finite at q1 = 0");
   EXPECT_EQ(condition_at_zero(exp(1 / q1)), "the argument of exp(1/q1) is not finite at q1 = 0");
   EXPECT_EQ(condition({{a, number(-1)}}, sqrt(a)), "sqrt(a) is not real at a = -1");
 }

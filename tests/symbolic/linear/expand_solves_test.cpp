@@ -48,9 +48,9 @@ TEST(expanded, solutions_have_the_same_values) {
       const expression factors = factorization(s.g, s.a);
       sequence<expression> outputs = solve(factors, s.b);
       append(outputs, solve_transposed(factors, outputs)); // rests on the first
-      derivation d(s.g);
+      differentiation d(s.g);
       d.set_rate(s.q[0], s.rates[0]);
-      append(outputs, {d.of(outputs[0]), d.of(outputs[n]), regularity(factors, entry_squares(s.a))});
+      append(outputs, {d.of(outputs[0]), d.of(outputs[n]), singularity_measure(factors, entry_squares(s.a))});
       const sequence<int> images = expand_solves(s.g, nodes_of(outputs));
       for (int i = 0; i < outputs.size(); ++i) {
         const long double expected = s.value_of(outputs[i]);

@@ -59,7 +59,7 @@ TEST(solutions, have_derivatives_by_the_same_factors) {
       for (int k = 0; k < 3; ++k) {
         std::vector<real> direction(s.at.size(), 0);
         direction[static_cast<std::size_t>(2 * k)] = 1;
-        derivation d(s.g);
+        differentiation d(s.g);
         d.set_rate(s.q[k], expression{s.g, graph::one});
         for (const expression e : x) {
           const expression slope = d.of(e);
@@ -101,7 +101,7 @@ TEST(solutions, have_second_time_derivatives) {
   for (int n = 2; n <= 6; ++n) {
     moving_system s(n, 60 + static_cast<unsigned>(n));
     const sequence<expression> x = solve(factorization(s.g, s.a), s.b);
-    derivation along_time(s.g);
+    differentiation along_time(s.g);
     for (int k = 0; k < 3; ++k) along_time.set_rate(s.q[k], s.rates[k]);
     std::vector<real> direction(s.at.size(), 0);
     for (std::size_t i = 0; i < s.at.size(); i += 2) direction[i] = s.at[i + 1];
@@ -144,7 +144,7 @@ TEST_F(solution_of_symbols, takes_substitutions) {
   s.replace(y, z);
   const expression replaced = factorization(g, of({number(0), b, c, m}, 2));
   EXPECT_EQ(s.in(solution[1]), solve(replaced, {x, z})[1]);
-  EXPECT_EQ(s.in(regularity(factors, {r, m})), regularity(replaced, {r, m}));
+  EXPECT_EQ(s.in(singularity_measure(factors, {r, m})), singularity_measure(replaced, {r, m}));
   substitution at_rest(g);
   at_rest.replace(x, number(0));
   at_rest.replace(y, number(0));
@@ -158,11 +158,12 @@ TEST_F(solution_of_symbols, is_printed) {
   EXPECT_EQ(print(second), "solve([[a, c], [b, m*r]], [x, y])[2]");
   EXPECT_EQ(print(a * first * first - 2 * first), "a*solve([[a, b], [c, m*r]], [x, 2*y])[1]^2 - "
                                                   "2*solve([[a, b], [c, m*r]], [x, 2*y])[1]");
-  EXPECT_EQ(print(regularity(factors, {x, y})), "regularity([[a, b], [c, m*r]], [x, y])");
+  EXPECT_EQ(print(singularity_measure(factors, {x, y})), "singularity_measure([[a, b], [c, m*r]], [x, y])");
   EXPECT_EQ(latex(first * first), "\\left(\\begin{bmatrix} a & b \\\\ c & m r \\end{bmatrix}^{-1} "
                                   "\\begin{bmatrix} x \\\\ 2 y \\end{bmatrix}\\right)_{1}^{2}");
-  EXPECT_EQ(latex(regularity(factors, {x, y})),
-            "\\operatorname{regularity}\\left(\\begin{bmatrix} a & b \\\\ c & m r \\end{bmatrix}\\right)");
+  EXPECT_EQ(latex(singularity_measure(factors, {x, y})),
+            "\\operatorname{singularity\\ measure}\\left(\\begin{bmatrix} a & b \\\\ c & m r "
+            "\\end{bmatrix}\\right)");
 }
 
 constexpr bool compiled() {

@@ -2,6 +2,7 @@
 
 #include "evaluate_graph.hpp"
 
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <random>

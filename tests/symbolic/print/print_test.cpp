@@ -141,4 +141,23 @@ TEST_F(print_matrix, has_aligned_columns) {
   EXPECT_EQ(print(matrix()), "");
 }
 
+TEST_F(print_matrix, is_aligned_behind_a_text) {
+  matrix w(g, 2, 2);
+  w(0, 0) = a;
+  w(1, 1) = -b;
+  EXPECT_EQ(print(w, "M = "), "M = [a, 0 ]\n"
+                              "    [0, -b]");
+  EXPECT_EQ(print(w, "of all speeds:\nṀ = "), "of all speeds:\nṀ = [a, 0 ]\n"
+                                              "    [0, -b]");
+  EXPECT_EQ(print(matrix(g, 1, 1), "f = "), "f = [0]");
+}
+
+TEST_F(print_matrix, counts_the_letters_of_names_beyond_ascii) {
+  matrix w(g, 2, 2);
+  w(0, 0) = variable(g, {symbol_kind::parameter, "θ", 0});
+  w(1, 0) = a;
+  EXPECT_EQ(print(w), "[θ, 0]\n"
+                      "[a, 0]");
+}
+
 } // namespace

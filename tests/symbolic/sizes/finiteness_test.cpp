@@ -1,5 +1,5 @@
 // Which results have to be looked at to know that all are finite.
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 
 #include <gtest/gtest.h>

@@ -35,5 +35,5 @@ int main() {
   std::cout << symbolic::print(model.mass_matrix()).size() << '\n';
   auto linear = model.linearize(turn);
   std::cout << symbolic::print(linear.explicit_form().A) << '\n';
-  for (const std::string& problem : linear.problems()) std::cerr << problem << '\n';
+  for (const std::string& failure : linear.failures()) std::cerr << failure << '\n';
 }

@@ -17,11 +17,12 @@ KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
     fail({"a value is given to something that is not a symbol"});
   } else if (place >= 0) {
     fail({symbol_called(known_, place).view(), " has no place in the ", range_.vector, " vector of ",
-          system_});
+          system_.empty() ? "the model" : system_});
   } else if (is_bound(what.name())) {
     fail({"parameter ", what.name(), " has its value in the system ", system_});
   } else {
-    fail({"the system ", system_, " has no ", range_.symbol, " ", what.name()});
+    fail({system_.empty() ? "the model" : "the system ", system_, " has no ", range_.symbol, " ",
+          what.name()});
   }
 }
 
@@ -32,8 +33,8 @@ KANEXPR_ENGINE void values_reader::look_for_missing() {
 }
 
 KANEXPR_ENGINE void values_reader::look_for_infinite() {
-  for (int i = 0; i < range_.size && !problem_; ++i)
-    problem_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
+  for (int i = 0; i < range_.size && !mistake_; ++i)
+    mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
 }
 
 KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {
@@ -44,12 +45,12 @@ KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {
 
 KANEXPR_ENGINE bool values_reader::is_bound(std::string_view name) const {
   for (int i = 0; i < told_.values.size; ++i)
-    if (derivation::name_in(told_.values[i]) == name) return true;
+    if (deriving::name_in(told_.values[i]) == name) return true;
   return false;
 }
 
 KANEXPR_ENGINE void values_reader::fail(std::initializer_list<std::string_view> pieces) {
-  if (!problem_) problem_ = mechanics::sentence(pieces);
+  if (!mistake_) mistake_ = mechanics::sentence(pieces);
 }
 
 } // namespace kanexpr::compiled

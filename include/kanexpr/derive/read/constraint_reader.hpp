@@ -3,56 +3,62 @@
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/constraint.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::velocity_constraint;
 
 /// The constraints of a model. Their symbols and entities are read with all others; what they say is
 /// evaluated only when positions and velocities are known.
-class constraint_reader : public entity_reader {
+class constraint_reader {
 public:
-  using entity_reader::entity_reader;
+  constexpr constraint_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
+                              entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
   /// After `know`.
   constexpr void read_constraints() {
-    if (mistake_) return;
+    if (reading_.mistake) return;
     for (const kind& k : kinds)
-      for (int i = 0; i < (from_.*k.list).size && !mistake_; ++i)
-        for (const velocity_constraint& c : vanishing_by((from_.*k.list)[i], k.whom)) keep(k, c);
+      for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i)
+        for (const velocity_constraint& c : vanishing_by((reading_.from.*k.list)[i], k.whom)) keep(k, c);
   }
 
-protected:
   constexpr void visit_constraints() {
     for (const kind& k : kinds)
-      for (int i = 0; i < (from_.*k.list).size && !mistake_; ++i) {
-        const phrase& p = (from_.*k.list)[i];
+      for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i) {
+        const phrase& p = (reading_.from.*k.list)[i];
         if (p.kind != shape::equation && p.kind != shape::vanishing)
-          return fail({k.word, "<...> holds something that is not an equation", p.size > 0 ? ", with " : "",
-                       name_in(p), "; write an equation or zero_along<...>"});
-        visit(p.tokens, p.size, k.whom);
-        for (int j = 0; j < p.size && !mistake_; ++j)
-          if (p.tokens[j].symbol != nullptr) symbol(*p.tokens[j].symbol, k.whom);
+          return reading_.fail({k.word, "<...> holds something that is not an equation",
+                                p.size > 0 ? ", with " : "", name_in(p),
+                                "; write an equation or zero_along<...>"});
+        entities_.visit(p.tokens, p.size, k.whom);
+        for (int j = 0; j < p.size && !reading_.mistake; ++j)
+          if (p.tokens[j].symbol != nullptr) symbols_.symbol(*p.tokens[j].symbol, k.whom);
       }
   }
 
   constexpr void read_dependent(const phrase& p) {
     constexpr std::string_view whom = "dependent<...>";
-    const bool alone = p.size == 1 && p.tokens[0].what == describe::word::symbol;
+    const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     const bool coordinate = s != nullptr && s->kind == symbolic::symbol_kind::coordinate;
-    const symbolic::symbol_kind rate =
-        takes_rates_as_speeds() ? symbolic::symbol_kind::coordinate_rate : symbolic::symbol_kind::speed;
+    const symbolic::symbol_kind rate = reading_.takes_rates_as_speeds()
+                                           ? symbolic::symbol_kind::coordinate_rate
+                                           : symbolic::symbol_kind::speed;
     if (!coordinate && (s == nullptr || s->kind != rate))
-      return fail({whom, " holds something that is neither a coordinate nor ",
-                   takes_rates_as_speeds() ? "the rate of one" : "a speed", p.size > 0 ? ", with " : "",
-                   name_in(p)});
-    const expression e = symbol(*s, whom);
-    if (mistake_) return;
+      return reading_.fail({whom, " holds something that is neither a coordinate nor ",
+                            reading_.takes_rates_as_speeds() ? "the rate of one" : "a speed",
+                            p.size > 0 ? ", with " : "", name_in(p)});
+    const expression e = symbols_.symbol(*s, whom);
+    if (reading_.mistake) return;
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
-    sequence<int>& places = coordinate ? m_.dependent_coordinates : m_.dependent_speeds;
+    sequence<int>& places = coordinate ? reading_.into.constraints.dependent_coordinates
+                                       : reading_.into.constraints.dependent_speeds;
     if (place == none)
-      return fail({"auxiliary speed ", s->called.view(), " appears in ", whom, "; it is zero at all times"});
-    if (places.contains(place)) return fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
+      return reading_.fail(
+          {"auxiliary speed ", s->called.view(), " appears in ", whom, "; it is zero at all times"});
+    if (places.contains(place))
+      return reading_.fail({kind_of(*s), s->called.view(), " is listed twice in ", whom});
     places.push(place);
   }
 
@@ -69,30 +75,30 @@ private:
 
   constexpr void keep(const kind& k, const velocity_constraint& c) {
     if (k.list == &system_record::configuration_constraints)
-      m_.configuration_constraints.push(c.value);
+      reading_.into.constraints.on_configuration.push(c.value);
     else if (k.list == &system_record::velocity_constraints)
-      m_.velocity_constraints.push(c);
+      reading_.into.constraints.on_velocities.push(c);
     else
-      m_.acceleration_constraints.push(c.value);
+      reading_.into.constraints.on_accelerations.push(c.value);
   }
 
   /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.
   constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, std::string_view whom) {
-    const sequence<value> found = evaluate_each(p, whom);
+    const sequence<value> found = phrases_.evaluate_each(p, whom);
     sequence<velocity_constraint> all;
-    if (mistake_) return all;
+    if (reading_.mistake) return all;
     if (p.kind == shape::equation) {
       if (found[0].kind != shape::scalar)
-        fail({whom, " with ", name_in(p), " equates vectors; write zero_along<vector, directions>"});
+        reading_.fail({whom, " with ", name_in(p), " equates vectors; write zero_along<vector, directions>"});
       all.push({found[0].scalar, {}, {}});
       return all;
     }
     const auto fail_for = [&](std::string_view given) {
-      fail({"zero_along<...> of ", whom, " with ", name_in(p), " is given ", given});
+      reading_.fail({"zero_along<...> of ", whom, " with ", name_in(p), " is given ", given});
     };
     if (found[0].kind != shape::vector) fail_for("something that is not a vector");
     if (found.size() == 1) fail_for("no direction");
-    for (int i = 1; i < found.size() && !mistake_; ++i) {
+    for (int i = 1; i < found.size() && !reading_.mistake; ++i) {
       const mechanics::vector &v = found[0].vector, &direction = found[i].vector;
       if (found[i].kind != shape::vector)
         fail_for("a direction that is not a vector");
@@ -105,6 +111,12 @@ private:
     }
     return all;
   }
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

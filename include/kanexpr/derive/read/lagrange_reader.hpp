@@ -1,45 +1,53 @@
 #pragma once
 
-#include <kanexpr/derive/read/constraint_reader.hpp>
+#include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/lagrange_system.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// What only Lagrange's method needs: the rates of the coordinates as speeds, and the Lagrangian where the
 /// model gives it. It is read with its symbols, and evaluated when velocities are known.
-class lagrange_reader : public constraint_reader {
+class lagrange_reader {
 public:
-  using constraint_reader::constraint_reader;
+  constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
+                            entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
   /// After `know`.
   constexpr void read_lagrangian() {
-    if (mistake_ || !m_.has_lagrangian) return;
-    m_.lagrangian = scalar_of(from_.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
+    if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
+    reading_.into.loads.lagrangian =
+        phrases_.scalar_of(reading_.from.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
   }
 
-protected:
   /// After the list of coordinates.
   constexpr void read_rates() {
-    if (!takes_rates_as_speeds()) return;
+    if (!reading_.takes_rates_as_speeds()) return;
     m_.derived_by = mechanics::method::lagrange;
     m_.take_rates_as_speeds();
     for (const expression& u : m_.speeds)
-      claim_name(m_.g->symbol_at(u.node()).called, symbol_list::rates_of_coordinates);
+      symbols_.claim_name(m_.g->symbol_at(u.node()).called, symbol_list::rates_of_coordinates);
   }
 
   constexpr void visit_lagrangian() {
-    if (mistake_ || from_.lagrangian.size == 0) return;
-    if (from_.lagrangian.size > 1) return fail({"lagrangian<...> takes one expression"});
-    const phrase& p = from_.lagrangian[0];
-    if (p.kind != shape::scalar) return fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
-    m_.has_lagrangian = true;
-    visit(p.tokens, p.size, the_lagrangian);
-    for (int i = 0; i < p.size && !mistake_; ++i)
-      if (p.tokens[i].symbol != nullptr) symbol(*p.tokens[i].symbol, the_lagrangian);
+    if (reading_.mistake || reading_.from.lagrangian.size == 0) return;
+    if (reading_.from.lagrangian.size > 1) return reading_.fail({"lagrangian<...> takes one expression"});
+    const phrase& p = reading_.from.lagrangian[0];
+    if (p.kind != shape::scalar) return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
+    reading_.into.loads.has_lagrangian = true;
+    entities_.visit(p.tokens, p.size, the_lagrangian);
+    for (int i = 0; i < p.size && !reading_.mistake; ++i)
+      if (p.tokens[i].symbol != nullptr) symbols_.symbol(*p.tokens[i].symbol, the_lagrangian);
   }
 
 private:
   static constexpr std::string_view the_lagrangian = "the Lagrangian";
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

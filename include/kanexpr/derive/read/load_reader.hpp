@@ -1,44 +1,46 @@
 #pragma once
 
-#include <kanexpr/derive/read/lagrange_reader.hpp>
+#include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/derive/read/load_wording.hpp>
+#include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
-#include <kanexpr/mechanics/model/loads.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The loads of a model. Those that speak of motion are read with their symbols and entities like all others,
 /// and evaluated when velocities are known.
-class load_reader : public lagrange_reader {
+class load_reader {
 public:
-  using lagrange_reader::lagrange_reader;
+  constexpr load_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases, entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
   /// After `know`. Whether there were any.
   constexpr bool read_moving_loads() {
     bool any = false;
-    for (int i = 0; i < from_.loads.size && !mistake_; ++i) {
-      if (!moves(from_.loads[i])) continue;
+    for (int i = 0; i < reading_.from.loads.size && !reading_.mistake; ++i) {
+      if (!moves(reading_.from.loads[i])) continue;
       any = true;
-      evaluate_load(from_.loads[i]);
+      evaluate_load(reading_.from.loads[i]);
     }
     return any;
   }
 
-protected:
   constexpr void read_load(const load_record& r) {
-    if (!words_belong(r.beside, r.called)) return;
-    if (!r.fits) return wrong_count("", name_of(r).view(), r.fits);
+    if (!reading_.words_belong(r.beside, r.called)) return;
+    if (!r.fits) return reading_.wrong_count("", name_of(r).view(), r.fits);
     if (!moves(r)) return evaluate_load(r);
-    check_written(r.value, name_of(r).view());
+    phrases_.check_written(r.value, name_of(r).view());
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
         r.what == load_word::torsional_spring)
-      return fail({name_of(r).view(), " holds a velocity or derivative; it may hold coordinates only"});
-    const problem whom = name_of(r);
+      return reading_.fail(
+          {name_of(r).view(), " holds a velocity or derivative; it may hold coordinates only"});
+    const sentence whom = name_of(r);
     for (const point_record* p : {r.point, r.other_point})
-      if (p != nullptr) point(p, whom.view());
+      if (p != nullptr) entities_.point(p, whom.view());
     for (const frame_record* f : {r.frame, r.other_frame})
-      if (f != nullptr) frame(f, whom.view());
-    for (int i = 0; i < r.value.size && !mistake_; ++i) mention(r.value.tokens[i], whom.view());
+      if (f != nullptr) entities_.frame(f, whom.view());
+    for (int i = 0; i < r.value.size && !reading_.mistake; ++i) mention(r.value.tokens[i], whom.view());
   }
 
 private:
@@ -50,14 +52,14 @@ private:
   }
   constexpr bool moves(const phrase& p) const {
     for (int i = 0; i < p.size; ++i)
-      if (!is_declared(p.tokens[i])) return true;
+      if (!phrases_.is_declared(p.tokens[i])) return true;
     return false;
   }
 
   constexpr void mention(const describe::token& t, std::string_view whom) {
-    if (t.frame != nullptr) frame(t.frame, whom);
-    if (t.point != nullptr) point(t.point, whom);
-    if (t.symbol != nullptr) symbol(*t.symbol, whom);
+    if (t.frame != nullptr) entities_.frame(t.frame, whom);
+    if (t.point != nullptr) entities_.point(t.point, whom);
+    if (t.symbol != nullptr) symbols_.symbol(*t.symbol, whom);
   }
 
   constexpr void evaluate_load(const load_record& r) {
@@ -66,91 +68,105 @@ private:
     case load_word::torque: return evaluate_torque(r);
     case load_word::gravity: return evaluate_gravity(r);
     case load_word::potential_energy: {
-      const problem whom = name_of(r);
-      const expression energy = scalar_of(r.value, {"", whom.view()}, whom.view());
-      if (mistake_) return;
-      if (energy.is_zero() && !holds_bound(r.value))
-        return fail({whom.view(), " is zero; 1/2 of whole numbers is 0 in C++"});
-      m_.potential_energies.push(energy);
+      const sentence whom = name_of(r);
+      const expression energy = phrases_.scalar_of(r.value, {"", whom.view()}, whom.view());
+      if (reading_.mistake) return;
+      if (energy.is_zero() && !symbols_.holds_bound(r.value))
+        return reading_.fail({whom.view(), " is zero; 1/2 of whole numbers is 0 in C++"});
+      reading_.into.loads.potential_energies.push({energy});
       break;
     }
     case load_word::spring: return evaluate_spring(r);
     case load_word::torsional_spring: return evaluate_torsional_spring(r);
     case load_word::damper: {
-      const problem whom = name_of(r);
-      const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
+      const sentence whom = name_of(r);
+      const int at = entities_.point(r.point, whom.view()),
+                other = entities_.point(r.other_point, whom.view());
       const expression damping = damping_of(r, whom.view());
-      if (!mistake_) mechanics::add_damper(m_, at, other, damping);
+      if (!reading_.mistake) mechanics::add_damper(reading_.into.loads.spring_dampers, at, other, damping);
       break;
     }
     case load_word::torsional_damper: {
-      const problem whom = name_of(r);
-      const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
+      const sentence whom = name_of(r);
+      const int on = entities_.frame(r.frame, whom.view()),
+                other = entities_.frame(r.other_frame, whom.view());
       const expression damping = damping_of(r, whom.view());
-      if (!mistake_) mechanics::add_torsional_damper(m_, on, other, damping);
+      if (!reading_.mistake) reading_.into.loads.torsional_dampers.push({on, other, damping});
       break;
     }
     case load_word::none:
-      if (r.unparsed) return fail_by_unparsed(r.called, "loads<...>");
-      return fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
-                   r.instead.empty() ? "not a load" : r.instead});
+      if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
+      return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
+                            r.instead.empty() ? "not a load" : r.instead});
     }
   }
 
   constexpr void evaluate_force(const load_record& r) {
     if (r.other_point != nullptr) {
-      const problem whom = name_of(r);
-      const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
-      const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
-      if (!mistake_) mechanics::add_force(m_, at, v, other);
+      const sentence whom = name_of(r);
+      const int at = entities_.point(r.point, whom.view()),
+                other = entities_.point(r.other_point, whom.view());
+      const mechanics::vector v = phrases_.vector_of(r.value, {"", whom.view()}, whom.view());
+      if (!reading_.mistake) reading_.into.loads.forces.push({at, v, other});
       return;
     }
-    const int at = point(r.point, "a force");
-    const problem word = mechanics::sentence({r.word, " at "});
-    const mechanics::vector v = vector_of(r.value, {word.view(), r.point->called}, r.point->called);
-    if (!mistake_) mechanics::add_force(m_, at, v);
+    const int at = entities_.point(r.point, "a force");
+    const sentence word = mechanics::sentence({r.word, " at "});
+    const mechanics::vector v = phrases_.vector_of(r.value, {word.view(), r.point->called}, r.point->called);
+    if (!reading_.mistake) reading_.into.loads.forces.push({at, v});
   }
 
   constexpr void evaluate_torque(const load_record& r) {
     if (r.other_frame != nullptr) {
-      const problem whom = name_of(r);
-      const int on = frame(r.frame, whom.view()), other = frame(r.other_frame, whom.view());
-      const mechanics::vector v = vector_of(r.value, {"", whom.view()}, whom.view());
-      if (!mistake_) mechanics::add_torque(m_, on, v, other);
+      const sentence whom = name_of(r);
+      const int on = entities_.frame(r.frame, whom.view()),
+                other = entities_.frame(r.other_frame, whom.view());
+      const mechanics::vector v = phrases_.vector_of(r.value, {"", whom.view()}, whom.view());
+      if (!reading_.mistake) reading_.into.loads.torques.push({on, v, other});
       return;
     }
-    const int on = frame(r.frame, "a torque");
-    const problem word = mechanics::sentence({r.word, " on "});
-    const mechanics::vector v = vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
-    if (!mistake_) mechanics::add_torque(m_, on, v);
+    const int on = entities_.frame(r.frame, "a torque");
+    const sentence word = mechanics::sentence({r.word, " on "});
+    const mechanics::vector v = phrases_.vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
+    if (!reading_.mistake) reading_.into.loads.torques.push({on, v});
   }
 
   constexpr void evaluate_gravity(const load_record& r) {
-    if (m_.has_gravity) fail({"gravity is given twice"});
-    const mechanics::vector v = vector_of(r.value, {"", "gravity"}, "gravity");
-    if (!mistake_) mechanics::set_gravity(m_, v);
+    if (reading_.into.loads.has_gravity) reading_.fail({"gravity is given twice"});
+    const mechanics::vector v = phrases_.vector_of(r.value, {"", "gravity"}, "gravity");
+    if (!reading_.mistake) reading_.into.loads.has_gravity = true, reading_.into.loads.gravity = v;
   }
 
   constexpr void evaluate_spring(const load_record& r) {
-    const problem whom = name_of(r);
-    const int at = point(r.point, whom.view()), other = point(r.other_point, whom.view());
-    const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
-    const expression length = scalar_of(r.rest, {"the natural length of ", whom.view()}, whom.view());
-    if (!mistake_) mechanics::add_spring(m_, at, other, stiffness, length);
+    const sentence whom = name_of(r);
+    const int at = entities_.point(r.point, whom.view()), other = entities_.point(r.other_point, whom.view());
+    const expression stiffness = phrases_.scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
+    const expression length =
+        phrases_.scalar_of(r.rest, {"the natural length of ", whom.view()}, whom.view());
+    if (!reading_.mistake)
+      mechanics::add_spring(reading_.into.loads.spring_dampers, at, other, stiffness, length);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r) {
-    const problem whom = name_of(r);
-    const expression angle = scalar_of(r.angle, {"the angle of ", whom.view()}, whom.view());
-    const expression stiffness = scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
-    const expression rest = scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
-    if (!mistake_) mistake_ = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom.view());
-    if (!mistake_) mechanics::add_torsional_spring(m_, angle, stiffness, rest);
+    const sentence whom = name_of(r);
+    const expression angle = phrases_.scalar_of(r.angle, {"the angle of ", whom.view()}, whom.view());
+    const expression stiffness = phrases_.scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
+    const expression rest = phrases_.scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
+    if (!reading_.mistake)
+      reading_.mistake = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom.view());
+    if (!reading_.mistake)
+      reading_.into.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
   }
 
   constexpr expression damping_of(const load_record& r, std::string_view whom) {
-    return scalar_of(r.value, {"the damping of ", whom}, whom);
+    return phrases_.scalar_of(r.value, {"the damping of ", whom}, whom);
   }
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::load_record;
 
 /// "the force at P", "the spring between P and Q", "the potential energy with q1", for sentences about a
 /// load.
-constexpr mechanics::problem name_of(const load_record& r) {
+constexpr mechanics::sentence name_of(const load_record& r) {
   if (r.other_point != nullptr)
     return mechanics::sentence({r.word, " between ", r.point->called, " and ", r.other_point->called});
   if (r.point != nullptr) return mechanics::sentence({r.word, " at ", r.point->called});
@@ -20,4 +20,4 @@ constexpr mechanics::problem name_of(const load_record& r) {
   return mechanics::sentence({r.word.empty() ? r.called : r.word, held.empty() ? "" : " with ", held});
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/misfit.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// The word of an entity that it cannot have, or nothing.
-constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view called) {
+constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view called) {
   using describe::misfit;
   using mechanics::sentence;
   const auto two_natures = [&](std::string_view both) {
@@ -47,4 +47,4 @@ constexpr mechanics::problem misfit_of(describe::misfit found, std::string_view 
   return {};
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

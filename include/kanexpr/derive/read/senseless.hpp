@@ -1,46 +1,47 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
 /// Steps of an expression that the kinds of their operands do not allow, such as the sine of a vector.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::shape;
 
 /// Whether a step may be taken with one operand.
 constexpr bool makes_sense(const describe::token& t, shape a) {
-  const bool of_vectors = t.what == describe::word::magnitude || t.what == describe::word::normalized;
+  const bool of_vectors =
+      t.what == describe::token_kind::magnitude || t.what == describe::token_kind::normalized;
   return a == (of_vectors ? shape::vector : shape::scalar);
 }
 
 /// Whether a step may be taken with two operands.
 constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
-  using describe::word;
+  using describe::token_kind;
   switch (t.what) {
-  case word::add:
-  case word::subtract: return a == b;
-  case word::multiply: return a == shape::scalar;
-  case word::divide: return b == shape::scalar;
-  case word::dot: return b == shape::vector && a != shape::scalar;
-  case word::cross:
-  case word::outer: return a == shape::vector && b == shape::vector;
-  case word::scalar_function: return a == shape::scalar && b == shape::scalar;
-  case word::number:
-  case word::symbol:
-  case word::basis:
-  case word::negate:
-  case word::magnitude:
-  case word::normalized:
-  case word::position:
-  case word::velocity:
-  case word::acceleration:
-  case word::angular_velocity:
-  case word::angular_acceleration:
-  case word::derivative:
-  case word::partial:
-  case word::in_axes:
-  case word::misused: break; // do not have two operands
+  case token_kind::add:
+  case token_kind::subtract: return a == b;
+  case token_kind::multiply: return a == shape::scalar;
+  case token_kind::divide: return b == shape::scalar;
+  case token_kind::dot: return b == shape::vector && a != shape::scalar;
+  case token_kind::cross:
+  case token_kind::outer: return a == shape::vector && b == shape::vector;
+  case token_kind::scalar_function: return a == shape::scalar && b == shape::scalar;
+  case token_kind::number:
+  case token_kind::symbol:
+  case token_kind::basis:
+  case token_kind::negate:
+  case token_kind::magnitude:
+  case token_kind::normalized:
+  case token_kind::position:
+  case token_kind::velocity:
+  case token_kind::acceleration:
+  case token_kind::angular_velocity:
+  case token_kind::angular_acceleration:
+  case token_kind::derivative:
+  case token_kind::partial:
+  case token_kind::in_axes:
+  case token_kind::misused: break; // do not have two operands
   }
   return false;
 }
@@ -49,35 +50,35 @@ constexpr std::string_view a_kind(shape s) {
   return s == shape::scalar ? "a scalar" : s == shape::vector ? "a vector" : "a dyadic";
 }
 
-constexpr mechanics::problem senseless(const describe::token& t, shape a, std::string_view part,
-                                       std::string_view whom) {
-  using describe::word;
-  if (t.what == word::magnitude)
+constexpr mechanics::sentence senseless(const describe::token& t, shape a, std::string_view part,
+                                        std::string_view whom) {
+  using describe::token_kind;
+  if (t.what == token_kind::magnitude)
     return mechanics::sentence(
         {part, whom, " takes the magnitude of ", a_kind(a), a == shape::scalar ? "; write abs" : ""});
-  if (t.what == word::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
+  if (t.what == token_kind::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
   return mechanics::sentence(
       {part, whom, " takes ", symbolic::function_name(t.operation), " of ", a_kind(a)});
 }
 
-constexpr mechanics::problem senseless(const describe::token& t, shape a, shape b, std::string_view part,
-                                       std::string_view whom) {
-  using describe::word;
+constexpr mechanics::sentence senseless(const describe::token& t, shape a, shape b, std::string_view part,
+                                        std::string_view whom) {
+  using describe::token_kind;
   const auto say = [&](std::string_view does, std::string_view joint, std::string_view hint = "") {
     return mechanics::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});
   };
-  if (t.what == word::add) return say(" adds ", " and ");
-  if (t.what == word::subtract) return say(" subtracts or equates ", " and ");
-  if (t.what == word::multiply) return say(" multiplies ", " by ", "; write dot, cross or outer");
-  if (t.what == word::divide) return say(" divides ", " by ");
-  if (t.what == word::dot)
+  if (t.what == token_kind::add) return say(" adds ", " and ");
+  if (t.what == token_kind::subtract) return say(" subtracts or equates ", " and ");
+  if (t.what == token_kind::multiply) return say(" multiplies ", " by ", "; write dot, cross or outer");
+  if (t.what == token_kind::divide) return say(" divides ", " by ");
+  if (t.what == token_kind::dot)
     return say(" takes the dot product of ", " and ",
                a == shape::scalar && b == shape::scalar ? "; write *" : "");
-  if (t.what == word::cross) return say(" takes the cross product of ", " and ");
-  if (t.what == word::outer) return say(" takes the outer product of ", " and ");
+  if (t.what == token_kind::cross) return say(" takes the cross product of ", " and ");
+  if (t.what == token_kind::outer) return say(" takes the outer product of ", " and ");
   if (t.operation == symbolic::operation::atan2) return say(" takes atan2 of ", " and ");
   return say(" raises ", " to the power of ",
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 /// What takes the names of a model, each of which means one thing.
 enum class symbol_list : unsigned char {
@@ -31,4 +31,4 @@ constexpr std::string_view called(symbol_list list) {
   return {};
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

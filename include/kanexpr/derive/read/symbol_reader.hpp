@@ -1,33 +1,15 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/derive/read/reading.hpp>
 #include <kanexpr/derive/read/symbol_list.hpp>
-#include <kanexpr/derive/read/wording.hpp>
-#include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
 
-namespace kanexpr::derivation {
-
-using describe::system_record;
-using mechanics::mechanism;
-using mechanics::none;
-using mechanics::problem;
-using mechanics::sentence;
-using symbolic::expression;
-using symbolic::sequence;
+namespace kanexpr::deriving {
 
 /// The symbols of a model: listed ones in the order of the lists, the others as the model mentions them.
-/// The first mistake of the whole reading is kept here, as a sentence.
 class symbol_reader {
 public:
-  constexpr symbol_reader(const system_record& from, mechanism& into) : from_(from), m_(into) {}
-
-  constexpr const problem& mistake() const { return mistake_; }
-  /// Whether the mistake is that of a type of which the compiler has reported one already.
-  constexpr bool follows_from_unparsed() const { return follows_from_unparsed_; }
-  /// Makes this sentence the mistake, if it is the first.
-  constexpr void refuse(std::string_view because) { fail({because}); }
+  constexpr explicit symbol_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     using symbolic::symbol_kind;
@@ -35,20 +17,20 @@ public:
     case symbol_kind::time: claim_time(); return m_.time;
     case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
     case symbol_kind::coordinate_rate:
-      if (takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
+      if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
     case symbol_kind::speed:
-      if (takes_rates_as_speeds())
-        fail({part_, whom, " holds the speed ", r.called.view(),
-              "; a lagrange_system has no speeds but the rates of its coordinates"});
+      if (reading_.takes_rates_as_speeds())
+        reading_.fail({reading_.part, whom, " holds the speed ", r.called.view(),
+                       "; a lagrange_system has no speeds but the rates of its coordinates"});
       if (has(m_.auxiliary_speeds, r.called))
         return listed(m_.auxiliary_speeds, m_.auxiliary_speeds, r, "auxiliary speed", whom);
       return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate:
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
       if (has(m_.auxiliary_speeds, r.called))
-        fail({part_, whom, " holds the rate of auxiliary speed ", r.called.view(),
-              ", which is zero at all times"});
+        reading_.fail({reading_.part, whom, " holds the rate of auxiliary speed ", r.called.view(),
+                       ", which is zero at all times"});
       return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier: break;
@@ -58,10 +40,10 @@ public:
           bound_is_used_[i] = 1;
           return is_the_same(r, "parameter"), bound_values_[i];
         }
-      return mentioned(m_.parameters, r, from_.parameters.size != 0, "parameter", whom);
+      return mentioned(m_.parameters, r, reading_.from.parameters.size != 0, "parameter", whom);
     case symbol_kind::input:
-      if (from_.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
-      return mentioned(m_.inputs, r, from_.inputs.size != 0, "input", whom);
+      if (reading_.from.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
+      return mentioned(m_.inputs, r, reading_.from.inputs.size != 0, "input", whom);
     }
     return m_.zero();
   }
@@ -81,31 +63,16 @@ public:
     if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
   }
 
-protected:
-  using words = std::initializer_list<std::string_view>;
-
-  /// Of Lagrange's method.
-  constexpr bool takes_rates_as_speeds() const { return from_.derived_by == describe::method::lagrange; }
-
-  constexpr void fail(words pieces) {
-    if (!mistake_) mistake_ = sentence(pieces);
-  }
-
-  constexpr void fail_by_unparsed(std::string_view called, std::string_view whom) {
-    if (!mistake_) follows_from_unparsed_ = true;
-    fail({called, ", which ", whom, " uses, is derived from nothing"});
-  }
-
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
                                                symbol_list list) {
-    if (p.size != 1 || p.tokens[0].what != describe::word::symbol) {
-      fail({"the list of ", derivation::called(list), " holds something that is not a symbol",
-            p.size > 1 ? ", with " : "", name_in(p)});
+    if (p.size != 1 || p.tokens[0].what != describe::token_kind::symbol) {
+      reading_.fail({"the list of ", deriving::called(list), " holds something that is not a symbol",
+                     p.size > 1 ? ", with " : "", name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
     if (s->kind != kind) {
-      fail({kind_of(*s), s->called.view(), " is in the list of ", derivation::called(list)});
+      reading_.fail({kind_of(*s), s->called.view(), " is in the list of ", deriving::called(list)});
       return nullptr;
     }
     claim(*s, list);
@@ -128,8 +95,8 @@ protected:
     if (r.order <= 0) return;
     const symbolic::name below = derivative(r, r.order - 1);
     if (!has(m_.inputs, below))
-      fail({"the list of inputs holds ", r.called.view(), ", a derivative of a prescribed quantity, without ",
-            below.view()});
+      reading_.fail({"the list of inputs holds ", r.called.view(),
+                     ", a derivative of a prescribed quantity, without ", below.view()});
   }
 
   /// Takes the name of a symbol, which has to be one.
@@ -137,11 +104,11 @@ protected:
     if (r.is_named) return claim_name(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
     if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
-      return fail(
+      return reading_.fail(
           {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
-    fail({mechanics::check_name(called, derivation::called(list)).view()});
+    reading_.fail({mechanics::check_name(called, deriving::called(list)).view()});
   }
 
   /// A name means one thing in a system.
@@ -149,14 +116,14 @@ protected:
     for (const claimed& other : claimed_)
       if (other.called == called) {
         if (other.list == list && other.mark != mark)
-          fail({"two of the ", derivation::called(list), " are called ", called.view()});
+          reading_.fail({"two of the ", deriving::called(list), " are called ", called.view()});
         else if (other.list == list)
-          fail({called.view(), " is listed twice among the ", derivation::called(list)});
+          reading_.fail({called.view(), " is listed twice among the ", deriving::called(list)});
         else if (other.list == symbol_list::values)
-          fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
+          reading_.fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
         else
-          fail({"the name ", called.view(), " is used twice: among the ", derivation::called(other.list),
-                " and among the ", derivation::called(list)});
+          reading_.fail({"the name ", called.view(), " is used twice: among the ",
+                         deriving::called(other.list), " and among the ", deriving::called(list)});
       }
     claimed_.push({called, list, mark});
   }
@@ -178,14 +145,9 @@ protected:
   constexpr void check_values_are_used() {
     for (int i = 0; i < bound_.size(); ++i)
       if (bound_is_used_[i] == 0)
-        fail({"values<...> gives a value to parameter ", bound_[i].view(),
-              ", which nothing in the system holds"});
+        reading_.fail({"values<...> gives a value to parameter ", bound_[i].view(),
+                       ", which nothing in the system holds"});
   }
-
-  const system_record& from_;
-  mechanism& m_;
-  problem mistake_{};
-  std::string_view part_{}; ///< of an entity, that is being read: "the offset of point "
 
 private:
   constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
@@ -200,12 +162,12 @@ private:
 
   /// Of a coordinate: the rate of its rate, which must be a speed.
   constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
-    if (takes_rates_as_speeds())
+    if (reading_.takes_rates_as_speeds())
       return listed(m_.coordinates, m_.speed_rates,
                     {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate",
                     whom);
-    fail({part_, whom, " holds the second derivative of coordinate ", derivative(r, 0).view(),
-          "; write it by the rates of the speeds"});
+    reading_.fail({reading_.part, whom, " holds the second derivative of coordinate ",
+                   derivative(r, 0).view(), "; write it by the rates of the speeds"});
     return m_.zero();
   }
 
@@ -231,7 +193,8 @@ private:
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)
       if (m_.g->symbol_at(own[i].node()).called == r.called) return is_the_same(r, kind), wanted[i];
-    fail({kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+    reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
+                   " holds, is not in the list of ", kind, "s"});
     return m_.zero();
   }
 
@@ -240,8 +203,8 @@ private:
     for (const expression& e : known)
       if (m_.g->symbol_at(e.node()).called == r.called) return is_the_same(r, kind), e;
     if (complete) {
-      fail(
-          {kind, " ", r.called.view(), ", which ", part_, whom, " holds, is not in the list of ", kind, "s"});
+      reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
+                     " holds, is not in the list of ", kind, "s"});
       return m_.zero();
     }
     claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
@@ -267,7 +230,7 @@ private:
     const int mark = mark_of(r);
     for (const claimed& c : claimed_)
       if (c.mark != mark && c.called.length == r.called.length && c.called == r.called)
-        fail({"two ", kind, "s are called ", r.called.view()});
+        reading_.fail({"two ", kind, "s are called ", r.called.view()});
   }
 
   constexpr void claim_time() {
@@ -275,7 +238,8 @@ private:
     is_time_claimed_ = true;
   }
 
-  bool follows_from_unparsed_ = false;
+  reading& reading_;
+  mechanism& m_;
   sequence<symbolic::name> bound_{};
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
@@ -283,4 +247,4 @@ private:
   bool is_time_claimed_ = false;
 };
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -3,7 +3,7 @@
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using mechanics::components;
 using mechanics::matrix3;
@@ -137,4 +137,4 @@ constexpr mechanics::vector dot(const mechanics::mechanism& m, const mechanics::
   return product;
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

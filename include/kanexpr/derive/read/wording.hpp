@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
 /// The words for parts of a model, for sentences about them.
-namespace kanexpr::derivation {
+namespace kanexpr::deriving {
 
 using describe::frame_record;
 using describe::phrase;
@@ -39,7 +39,7 @@ constexpr std::string_view name_in(const phrase& p) {
 }
 
 /// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
-constexpr mechanics::problem short_name(std::string_view called) {
+constexpr mechanics::sentence short_name(std::string_view called) {
   constexpr std::size_t longest = 40;
   if (called.size() <= longest) return mechanics::sentence({called});
   return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});
@@ -47,34 +47,34 @@ constexpr mechanics::problem short_name(std::string_view called) {
 
 /// Whether tokens in postfix order are one expression.
 constexpr bool is_whole(const phrase& p) {
-  using describe::word;
+  using describe::token_kind;
   int depth = 0;
   for (int i = 0; i < p.size; ++i) {
     int operands = 0;
     switch (p.tokens[i].what) {
-    case word::add:
-    case word::subtract:
-    case word::multiply:
-    case word::divide:
-    case word::dot:
-    case word::cross:
-    case word::outer: operands = 2; break;
-    case word::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
-    case word::negate:
-    case word::magnitude:
-    case word::normalized:
-    case word::derivative:
-    case word::partial:
-    case word::in_axes: operands = 1; break;
-    case word::number:
-    case word::symbol:
-    case word::basis:
-    case word::position:
-    case word::velocity:
-    case word::acceleration:
-    case word::angular_velocity:
-    case word::angular_acceleration:
-    case word::misused: break;
+    case token_kind::add:
+    case token_kind::subtract:
+    case token_kind::multiply:
+    case token_kind::divide:
+    case token_kind::dot:
+    case token_kind::cross:
+    case token_kind::outer: operands = 2; break;
+    case token_kind::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
+    case token_kind::negate:
+    case token_kind::magnitude:
+    case token_kind::normalized:
+    case token_kind::derivative:
+    case token_kind::partial:
+    case token_kind::in_axes: operands = 1; break;
+    case token_kind::number:
+    case token_kind::symbol:
+    case token_kind::basis:
+    case token_kind::position:
+    case token_kind::velocity:
+    case token_kind::acceleration:
+    case token_kind::angular_velocity:
+    case token_kind::angular_acceleration:
+    case token_kind::misused: break;
     }
     if (depth < operands) return false;
     depth += 1 - operands;
@@ -102,11 +102,11 @@ constexpr std::string_view is_a(shape kind) {
   case shape::dyadic: return " is a dyadic; ";
   case shape::equation: return " is an equation; ";
   case shape::vanishing: return " is a constraint; ";
-  case shape::turning: return " is a list of kinematic differential equations; ";
+  case shape::kinematics: return " is a list of kinematic differential equations; ";
   case shape::nothing:
   case shape::foreign: break;
   }
   return " is not an expression; ";
 }
 
-} // namespace kanexpr::derivation
+} // namespace kanexpr::deriving

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/checks/check_changing_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
 #include <kanexpr/mechanics/checks/check_dyadic.hpp>
@@ -7,32 +8,32 @@
 #include <kanexpr/mechanics/checks/check_kinematics.hpp>
 #include <kanexpr/mechanics/checks/check_left_out_angles.hpp>
 #include <kanexpr/mechanics/checks/check_loads.hpp>
-#include <kanexpr/mechanics/checks/check_turning.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 
-/// Mistakes that a mechanism can hold, found before anything is derived from it.
+/// Mistakes that a system can hold, found before anything is derived from it.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The checks of one mechanism, in the order in which a person would want to hear of mistakes.
+/// The checks of one system, in the order in which a person would want to hear of mistakes.
 class checking {
 public:
-  constexpr explicit checking(const mechanism& m) : m_(m), held_(*m.g) {}
+  constexpr explicit checking(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (m_.speeds.empty())
       return sentence(
           {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
-    if (m_.bodies.empty() && !m_.has_lagrangian)
+    if (m_.bodies.empty() && !of_.loads.has_lagrangian)
       return sentence({"the system has no particle and no rigid body"});
     found_ = checking_kinematics(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) look_at(p);
     for (const body& b : m_.bodies) look_at(b);
-    if (!found_) found_ = checking_loads(m_, held_).run();
+    if (!found_) found_ = check_loads(m_, of_.loads, held_);
     if (!found_) found_ = checking_dyadics(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
     return found_;
@@ -66,13 +67,13 @@ private:
     sequence<left_out_angle> angles;
     for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
     if (declared) {
-      checking_turning turning(m_, held_);
-      found_ = turning.run();
-      apart = turning.is_any_apart();
-      angles = turning.left_out_angles();
+      checking_angular_velocity checked(m_, held_);
+      found_ = checked.run();
+      apart = checked.is_any_apart();
+      angles = checked.left_out_angles();
     }
     if (!found_) found_ = checking_inertia(m_, held_, apart).run();
-    if (!found_) found_ = checking_left_out_angles(m_, held_, angles).run();
+    if (!found_) found_ = checking_left_out_angles(of_, held_, angles).run();
   }
 
   constexpr void check_frame(int place) {
@@ -143,29 +144,30 @@ private:
     if (held_.holds(e, kind::speed_rate))
       return fail({of, whose, " changes with the ",
                    speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
-    for (const word& w : {word{kind::auxiliary_speed, " changes with auxiliary speed "},
-                          word{kind::coordinate_rate, " changes with the rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " changes with auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " changes with the rate of coordinate "}})
       if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
     inputs(e, 1, of, whose);
   }
 
+  const multibody_system& of_;
   const mechanism& m_;
   contents held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
-/// The first mistake of a mechanism, or nothing.
-constexpr problem check_mechanism(const mechanism& m) { return detail::checking(m).run(); }
+/// The first mistake of a system, or nothing; constraints are looked at when velocities are known.
+constexpr sentence check_system(const multibody_system& of) { return detail::checking(of).run(); }
 
 /// A mistake that shows only in the mass matrix.
-constexpr problem check_mass_matrix(const mechanism& m, const partition& speeds,
-                                    const symbolic::matrix& mass) {
+constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,
+                                     const symbolic::matrix& mass) {
   for (int i = 0; i < mass.rows; ++i)
     if (mass(i, i).is_zero()) {
       const int place = speeds.independent[i];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
@@ -21,7 +21,7 @@ public:
       if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
   }
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
     for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
@@ -42,7 +42,7 @@ private:
     vector from_center{}; ///< to the point that the inertia is about
   };
 
-  constexpr problem told(const body& b) const {
+  constexpr sentence told(const body& b) const {
     constexpr std::string_view word = "if that is meant, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
@@ -111,7 +111,7 @@ private:
   constexpr bool changes(const generic_motion& motion, const doubt& d) const {
     const body& b = m_.bodies[d.body];
     if (!motion.is_proper(b.frame)) return false;
-    const triple own = motion.turning(b.frame);
+    const triple own = motion.angular_velocity(b.frame);
     triad rate;
     double size = 0, turns = length(own);
     const auto add = [](triad& sum, const triad& other) {

@@ -11,27 +11,27 @@
 namespace kanexpr::mechanics {
 
 /// The derivatives of the configuration constraints by all coordinates.
-constexpr symbolic::matrix configuration_jacobian(const mechanism& m) {
-  symbolic::matrix jacobian(*m.g, m.configuration_constraints.size(), m.coordinates.size());
+constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m,
+                                                         const sequence<expression>& constraints) {
+  symbolic::matrix jacobian(*m.g, constraints.size(), m.coordinates.size());
   for (int j = 0; j < jacobian.columns && jacobian.rows > 0; ++j) {
-    symbolic::derivation by_coordinate(*m.g);
+    symbolic::differentiation by_coordinate(*m.g);
     by_coordinate.set_rate(m.coordinates[j], m.one());
-    for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(m.configuration_constraints[i]);
+    for (int i = 0; i < jacobian.rows; ++i) jacobian(i, j) = by_coordinate.of(constraints[i]);
   }
   return jacobian;
 }
 
 /// What the constraints of a model hold.
-constexpr problem check_contents_of_constraints(const mechanism& m) {
+constexpr sentence check_contents_of_constraints(const mechanism& m, const given_constraints& given) {
   using kind = symbolic::symbol_kind;
-  if (m.configuration_constraints.empty() && m.velocity_constraints.empty() &&
-      m.acceleration_constraints.empty())
+  if (given.on_configuration.empty() && given.on_velocities.empty() && given.on_accelerations.empty())
     return {};
   const contents held(*m.g);
-  for (int i = 0; i < m.configuration_constraints.size(); ++i) {
-    const expression f = m.configuration_constraints[i];
+  for (int i = 0; i < given.on_configuration.size(); ++i) {
+    const expression f = given.on_configuration[i];
     const name which = counted(i + 1);
-    struct word {
+    struct named_kind {
       kind what;
       std::string_view called;
     };
@@ -43,8 +43,8 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
       return sentence({"configuration constraint ", which.view(), " holds the ",
                        speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
                        "; it may hold coordinates only"});
-    for (const word& w : {word{kind::auxiliary_speed, " holds the auxiliary speed "},
-                          word{kind::coordinate_rate, " holds the rate of coordinate "}})
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " holds the auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " holds the rate of coordinate "}})
       if (held.holds(f, w.what))
         return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
                          "; it may hold coordinates only"});
@@ -54,8 +54,8 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
     if (!held.holds(f, kind::coordinate))
       return sentence({"configuration constraint ", which.view(), " holds no coordinate"});
   }
-  for (int i = 0; i < m.velocity_constraints.size(); ++i) {
-    const expression v = m.velocity_constraints[i].value;
+  for (int i = 0; i < given.on_velocities.size(); ++i) {
+    const expression v = given.on_velocities[i].value;
     const name which = counted(i + 1);
     if (held.holds(v, kind::speed_rate))
       return sentence({"velocity constraint ", which.view(), " holds the ",
@@ -65,7 +65,7 @@ constexpr problem check_contents_of_constraints(const mechanism& m) {
                        " is not known"});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
       return sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
-    const problem not_linear =
+    const sentence not_linear =
         check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
     if (not_linear) return not_linear;
   }
@@ -77,7 +77,7 @@ namespace detail {
 /// Whether a configuration constraint whose derivatives follow from those before it is false where they hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
-  const sequence<expression> said{s.model->configuration_constraints[i]};
+  const sequence<expression> said{c.on_configuration[i]};
   consistent_states states(s, configuration, i, c, 0, said);
   return first_that_never_vanishes(states, said) == 0;
 }
@@ -91,26 +91,29 @@ constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
 }
 
 /// The rates of configuration constraints that are left out because velocity constraints bind the same.
-constexpr problem check_repeated_rates(const skeleton& s, const constraints& c,
-                                       const symbolic::matrix& configuration) {
+constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
+                                        const symbolic::matrix& configuration) {
   if (c.repeated.empty()) return {};
   consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
   if (first_that_never_vanishes(anywhere, c.repeated) == none) return {}; // as most, in any configuration
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
   const int i = first_that_never_vanishes(states, c.repeated);
   if (i == none) return {};
-  const bool single = s.model->velocity_constraints.size() == 1;
-  return sentence({single ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
-                   " the rate of configuration constraint ", counted(c.repeats[i] + 1).view()});
+  int on_velocities = 0;
+  for (int of_configuration : c.of_configuration)
+    if (of_configuration == none) ++on_velocities;
+  return sentence(
+      {on_velocities == 1 ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
+       " the rate of configuration constraint ", counted(c.repeats[i] + 1).view()});
 }
 
 } // namespace detail
 
 /// Constraints that leave nothing to move, that say nothing that those before them have not said, or that
 /// contradict them. Both Jacobians are given at generic states too, equilibrated.
-constexpr problem check_constraints(const skeleton& s, const constraints& c,
-                                    const symbolic::matrix& configuration, const sequence<numbers>& by_q,
-                                    const sequence<numbers>& by_u) {
+constexpr sentence check_constraints(const skeleton& s, const constraints& c,
+                                     const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                     const sequence<numbers>& by_u) {
   const mechanism& m = *s.model;
   const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
@@ -150,7 +153,7 @@ constexpr problem check_constraints(const skeleton& s, const constraints& c,
                      is_false ? " contradicts the other constraints"
                               : " follows from the other constraints in every configuration"});
   }
-  if (const problem contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
+  if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
     return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
   return {};
@@ -175,24 +178,24 @@ constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int
 } // namespace detail
 
 /// The dependent speeds and coordinates that the user chose; both Jacobians are given as above.
-constexpr problem check_choice(const mechanism& m, const constraints& c,
-                               const symbolic::matrix& configuration, const sequence<numbers>& by_q,
-                               const sequence<numbers>& by_u) {
-  for (int j : m.dependent_speeds) {
+constexpr sentence check_choice(const mechanism& m, const given_constraints& given, const constraints& c,
+                                const symbolic::matrix& configuration, const sequence<numbers>& by_q,
+                                const sequence<numbers>& by_u) {
+  for (int j : given.dependent_speeds) {
     bool appears = false;
     for (int i = 0; i < c.size(); ++i) appears = appears || !c.jacobian(i, j).is_zero();
     if (!appears)
       return sentence(
           {"dependent ", speed_called(m, called(m, m.speeds[j])).view(), " appears in no constraint"});
   }
-  for (int j : m.dependent_coordinates) {
+  for (int j : given.dependent_coordinates) {
     bool appears = false;
     for (int i = 0; i < configuration.rows; ++i) appears = appears || !configuration(i, j).is_zero();
     if (!appears)
       return sentence(
           {"dependent coordinate ", called(m, m.coordinates[j]), " appears in no configuration constraint"});
   }
-  const int bound = m.dependent_speeds.size(), placed = m.dependent_coordinates.size();
+  const int bound = given.dependent_speeds.size(), placed = given.dependent_coordinates.size();
   if (bound != 0 && bound != c.size())
     return sentence(
         {several(bound, m.derived_by == method::kane ? "dependent speed" : "dependent rate").view(), " for ",
@@ -201,12 +204,12 @@ constexpr problem check_choice(const mechanism& m, const constraints& c,
     return sentence({several(placed, "dependent coordinate").view(), " for ",
                      several(configuration.rows, "configuration constraint").view(),
                      ": there must be as many"});
-  if (bound != 0 && !detail::can_be_solved(by_u, m.dependent_speeds))
+  if (bound != 0 && !detail::can_be_solved(by_u, given.dependent_speeds))
     return sentence({"the constraints cannot be solved for the dependent ",
-                     speeds_called(m, m.dependent_speeds).view(), " in any configuration"});
-  if (placed != 0 && !detail::can_be_solved(by_q, m.dependent_coordinates))
+                     speeds_called(m, given.dependent_speeds).view(), " in any configuration"});
+  if (placed != 0 && !detail::can_be_solved(by_q, given.dependent_coordinates))
     return sentence({"the configuration constraints cannot be solved for the dependent ",
-                     enumerated(m, m.coordinates, m.dependent_coordinates, "coordinate").view(),
+                     enumerated(m, m.coordinates, given.dependent_coordinates, "coordinate").view(),
                      " in any configuration"});
   return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/numeric/elementary.hpp>
@@ -89,7 +89,7 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
 
 /// Direction cosines, as far as they are numbers or functions of angles, that turn nothing; an axis whose
 /// length is not within range.
-constexpr problem check_direction_cosines(const mechanism& m, const frame& f) {
+constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
   if (f.kind == orientation::about_axis && f.direction.is_constant()) {
     const symbolic::graph& g = f.direction.x.owner();
     double square = 0;

@@ -18,7 +18,7 @@ public:
       if (is_doubtful(m.bodies[b])) doubtful_.push({b, {}, {}, {}});
   }
 
-  constexpr problem run() {
+  constexpr sentence run() {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
     for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
@@ -28,7 +28,7 @@ public:
       if (!motion.move()) continue;
       ++looked;
       for (doubt& d : doubtful_)
-        if (const problem found = look(motion, d, looked == 1)) return found;
+        if (const sentence found = look(motion, d, looked == 1)) return found;
     }
     return {};
   }
@@ -59,7 +59,7 @@ private:
     return proper;
   }
 
-  constexpr problem look(const generic_motion& motion, doubt& d, bool is_first) const {
+  constexpr sentence look(const generic_motion& motion, doubt& d, bool is_first) const {
     if (!is_proper(motion, d)) return {};
     const body& b = m_.bodies[d.body];
     numeric_inertia inertia = inertia_in_body(motion, b);

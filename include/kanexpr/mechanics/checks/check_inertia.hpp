@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/checks/negative.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/elementary.hpp>
@@ -88,8 +88,8 @@ struct numeric_way {
 };
 
 /// Of an inertia whose largest entry is 1, and was `largest` before.
-constexpr problem check_principal_values(const mechanism& m, const body& b, numeric_inertia inertia,
-                                         double largest, const numeric_way& way) {
+constexpr sentence check_principal_values(const mechanism& m, const body& b, numeric_inertia inertia,
+                                          double largest, const numeric_way& way) {
   const std::string_view called = b.called.view();
   if (!inertia.positive(1, 1e-9))
     return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
@@ -125,7 +125,7 @@ constexpr bool has_inertia(const body& b) {
 
 /// An inertia that is negative about some axis, or of which one principal moment is larger than the other two
 /// together: Σ m (½ tr E − I), the second moments of the mass, would be negative.
-constexpr problem check_inertia(const mechanism& m, const body& b) {
+constexpr sentence check_inertia(const mechanism& m, const body& b) {
   if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
   const matrix3& given = b.inertia.parts[0].value;
   const std::string_view called = b.called.view();

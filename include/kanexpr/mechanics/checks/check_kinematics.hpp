@@ -22,7 +22,7 @@ public:
     }
   }
 
-  constexpr problem run() {
+  constexpr sentence run() {
     each_symbol_appears();
     if (!found_) counts();
     for (const expression& e : m_.kinematics)
@@ -140,7 +140,7 @@ private:
   const mechanism& m_;
   const contents& c_;
   sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates that each equation holds
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail

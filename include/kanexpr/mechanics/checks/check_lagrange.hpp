@@ -3,7 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 /// Mistakes that Lagrange's method alone minds.
@@ -25,12 +25,12 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
 /// rates of positions and orientations, for the kinetic energy is differentiated by these.
 class checking_lagrange {
 public:
-  constexpr explicit checking_lagrange(motion& k)
-      : k_(k), s_(k.skeleton_used()), m_(*s_.model), held_(*m_.g) {}
+  constexpr checking_lagrange(motion& k, const loads& acting)
+      : k_(k), s_(k.skeleton_used()), m_(*s_.model), loads_(acting), held_(*m_.g) {}
 
-  constexpr problem run() {
-    if (m_.has_lagrangian) check_lagrangian();
-    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_turning(f);
+  constexpr sentence run() {
+    if (loads_.has_lagrangian) check_lagrangian();
+    for (int f = 0; f < m_.frames.size() && !found_; ++f) check_angular_velocity(f);
     for (const body& b : m_.bodies) {
       if (found_) break;
       check_velocity(b);
@@ -47,11 +47,11 @@ private:
   }
 
   constexpr void check_lagrangian() {
-    const expression l = m_.lagrangian;
+    const expression l = loads_.lagrangian;
     if (held_.holds(l, kind::speed_rate))
       return fail(
           {"the Lagrangian holds the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
-    if (m_.has_gravity)
+    if (loads_.has_gravity)
       return fail({"gravity acts on bodies, and a Lagrangian takes their place; it holds their potential "
                    "energy"});
     for (const expression& p : gradient_of(m_, l).momenta)
@@ -61,14 +61,14 @@ private:
   }
 
   /// A declared angular velocity against that of the orientation.
-  constexpr void check_turning(int place) {
+  constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
-    symbolic::derivation along_time = time_derivative(m_, m_.speeds);
+    symbolic::differentiation along_time = time_derivative(m_, m_.speeds);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
     for (int f = place; f != mechanism::inertial; f = m_.frames[f].parent) {
-      w -= express(m_, turning_of_orientation(m_, f, along_time), mechanism::inertial);
+      w -= express(m_, relative_angular_velocity(m_, f, along_time), mechanism::inertial);
       normalize(m_.frames[f].quaternion, at_norm_one, along_time);
     }
     if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
@@ -78,7 +78,7 @@ private:
 
   /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
   constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
-                           symbolic::derivation& along_time) const {
+                           symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
     for (const expression& e : quaternion) squares += e * e;
     for (const expression& e : quaternion)
@@ -95,9 +95,9 @@ private:
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
     if (!declared) return;
-    const node& at = s_.nodes[s_.node_of_point[b.center]];
+    const station& at = s_.stations[s_.station_of_point[b.center]];
     const int ground = mechanism::inertial;
-    components v = express(m_, k_.velocity(s_.node_of_point[b.center]), s_.working_axes[at.axes], ground);
+    components v = express(m_, k_.velocity(s_.station_of_point[b.center]), s_.working_axes[at.axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
     if (!vanish(m_, {v.x, v.y, v.z}))
       fail({"the velocity of ", b.called.view(),
@@ -136,13 +136,16 @@ private:
   motion& k_;
   const skeleton& s_;
   const mechanism& m_;
+  const loads& loads_;
   contents held_;
-  problem found_{};
+  sentence found_{};
 };
 
 } // namespace detail
 
 /// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
-constexpr problem check_lagrange(motion& k) { return detail::checking_lagrange(k).run(); }
+constexpr sentence check_lagrange(motion& k, const loads& acting) {
+  return detail::checking_lagrange(k, acting).run();
+}
 
 } // namespace kanexpr::mechanics

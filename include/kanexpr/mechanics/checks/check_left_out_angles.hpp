@@ -1,7 +1,8 @@
 #pragma once
 
-#include <kanexpr/mechanics/checks/check_turning.hpp>
+#include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 
 /// What is given along axes of frames whose orientation leaves an angle out, and depends on that angle.
 namespace kanexpr::mechanics {
@@ -13,19 +14,19 @@ namespace detail {
 /// is the same in whatever axes it is written.
 class checking_left_out_angles {
 public:
-  constexpr checking_left_out_angles(const mechanism& m, const contents& held,
+  constexpr checking_left_out_angles(const multibody_system& of, const contents& held,
                                      const sequence<left_out_angle>& angles)
-      : m_(m), held_(held), angles_(angles) {
+      : m_(of.mechanism), held_(held), angles_(angles) {
     for (const left_out_angle& l : angles_) {
       collect_frames(l);
-      collect_points(l);
-      collect_loads(l);
-      for (int i = 0; i < m.velocity_constraints.size(); ++i)
-        collect(l, m.velocity_constraints[i].direction, what::direction, i);
+      collect_points(l, of.loads);
+      collect_loads(l, of.loads);
+      for (int i = 0; i < of.constraints.on_velocities.size(); ++i)
+        collect(l, of.constraints.on_velocities[i].direction, what::direction, i);
     }
   }
 
-  constexpr problem run() const {
+  constexpr sentence run() const {
     if (doubtful_.empty()) return {};
     sequence<expression> wanted;
     for (const doubt& d : doubtful_)
@@ -42,7 +43,7 @@ public:
   }
 
 private:
-  enum class what { axis, turning, offset, force, torque, direction };
+  enum class what { axis, angular_velocity, offset, load, direction };
 
   struct doubt {
     const left_out_angle* angle = nullptr;
@@ -50,6 +51,7 @@ private:
     components value{};
     what is = what::axis;
     int of = none;
+    std::string_view load{}, loaded{}; ///< "a force on ", "P"
   };
 
   /// Whether a frame turns with another because it is oriented relative to it.
@@ -62,58 +64,67 @@ private:
   constexpr void collect(const left_out_angle& l, const vector& v, what is, int of) {
     for (const vector::part& p : v.parts) {
       bool is_sound = p.value.is_zero() || !turns_with(p.frame, l.frame);
-      for (int i = 0; i < 3 && is != what::turning; ++i)
+      for (int i = 0; i < 3 && is != what::angular_velocity; ++i)
         is_sound =
             is_sound || held_.holds_any(p.value[i], {contents::kind::speed, contents::kind::coordinate_rate});
-      if (!is_sound) doubtful_.push({&l, p.frame, p.value, is, of});
+      if (!is_sound) doubtful_.push({&l, p.frame, p.value, is, of, {}, {}});
     }
   }
 
   constexpr void collect_frames(const left_out_angle& l) {
-    collect(l, m_.frames[l.frame].angular_velocity, what::turning, l.frame);
+    collect(l, m_.frames[l.frame].angular_velocity, what::angular_velocity, l.frame);
     for (int f = 0; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       if (f == l.frame || own.turns_by_declaration() || !turns_with(f, l.frame)) continue;
       if (own.kind == orientation::matrix) {
         for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent); ++axis) // of two no one is along all
-          doubtful_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f});
+          doubtful_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
       } else if (!held_.is_fixed(own.angle)) {
-        doubtful_.push({&l, own.parent,
+        doubtful_.push({&l,
+                        own.parent,
                         own.kind == orientation::about_basis ? unit(*m_.g, own.axis) : own.direction,
-                        what::axis, f});
+                        what::axis,
+                        f,
+                        {},
+                        {}});
       }
     }
   }
 
   /// Those that carry mass or loads.
-  constexpr void collect_points(const left_out_angle& l) {
+  constexpr void collect_points(const left_out_angle& l, const loads& given) {
     sequence<char> carries(m_.points.size(), 0);
     const auto reach = [&](int p) {
       for (; p != none && carries[p] == 0; p = m_.points[p].parent) carries[p] = 1;
     };
     for (const body& b : m_.bodies) reach(b.center);
-    for (const force& f : m_.forces) reach(f.point), reach(f.against);
-    for (const spring_damper& s : m_.spring_dampers) reach(s.point), reach(s.other);
+    given.each([&](const auto& load, int) { load.each_point(reach); });
     for (int p = 0; p < m_.points.size(); ++p)
       if (carries[p] != 0) collect(l, m_.points[p].offset, what::offset, p);
   }
 
-  constexpr void collect_loads(const left_out_angle& l) {
-    for (const force& f : m_.forces) collect(l, f.value, what::force, f.point);
-    for (const torque& t : m_.torques) collect(l, t.value, what::torque, t.frame);
+  constexpr void collect_loads(const left_out_angle& l, const loads& given) {
+    given.each([&](const auto& load, int) {
+      load.each_vector(m_, [&](const vector& v, std::string_view word, std::string_view loaded) {
+        const int before = doubtful_.size();
+        collect(l, v, what::load, none);
+        for (int i = before; i < doubtful_.size(); ++i)
+          doubtful_[i].load = word, doubtful_[i].loaded = loaded;
+      });
+    });
   }
 
   constexpr bool depends(const generic_motion& motion, const doubt& d) const {
     const int f = d.angle->frame;
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
     // a ball that turns in a frame at rest turns there as it does in axes of its own
-    if (d.is == what::turning && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
+    if (d.is == what::angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
       return false;
     const triple v = motion.basis(f).along(motion.basis(d.axes) * motion.value(d.value));
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
-  constexpr problem told(const doubt& d) const {
+  constexpr sentence told(const doubt& d) const {
     const auto said = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
       return sentence({of, whose, " is given along axes of ", m_.frames[d.axes].called.view(),
@@ -122,10 +133,9 @@ private:
     };
     switch (d.is) {
     case what::axis: return said("the axis of frame ", m_.frames[d.of].called.view());
-    case what::turning: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
+    case what::angular_velocity: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
     case what::offset: return said("the offset of point ", m_.points[d.of].called.view());
-    case what::force: return said("a force on ", m_.points[d.of].called.view());
-    case what::torque: return said("a torque on ", m_.frames[d.of].called.view());
+    case what::load: return said(d.load, d.loaded);
     case what::direction: return said("a direction of velocity constraint ", counted(d.of + 1).view());
     }
     return {};

@@ -52,11 +52,12 @@ constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::mat
 } // namespace detail
 
 /// Found at generic states; `mass` is that of the independent speeds.
-constexpr problem check_same_mass(const mechanism& m, const partition& speeds, const symbolic::matrix& mass) {
+constexpr sentence check_same_mass(const mechanism& m, const partition& speeds,
+                                   const symbolic::matrix& mass) {
   if (mass.rows < 2) return {}; // there is no other speed
   sequence<int> moving;
   for (const numbers& state : at_generic_states(mass, &m)) {
-    moving = detail::motion_without_energy(state, least_regularity<double>());
+    moving = detail::motion_without_energy(state, least_singularity_measure<double>());
     if (moving.empty()) return {};
   }
   if (moving.empty() || detail::is_regular_in_other_sizes(m, mass)) return {};

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::mechanics {
 
 /// Why a text is no name, or nothing. `kinds` are what it would name one of, "parameters".
-constexpr problem check_name(std::string_view called, std::string_view kinds) {
+constexpr sentence check_name(std::string_view called, std::string_view kinds) {
   if (symbolic::is_name(called)) return {};
   if (called.empty()) return sentence({"one of the ", kinds, " has no name"});
   for (char letter : called)

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 
 namespace kanexpr::mechanics {
 
 /// A torsional spring that turns nothing back, or whose stiffness would be a load of its own. `of`: "the
 /// torsional spring with q".
-constexpr problem check_torsional_spring(const mechanism& m, expression angle, expression stiffness,
-                                         expression rest, std::string_view of) {
+constexpr sentence check_torsional_spring(const mechanism& m, expression angle, expression stiffness,
+                                          expression rest, std::string_view of) {
   using kind = symbolic::symbol_kind;
   const contents held(*m.g);
   if (!held.holds(angle, kind::coordinate) && !held.holds(rest, kind::coordinate))

@@ -18,7 +18,7 @@ constexpr bool is_linear(expression e, expression symbol) {
 } // namespace detail
 
 /// "<of> is not linear in speed u1", or nothing.
-constexpr problem check_linear(const mechanism& m, const contents& held, expression e, std::string_view of) {
+constexpr sentence check_linear(const mechanism& m, const contents& held, expression e, std::string_view of) {
   if (held.looks_linear(e)) return {};
   struct list {
     const sequence<expression>& symbols;

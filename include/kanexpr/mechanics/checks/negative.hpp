@@ -26,7 +26,7 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: break;
+  case form::singularity_measure: break;
   }
   return false;
 }

@@ -14,20 +14,20 @@ struct linear_accelerations {
   sequence<expression> bias;
 };
 
-constexpr linear_accelerations linear_in_speed_rates(const skeleton& s) {
+constexpr linear_accelerations linear_in_speed_rates(const skeleton& s, const constraints& c) {
   const mechanism& m = *s.model;
   known_rates known(m, s.coordinate_rates);
   symbolic::substitution at_rest(*m.g);
   for (const expression& rate : m.speed_rates) at_rest.replace(rate, m.zero());
-  linear_accelerations out{symbolic::matrix(*m.g, m.acceleration_constraints.size(), m.speeds.size()), {}};
-  symbolic::derivation by_rate(*m.g);
+  linear_accelerations out{symbolic::matrix(*m.g, c.on_accelerations.size(), m.speeds.size()), {}};
+  symbolic::differentiation by_rate(*m.g);
   for (int j = 0; j < m.speeds.size(); ++j) {
     by_rate.restart();
     by_rate.set_rate(m.speed_rates[j], m.one());
     for (int i = 0; i < out.jacobian.rows; ++i)
-      out.jacobian(i, j) = known.in(by_rate.of(m.acceleration_constraints[i]));
+      out.jacobian(i, j) = known.in(by_rate.of(c.on_accelerations[i]));
   }
-  for (const expression& e : m.acceleration_constraints) out.bias.push(at_rest.in(known.in(e)));
+  for (const expression& e : c.on_accelerations) out.bias.push(at_rest.in(known.in(e)));
   return out;
 }
 
@@ -41,13 +41,13 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
 
 /// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
 /// these hold.
-constexpr problem check_acceleration_constraints(const skeleton& s, const constraints& c,
-                                                 const symbolic::matrix& configuration) {
+constexpr sentence check_acceleration_constraints(const skeleton& s, const constraints& c,
+                                                  const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;
-  if (m.acceleration_constraints.empty()) return {};
+  if (c.on_accelerations.empty()) return {};
   const contents held(*m.g);
-  for (int i = 0; i < m.acceleration_constraints.size(); ++i) {
-    const expression e = m.acceleration_constraints[i];
+  for (int i = 0; i < c.on_accelerations.size(); ++i) {
+    const expression e = c.on_accelerations[i];
     const name which = counted(i + 1);
     if (!held.holds(e, symbolic::symbol_kind::speed_rate))
       return sentence({"acceleration constraint ", which.view(),
@@ -62,11 +62,11 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
         return sentence({"acceleration constraint ", which.view(), " is not linear in the ",
                          speed_rate_called(m, called(m, rate)).view()});
   }
-  if (m.acceleration_constraints.size() != c.size())
-    return sentence({several(m.acceleration_constraints.size(), "acceleration constraint").view(), " for ",
+  if (c.on_accelerations.size() != c.size())
+    return sentence({several(c.on_accelerations.size(), "acceleration constraint").view(), " for ",
                      several(c.size(), "constraint", " on the velocities").view(),
                      ": there must be as many"});
-  const symbolic::matrix given = linear_in_speed_rates(s).jacobian;
+  const symbolic::matrix given = linear_in_speed_rates(s, c).jacobian;
   symbolic::matrix all(*m.g, 2 * c.size(), m.speeds.size());
   for (int i = 0; i < all.rows; ++i)
     for (int j = 0; j < all.columns; ++j)
@@ -76,9 +76,8 @@ constexpr problem check_acceleration_constraints(const skeleton& s, const constr
     if (adds[c.size() + i] != 0)
       return sentence({"acceleration constraint ", counted(i + 1).view(),
                        " does not follow from the constraints on the velocities"});
-  consistent_states states(s, configuration, configuration.rows, c, c.size(), m.acceleration_constraints,
-                           true);
-  const int i = first_that_never_vanishes(states, m.acceleration_constraints);
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), c.on_accelerations, true);
+  const int i = first_that_never_vanishes(states, c.on_accelerations);
   if (i == none) return {};
   return sentence({"acceleration constraint ", counted(i + 1).view(),
                    " is not the rate of the constraints on the velocities: its part without rates of speeds "

@@ -30,13 +30,15 @@ constexpr bool binds_quaternion(const mechanism& m, const partition& coordinates
 
 /// The step of Newton's method for the dependent coordinates: what is added to them so that the configuration
 /// constraints, linearized, hold. Quaternions have norm 1 there, and go on having it.
-constexpr symbolic::linear_solution configuration_step(const mechanism& m, symbolic::matrix by_all,
+constexpr symbolic::linear_solution configuration_step(const mechanism& m,
+                                                       const sequence<expression>& constraints,
+                                                       symbolic::matrix by_all,
                                                        const partition& coordinates) {
   if (detail::binds_quaternion(m, coordinates)) detail::leave_norms_out(m, by_all);
   symbolic::matrix right(*m.g, by_all.rows, 1);
-  for (int i = 0; i < right.rows; ++i) right(i, 0) = -m.configuration_constraints[i];
+  for (int i = 0; i < right.rows; ++i) right(i, 0) = -constraints[i];
   return symbolic::solve_linear(*m.g, detail::columns_of(*m.g, by_all, coordinates.dependent), right, by_all,
-                                symbolic::nodes_of(m.configuration_constraints));
+                                symbolic::nodes_of(constraints));
 }
 
 } // namespace kanexpr::mechanics

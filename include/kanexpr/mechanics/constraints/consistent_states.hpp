@@ -15,7 +15,7 @@ public:
                               const constraints& c, int velocities, const sequence<expression>& wanted,
                               bool has_rates = false)
       : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()),
-        has_rates_(has_rates), places_(first(configurations, m_.configuration_constraints)),
+        has_rates_(has_rates), places_(first(configurations, c.on_configuration)),
         moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
         rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 

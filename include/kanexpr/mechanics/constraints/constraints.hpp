@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/point_jacobian.hpp>
@@ -7,11 +8,13 @@
 
 namespace kanexpr::mechanics {
 
-/// Everything that binds the speeds, J u + J_a u_a + c = 0: the velocity constraints of the model, then the
-/// rates of its configuration constraints.
+/// Everything that binds a mechanism. What binds its speeds is J u + J_a u_a + c = 0: the velocity
+/// constraints of the model, then the rates of its configuration constraints.
 struct constraints {
+  sequence<expression> on_configuration{};       ///< as given
+  sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
-  sequence<int> node{}; ///< by such constraint: the node whose velocity has no such component, or none
+  sequence<int> station{}; ///< by such constraint: the station whose velocity has no such component, or none
   sequence<int> of_configuration{}; ///< the configuration constraint that it is the rate of, or none
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
@@ -24,29 +27,29 @@ struct constraints {
 
 namespace detail {
 
-/// The node whose velocity a constraint is about, where it is about a single one.
-constexpr int node_of(motion& k, const velocity_constraint& c) {
+/// The station whose velocity a constraint is about, where it is about a single one.
+constexpr int station_of(motion& k, const velocity_constraint& c) {
   if (c.vanishing.parts.size() != 1) return none;
-  return k.node_with_velocity(c.vanishing.parts[0].value, c.vanishing.parts[0].frame);
+  return k.station_with_velocity(c.vanishing.parts[0].value, c.vanishing.parts[0].frame);
 }
 
 /// The partial derivatives of each constraint by all ways of moving: of a point's velocity along a direction
 /// by the geometry, of scalars forward, one way after another.
 constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence<velocity_constraint>& all,
-                                               const sequence<int>& nodes) {
+                                               const sequence<int>& stations) {
   const mechanism& m = *s.model;
   symbolic::matrix jacobian(*m.g, all.size(), m.ways());
   for (int i = 0; i < all.size(); ++i) {
-    if (nodes[i] == none) continue;
-    const sequence<expression> share = point_jacobian(s, nodes[i]).along(all[i].direction);
+    if (stations[i] == none) continue;
+    const sequence<expression> share = point_jacobian(s, stations[i]).along(all[i].direction);
     for (int j = 0; j < m.ways(); ++j) jacobian(i, j) = share[j];
   }
-  symbolic::derivation by_speed(*m.g);
+  symbolic::differentiation by_speed(*m.g);
   for (int j = 0; j < m.ways(); ++j) {
     by_speed.restart();
     by_speed.set_rate(m.way(j), m.one());
     for (int i = 0; i < all.size(); ++i)
-      if (nodes[i] == none) jacobian(i, j) = by_speed.of(all[i].value);
+      if (stations[i] == none) jacobian(i, j) = by_speed.of(all[i].value);
   }
   return jacobian;
 }
@@ -62,20 +65,20 @@ constexpr constraints no_constraints(const mechanism& m) {
 
 /// A rate of a configuration constraint that the model's velocity constraints say already is left out: many
 /// people write both.
-constexpr constraints form_constraints(motion& k) {
+constexpr constraints form_constraints(motion& k, const given_constraints& from) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   known_rates known(m, s.coordinate_rates);
   without_auxiliary_speeds drop(m);
 
   sequence<velocity_constraint> all;
-  for (const velocity_constraint& c : m.velocity_constraints)
+  for (const velocity_constraint& c : from.on_velocities)
     all.push({known.in(c.value), known.in(c.vanishing), known.in(c.direction)});
   const int given = all.size();
-  for (const expression& f : m.configuration_constraints) all.push({k.rate(f), {}, {}});
-  sequence<int> nodes;
-  for (const velocity_constraint& c : all) nodes.push(detail::node_of(k, c));
-  const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, nodes);
+  for (const expression& f : from.on_configuration) all.push({k.rate(f), {}, {}});
+  sequence<int> stations;
+  for (const velocity_constraint& c : all) stations.push(detail::station_of(k, c));
+  const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, stations);
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
@@ -84,6 +87,8 @@ constexpr constraints form_constraints(motion& k) {
   }
 
   constraints out;
+  out.on_configuration = from.on_configuration;
+  out.on_accelerations = from.on_accelerations;
   symbolic::substitution at_rest(*m.g);
   for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
   bool is_all_by_speeds = true;
@@ -96,7 +101,7 @@ constexpr constraints form_constraints(motion& k) {
       continue;
     }
     out.on_velocities.push({drop.in(all[i].value), drop.in(all[i].vanishing), all[i].direction});
-    out.node.push(nodes[i]);
+    out.station.push(stations[i]);
     out.of_configuration.push(i < given ? none : i - given);
     out.remainder.push(remainder);
   }
@@ -120,7 +125,7 @@ namespace detail {
 constexpr bool holds_whole_velocity(const constraints& c, int i) {
   int directions = 0;
   for (int j = 0; j < c.size(); ++j)
-    if (c.node[j] == c.node[i]) ++directions;
+    if (c.station[j] == c.station[i]) ++directions;
   return directions == 3;
 }
 
@@ -131,18 +136,19 @@ constexpr bool holds_whole_velocity(const constraints& c, int i) {
 /// Of a point's velocity along a direction it is a·d + v·ḋ, with the acceleration that the dynamics know.
 constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) {
   const velocity_constraint& own = c.on_velocities[i];
-  if (c.node[i] == none) return k.rate(own.value);
+  if (c.station[i] == none) return k.rate(own.value);
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   const vector& v = own.vanishing;
   expression rate = m.zero();
   for (const vector::part& d : own.direction.parts) {
-    rate += dot(express(m, k.acceleration(c.node[i]), v.parts[0].frame, d.frame), d.value) -
+    rate += dot(express(m, k.acceleration(c.station[i]), v.parts[0].frame, d.frame), d.value) -
             dot(express(m, k.ground_acceleration(), d.frame), d.value);
     if (detail::holds_whole_velocity(c, i)) continue;
-    const components turning = express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
+    const components angular_velocity =
+        express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
     const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};
-    rate += dot(express(m, v, d.frame), change + cross(turning, d.value));
+    rate += dot(express(m, v, d.frame), change + cross(angular_velocity, d.value));
   }
   return rate;
 }

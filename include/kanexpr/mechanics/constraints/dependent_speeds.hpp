@@ -25,7 +25,7 @@ constexpr symbolic::matrix columns_of(graph& g, const symbolic::matrix& a, const
 /// What the constraints on speeds come from.
 constexpr sequence<int> sums_that_bind(const mechanism& m, const constraints& c) {
   sequence<int> sums = symbolic::nodes_of(m.kinematics);
-  for (const expression& e : m.configuration_constraints) sums.push(e.node());
+  for (const expression& e : c.on_configuration) sums.push(e.node());
   for (const velocity_constraint& v : c.on_velocities) sums.push(v.value.node());
   return sums;
 }

@@ -21,10 +21,10 @@ constexpr partition partition_by(const sequence<char>& is_dependent) {
 namespace detail {
 
 /// Gaussian elimination with full pivoting at several states at once.
-class elimination_by_numbers {
+class choice_by_elimination {
 public:
-  constexpr elimination_by_numbers(const sequence<numbers>& states, const symbolic::matrix& jacobian,
-                                   const sequence<char>& favoured)
+  constexpr choice_by_elimination(const sequence<numbers>& states, const symbolic::matrix& jacobian,
+                                  const sequence<char>& favoured)
       : jacobian_(jacobian), favoured_(favoured), states_(states), row_done_(jacobian.rows, 0),
         is_dependent_(jacobian.columns, 0) {}
 
@@ -103,7 +103,7 @@ private:
 /// columns are taken where they serve nearly as well.
 constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                      const sequence<char>& favoured) {
-  return detail::elimination_by_numbers(states, jacobian, favoured).run();
+  return detail::choice_by_elimination(states, jacobian, favoured).run();
 }
 
 /// The user's choice, or a good one.

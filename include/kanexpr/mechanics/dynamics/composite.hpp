@@ -5,13 +5,13 @@
 
 namespace kanexpr::mechanics {
 
-/// What moves outwards of a node as one with a frame: its composite mass, and for each speed that enters
+/// What moves outwards of a station as one with a frame: its composite mass, and for each speed that enters
 /// farther out the force and the moment that a unit of its rate asks for.
 struct composite {
   struct column {
     int speed = none;
     vector force{};      ///< turned to no other axes before it has to be
-    components moment{}; ///< about the node, on the frame
+    components moment{}; ///< about the station, on the frame
   };
   int frame = mechanism::inertial;
   rigid_mass mass{};
@@ -25,9 +25,9 @@ struct composite {
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
-      : s_(s), m_(*s.model), at_(s_.nodes.size()), result_(*m_.g, m_.ways(), m_.ways()) {
+      : s_(s), m_(*s.model), at_(s_.stations.size()), result_(*m_.g, m_.ways(), m_.ways()) {
     for (const mechanics::link& l : s_.base_links) {
-      composite& c = composite_of(l.node, l.frame);
+      composite& c = composite_of(l.station, l.frame);
       const path to_working(m_, s_.body_axes[l.frame], s_.working_axes[l.frame]);
       rigid_mass mass = l.mass;
       mass.first_moment = to_working.turn(mass.first_moment);
@@ -38,10 +38,10 @@ public:
 
   /// The lower and the upper triangle.
   constexpr const symbolic::matrix& run() {
-    for (int n = s_.nodes.size() - 1; n >= 0; --n) {
+    for (int n = s_.stations.size() - 1; n >= 0; --n) {
       while (take_deepest_frame_down(n)) {
       }
-      take_node_down(n);
+      take_station_down(n);
     }
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
@@ -75,12 +75,12 @@ private:
     return c.columns.back();
   }
 
-  /// Takes the composite of the farthest frame at node `n` over to the frame that it turns in.
+  /// Takes the composite of the farthest frame at station `n` over to the frame that it turns in.
   constexpr bool take_deepest_frame_down(int n) {
     int found = none, depth = -1;
     for (int i = 0; i < at_[n].size(); ++i) {
       const int f = at_[n][i].frame;
-      if (f == s_.nodes[n].frame || f == mechanism::inertial) continue;
+      if (f == s_.stations[n].frame || f == mechanism::inertial) continue;
       const int d = turning_depth(f);
       if (d > depth) found = i, depth = d;
     }
@@ -90,14 +90,14 @@ private:
     at_[n].pop();
 
     const int f = c.frame, below = s_.turns_in[f];
-    const sequence<direction>& turning = s_.partial_turning[f];
+    const sequence<partial_velocity>& partials = s_.partial_angular_velocities[f];
     sequence<composite::column> entering;
-    for (const direction& w : turning)
+    for (const partial_velocity& w : partials)
       entering.push({w.speed, in_axes(s_.working_axes[f], cross(w.value, c.mass.first_moment)),
                      c.mass.inertia * w.value});
-    enter(c, turning, entering, none);
+    enter(c, partials, entering, none);
 
-    const int into = below == mechanism::inertial ? s_.nodes[n].axes : below;
+    const int into = below == mechanism::inertial ? s_.stations[n].axes : below;
     const path way(m_, s_.working_axes[f], s_.working_axes[into]);
     composite& to = composite_of(n, below);
     to.mass.mass += c.mass.mass;
@@ -113,9 +113,9 @@ private:
     return true;
   }
 
-  /// Takes all that hangs at node `n` over to its parent.
-  constexpr void take_node_down(int n) {
-    const node& at = s_.nodes[n];
+  /// Takes all that hangs at station `n` over to its parent.
+  constexpr void take_station_down(int n) {
+    const station& at = s_.stations[n];
     composite c = composite_of(n, at.frame);
     if (at.frame !=
         mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
@@ -124,13 +124,13 @@ private:
       for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force.add(k.force);
     }
     if (c.mass.is_zero() && c.columns.empty()) return;
-    if (!at.slide.parts.empty()) {
-      const sequence<direction>& slide = s_.partial_slide[n];
+    if (!at.relative_velocity.parts.empty()) {
+      const sequence<partial_velocity>& partials = s_.partial_velocities[n];
       sequence<composite::column> entering;
       const int axes = s_.working_axes[at.axes];
-      for (const direction& v : slide)
+      for (const partial_velocity& v : partials)
         entering.push({v.speed, in_axes(axes, c.mass.mass * v.value), cross(c.mass.first_moment, v.value)});
-      enter(c, slide, entering, axes);
+      enter(c, partials, entering, axes);
     }
     if (at.absolute || at.parent == none) return;
 
@@ -159,7 +159,7 @@ private:
 
   /// New columns meet each other and those that are there already: turns meet moments, and slides, in `axes`,
   /// meet forces.
-  constexpr void enter(composite& c, const sequence<direction>& ways,
+  constexpr void enter(composite& c, const sequence<partial_velocity>& ways,
                        const sequence<composite::column>& entering, int axes) {
     const auto felt = [&](const composite::column& k) {
       if (axes == none) return k.moment;

@@ -11,8 +11,8 @@ namespace kanexpr::mechanics {
 /// from them. Nothing is formed before it is asked for, and nothing twice.
 class dynamics {
 public:
-  constexpr dynamics(const skeleton& s, const constraints& c, const partition& speeds)
-      : s_(s), m_(*s.model), constraints_(c), speeds_(speeds) {}
+  constexpr dynamics(const skeleton& s, const loads& acting, const constraints& c, const partition& speeds)
+      : s_(s), m_(*s.model), loads_(acting), constraints_(c), speeds_(speeds) {}
 
   /// What was formed.
   template <class Self, class Visit>
@@ -37,11 +37,11 @@ public:
   /// How the dependent speeds and their rates follow from the independent ones.
   constexpr const dependent_speeds& dependent() {
     if (has_dependent_) return dependent_;
-    motion k = motion_on_rising_ground(s_);
+    motion k = motion_on_rising_ground(s_, loads_);
     sequence<expression> bias;
     for (int i = 0; i < constraints_.size(); ++i) bias.push(rate_of_constraint(k, constraints_, i));
     dependent_ = solve_for_dependent_speeds(m_, constraints_, speeds_, bias);
-    if (!m_.acceleration_constraints.empty()) take_acceleration_constraints();
+    if (!constraints_.on_accelerations.empty()) take_acceleration_constraints();
     has_dependent_ = true;
     return dependent_;
   }
@@ -101,7 +101,7 @@ public:
   /// F_r of the independent speeds.
   constexpr sequence<expression> active_forces() {
     if (by_lagrange()) return reduce(lagrange_.active_forces());
-    return reduce(mechanics::active_forces(s_));
+    return reduce(mechanics::active_forces(s_, loads_));
   }
 
   /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
@@ -122,7 +122,7 @@ public:
     if (by_lagrange())
       force = lagrange_.forcing(m_.speed_rates);
     else
-      force = forcing(s_, m_.speed_rates);
+      force = forcing(s_, loads_, m_.speed_rates);
     while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
     return force;
   }
@@ -137,7 +137,7 @@ public:
   /// The generalized forces of all speeds that `inertia_in` leaves out.
   constexpr sequence<expression> forces_of_loads() {
     if (by_lagrange()) return lagrange_.forces_of_loads();
-    return mechanics::forces_of_loads(s_);
+    return mechanics::forces_of_loads(s_, loads_);
   }
 
   /// λ, one for each constraint.
@@ -148,10 +148,10 @@ public:
   }
 
   /// The forces that keep the auxiliary speeds zero.
-  constexpr sequence<expression> auxiliary_forces() {
+  constexpr sequence<expression> noncontributing_forces() {
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
-    return mechanics::auxiliary_forces(constraints_, lambda(), imbalance_of(auxiliary));
+    return mechanics::noncontributing_forces(constraints_, lambda(), imbalance_of(auxiliary));
   }
 
 private:
@@ -159,7 +159,7 @@ private:
 
   constexpr void take_acceleration_constraints() {
     const symbolic::linear_solution given =
-        solve_acceleration_constraints(*m_.g, linear_in_speed_rates(s_), speeds_);
+        solve_acceleration_constraints(*m_.g, linear_in_speed_rates(s_, constraints_), speeds_);
     for (int d = 0; d < speeds_.dependent.size(); ++d) dependent_.acceleration_bias[d] = given.x(d, 0);
     for (const symbolic::solved_block& b : given.blocks) dependent_.blocks.push(b);
   }
@@ -178,7 +178,7 @@ private:
     if (by_lagrange())
       free_force_ = lagrange_.forcing();
     else
-      free_force_ = forcing(s_);
+      free_force_ = forcing(s_, loads_);
     return free_force_;
   }
   constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
@@ -187,9 +187,10 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
+  const loads& loads_;
   const constraints& constraints_;
   const partition& speeds_;
-  lagrange_equations lagrange_{s_};
+  lagrange_equations lagrange_{s_, loads_};
   bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
   dependent_speeds dependent_{};
   symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};

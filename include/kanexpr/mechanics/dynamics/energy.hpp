@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 
 namespace kanexpr::mechanics {
@@ -12,7 +12,7 @@ constexpr expression kinetic_energy(motion& k) {
   expression twice = m.zero();
   for (const link& l : s.links) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
-    const components v = k.velocity(l.node, l.frame), w = k.angular_velocity(l.frame);
+    const components v = k.velocity(l.station, l.frame), w = k.angular_velocity(l.frame);
     const components h = to_working.turn(l.mass.first_moment);
     twice += l.mass.mass * dot(v, v) + 2 * dot(v, cross(w, h)) + dot(w, to_working.turn(l.mass.inertia) * w);
   }
@@ -20,22 +20,21 @@ constexpr expression kinetic_energy(motion& k) {
 }
 
 /// Energy of the bodies in uniform gravity, −Σ m g·x, with x measured from each body's origin point.
-constexpr expression energy_of_gravity(const skeleton& s) {
+constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   const mechanism& m = *s.model;
   expression energy = m.zero();
-  if (!m.has_gravity) return energy;
+  if (!acting.has_gravity) return energy;
   for (const body& b : m.bodies)
     for (int p = b.center; p != none; p = m.points[p].parent)
       for (const vector::part& offset : m.points[p].offset.parts)
-        energy -= b.mass * dot(offset.value, express(m, m.gravity, offset.frame));
+        energy -= b.mass * dot(offset.value, express(m, acting.gravity, offset.frame));
   return energy;
 }
 
-/// That of gravity, of springs, and what the model gives as a potential energy.
-constexpr expression potential_energy(const skeleton& s) {
-  expression energy = energy_of_gravity(s);
-  for (const spring_damper& e : s.model->spring_dampers) energy += spring_energy(*s.model, e);
-  for (const expression& given : s.model->potential_energies) energy += given;
+/// That of gravity and of all other loads.
+constexpr expression potential_energy(const skeleton& s, const loads& acting) {
+  expression energy = energy_of_gravity(s, acting);
+  acting.each([&](const auto& load, int) { energy += load.potential_energy(*s.model); });
   return energy;
 }
 
@@ -46,7 +45,7 @@ constexpr components linear_momentum(motion& k) {
   components total(*m.g);
   for (const link& l : s.links) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
-    const components p = l.mass.mass * k.velocity(l.node, l.frame) +
+    const components p = l.mass.mass * k.velocity(l.station, l.frame) +
                          cross(k.angular_velocity(l.frame), to_working.turn(l.mass.first_moment));
     total += express(m, p, s.working_axes[l.frame], mechanism::inertial);
   }
@@ -76,8 +75,8 @@ constexpr components angular_momentum(motion& k) {
   const mechanism& m = *s.model;
   components total(*m.g);
   for (const body& b : m.bodies) {
-    const int n = s.node_of_point[b.center];
-    const components v = express(m, k.velocity(n), s.working_axes[s.nodes[n].axes], mechanism::inertial);
+    const int n = s.station_of_point[b.center];
+    const components v = express(m, k.velocity(n), s.working_axes[s.stations[n].axes], mechanism::inertial);
     total += cross(position(m, b.center), b.mass * v);
   }
   for (const body& b : m.bodies) {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <kanexpr/mechanics/dynamics/potential.hpp>
-#include <kanexpr/mechanics/dynamics/spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/known_rates.hpp>
 
 namespace kanexpr::mechanics {
@@ -15,28 +13,14 @@ namespace kanexpr::mechanics {
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
-      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), drop_(m_),
-        force_(s.nodes.size(), components(*m_.g)), moment_(m_.frames.size(), components(*m_.g)),
-        share_(m_.ways(), expression{*m_.g, graph::zero}) {}
-
-  /// A force at a node.
-  constexpr void add_force(int n, const vector& value) {
-    force_[n] += express(m_, value, s_.working_axes[s_.nodes[n].axes]);
-  }
-
-  /// Loads that have no potential energy.
-  constexpr void add_forces_and_torques() {
-    add_given_loads();
-    add_springs_and_dampers(false);
-  }
+      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), acting_(s) {}
 
   /// All loads of the model; gravity on every body only if it is not taken as an acceleration.
-  constexpr void add_loads(bool gravity) {
-    add_given_loads();
-    add_springs_and_dampers(true);
-    if (!m_.potential_energies.empty()) add_potential_energies();
-    if (!gravity || !m_.has_gravity) return;
-    for (const body& b : m_.bodies) add_force(s_.node_of_point[b.center], b.mass * known_.in(m_.gravity));
+  constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
+    given.each([&](const auto& load, int) { load.act(acting_, how); });
+    acting_.differentiate_energies();
+    if (!gravity || !given.has_gravity) return;
+    for (const body& b : m_.bodies) acting_.add_force(b.center, b.mass * known_.in(given.gravity));
   }
 
   /// What inertia asks for in a motion, with the minus sign of a generalized inertia force.
@@ -46,9 +30,9 @@ public:
       const path to_working(m_, s_.body_axes[f], s_.working_axes[f]);
       const components h = to_working.turn(l.mass.first_moment);
       const symmetric inertia = to_working.turn(l.mass.inertia);
-      const components a = k.acceleration(l.node, f);
-      const components demand = l.mass.mass * a + (h.is_zero() ? h : k.carry(f) * h);
-      force_[l.node] -= k.turn(demand, f, s_.nodes[l.node].axes);
+      const components a = k.acceleration(l.station, f);
+      const components demand = l.mass.mass * a + (h.is_zero() ? h : k.acceleration_matrix(f) * h);
+      force_[l.station] -= k.turn(demand, f, s_.stations[l.station].axes);
       moment_[f] -= cross(h, a) + inertia_demand(k, inertia, f);
     }
   }
@@ -56,7 +40,7 @@ public:
   /// What the change of masses and inertias asks for, F = d(mv)/dt: −ṁ v at the mass centre and −İ·ω.
   constexpr void add_changes_of_mass(motion& k) {
     for (const body& b : m_.bodies) {
-      const int n = s_.node_of_point[b.center];
+      const int n = s_.station_of_point[b.center];
       const expression rate = k.rate(known_.in(b.mass));
       if (!rate.is_zero()) force_[n] -= rate * k.velocity(n);
       if (b.frame == none || (rate.is_zero() && has_fixed_inertia(k, b))) continue;
@@ -70,18 +54,19 @@ public:
 
   /// The generalized force of each speed, then of each auxiliary speed.
   constexpr const sequence<expression>& run() {
-    for (int n = s_.nodes.size() - 1; n >= 0; --n) {
-      const node& at = s_.nodes[n];
+    for (int n = s_.stations.size() - 1; n >= 0; --n) {
+      const station& at = s_.stations[n];
       if (force_[n].is_zero()) continue;
-      for (const direction& v : s_.partial_slide[n]) share_[v.speed] += dot(v.value, force_[n]);
+      for (const partial_velocity& v : s_.partial_velocities[n]) share_[v.speed] += dot(v.value, force_[n]);
       if (at.absolute || at.parent == none) continue;
       moment_[at.frame] += cross(s_.offset_in_working_axes(n), force_[n]);
-      const int parent_axes = s_.nodes[at.parent].axes;
+      const int parent_axes = s_.stations[at.parent].axes;
       force_[at.parent] += turn(force_[n], at.axes, parent_axes);
     }
     for (int f : s_.frames_tips_first()) {
       if (moment_[f].is_zero()) continue;
-      for (const direction& w : s_.partial_turning[f]) share_[w.speed] += dot(w.value, moment_[f]);
+      for (const partial_velocity& w : s_.partial_angular_velocities[f])
+        share_[w.speed] += dot(w.value, moment_[f]);
       const int below = s_.turns_in[f];
       if (below != mechanism::inertial) moment_[below] += turn(moment_[f], f, below);
     }
@@ -89,62 +74,8 @@ public:
   }
 
 private:
-  constexpr void add_given_loads() {
-    for (const torque& t : m_.torques) add_torque(t.frame, t.against, drop_.in(known_.in(t.value)));
-    for (const force& f : m_.forces) {
-      const vector value = drop_.in(known_.in(f.value));
-      add_force(s_.node_of_point[f.point], value);
-      if (f.against != none) add_force(s_.node_of_point[f.against], -value);
-    }
-  }
-
-  /// Dampers, and springs too if they are not taken by their energy.
-  constexpr void add_springs_and_dampers(bool springs) {
-    if (m_.spring_dampers.empty() && m_.torsional_dampers.empty()) return;
-    motion k(s_);
-    for (const spring_damper& e : m_.spring_dampers) {
-      const stretch line = stretch_of(s_, e);
-      expression pull = m_.zero();
-      if (springs && !e.stiffness.is_zero()) pull = spring_pull(e, line.d);
-      if (!e.damping.is_zero()) pull += drop_.in(known_.in(e.damping)) * rate_of_stretch(k, e, line);
-      if (pull.is_zero()) continue;
-      vector force;
-      force.add(line.axes, pull * line.d);
-      add_force(s_.node_of_point[e.point], -force);
-      add_force(s_.node_of_point[e.other], force);
-    }
-    for (const torsional_damper& e : m_.torsional_dampers)
-      add_torque(e.frame, e.against,
-                 -drop_.in(known_.in(e.damping)) * angular_velocity_between(s_, e.frame, e.against));
-  }
-
-  /// A torque on a frame and its opposite on another. Between neighbours only the speeds of the turning of
-  /// one in the other feel it.
-  constexpr void add_torque(int frame, int against, const vector& value) {
-    const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
-    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
-    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
-    add_moment(f, value);
-    if (b != mechanism::inertial) add_moment(b, -value);
-  }
-
-  /// What a torque does where a frame turns in the one below it.
-  constexpr void add_turning(int f, const vector& value) {
-    for (const direction& w : s_.partial_turning[f])
-      share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
-  }
-
-  constexpr void add_potential_energies() {
-    const sequence<expression> rates = potential_rates(s_);
-    for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
-  }
-
   constexpr components turn(const components& v, int from, int to) const {
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
-  }
-
-  constexpr void add_moment(int f, const vector& value) {
-    if (f != mechanism::inertial) moment_[f] += express(m_, value, s_.working_axes[f]);
   }
 
   /// Whether a body's inertia is plainly given by constants in its own axes.
@@ -168,23 +99,25 @@ private:
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j) change(i, j) = k.rate(known_.in(inertia(i, j)));
     if (s_.rigid_with[axes] == f) return change;
-    const components turning = express(m_, k.angular_velocity(axes), s_.working_axes[axes], axes) - w;
+    const components angular_velocity =
+        express(m_, k.angular_velocity(axes), s_.working_axes[axes], axes) - w;
     components column[3];
-    for (int j = 0; j < 3; ++j) column[j] = cross(turning, {inertia(0, j), inertia(1, j), inertia(2, j)});
+    for (int j = 0; j < 3; ++j)
+      column[j] = cross(angular_velocity, {inertia(0, j), inertia(1, j), inertia(2, j)});
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j) change(i, j) += column[j][i] + column[i][j];
     return change;
   }
 
-  /// I·α + ω×(I·ω) about the link's node, from the matrix U that its forces use as well: with the products of
-  /// inertia as weights of U's entries it takes half the products of the two-step form.
+  /// I·α + ω×(I·ω) about the link's station, from the matrix U that its forces use as well: with the products
+  /// of inertia as weights of U's entries it takes half the products of the two-step form.
   constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
     components moment(*m_.g);
     if (i.is_zero()) return moment;
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);
     for (int x = 0; x < 3; ++x) {
       const int y = (x + 1) % 3, z = (x + 2) % 3;
-      const matrix3& u = k.carry(f);
+      const matrix3& u = k.acceleration_matrix(f);
       moment[x] = i(x, x) * alpha[x] + (i(z, z) - i(y, y)) * (w[y] * w[z]) +
                   i(y, z) * (w[y] * w[y] - w[z] * w[z]) + i(z, x) * u(y, x) - i(x, y) * u(z, x);
     }
@@ -194,10 +127,10 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   known_rates known_;
-  without_auxiliary_speeds drop_;
-  sequence<components> force_;
-  sequence<components> moment_;
-  sequence<expression> share_;
+  force_system acting_;
+  sequence<components>& force_ = acting_.forces();
+  sequence<components>& moment_ = acting_.moments();
+  sequence<expression>& share_ = acting_.shares();
 };
 
 } // namespace kanexpr::mechanics

@@ -12,24 +12,25 @@ namespace kanexpr::mechanics {
 constexpr symbolic::matrix mass_matrix(const skeleton& s) { return mass_matrix_builder(s).run(); }
 
 /// F_r: the generalized active forces.
-constexpr sequence<expression> active_forces(const skeleton& s) {
+constexpr sequence<expression> active_forces(const skeleton& s, const loads& acting) {
   generalized_forces f(s);
-  f.add_loads(true);
+  f.add_loads(acting, true);
   return f.run();
 }
 
 /// All motion, in which the ground falls upwards in place of gravity on every body; without rates of the
 /// speeds at u̇ = 0.
-constexpr motion motion_on_rising_ground(const skeleton& s, const sequence<expression>& udot = {}) {
+constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,
+                                         const sequence<expression>& udot = {}) {
   motion k(s, udot);
-  if (s.model->has_gravity) k.accelerate_ground(-s.model->gravity);
+  if (acting.has_gravity) k.accelerate_ground(-acting.gravity);
   return k;
 }
 
 /// F_r of the loads beside gravity on every body.
-constexpr sequence<expression> forces_of_loads(const skeleton& s) {
+constexpr sequence<expression> forces_of_loads(const skeleton& s, const loads& acting) {
   generalized_forces f(s);
-  f.add_loads(false);
+  f.add_loads(acting, false);
   return f.run();
 }
 
@@ -49,10 +50,11 @@ constexpr sequence<expression> inertia_bias(const skeleton& s) {
 
 /// F_r + F_r* in one pass, f at u̇ = 0 where no rates are given. Gravity on every body enters as an
 /// acceleration of the ground.
-constexpr sequence<expression> forcing(const skeleton& s, const sequence<expression>& udot = {}) {
+constexpr sequence<expression> forcing(const skeleton& s, const loads& acting,
+                                       const sequence<expression>& udot = {}) {
   generalized_forces f(s);
-  f.add_loads(false);
-  motion k = motion_on_rising_ground(s, udot);
+  f.add_loads(acting, false);
+  motion k = motion_on_rising_ground(s, acting, udot);
   f.add_inertia(k);
   f.add_changes_of_mass(k);
   return f.run();

@@ -27,7 +27,8 @@ constexpr lagrangian_gradient gradient_of(const mechanism& m, expression lagrang
 
 class lagrange_equations {
 public:
-  constexpr explicit lagrange_equations(const skeleton& s) : s_(s), m_(*s.model) {}
+  constexpr lagrange_equations(const skeleton& s, const loads& acting)
+      : s_(s), m_(*s.model), loads_(acting) {}
 
   /// What was formed.
   template <class Self, class Visit>
@@ -39,7 +40,7 @@ public:
   constexpr symbolic::matrix mass_matrix() {
     const sequence<expression>& p = gradient().momenta;
     symbolic::matrix mass(*m_.g, p.size(), p.size());
-    symbolic::derivation by_rate(*m_.g);
+    symbolic::differentiation by_rate(*m_.g);
     for (int j = 0; j < p.size(); ++j) {
       by_rate.restart();
       by_rate.set_rate(m_.speeds[j], m_.one());
@@ -60,14 +61,14 @@ public:
 
   /// Q.
   constexpr sequence<expression> forces_of_loads() const {
-    generalized_forces loads(s_);
-    loads.add_forces_and_torques();
-    return loads.run();
+    generalized_forces f(s_);
+    f.add_loads(loads_, false, conservative::by_energy);
+    return f.run();
   }
 
   /// Q − ∂V/∂q, the generalized forces of all loads.
   constexpr sequence<expression> active_forces() const {
-    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_)).by_coordinates);
+    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_, loads_)).by_coordinates);
   }
 
   /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of a Lagrangian that the model gives.
@@ -75,19 +76,19 @@ public:
 
 private:
   constexpr expression kinetic() const {
-    if (m_.has_lagrangian) return m_.lagrangian;
+    if (loads_.has_lagrangian) return loads_.lagrangian;
     motion k(s_);
     return kinetic_energy(k);
   }
 
   constexpr const lagrangian_gradient& gradient() {
-    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_));
+    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_, loads_));
     return gradient_;
   }
 
   constexpr sequence<expression> inertia_of(const lagrangian_gradient& l,
                                             const sequence<expression>& udot) const {
-    symbolic::derivation along_time = time_derivative(m_, m_.speeds, udot);
+    symbolic::differentiation along_time = time_derivative(m_, m_.speeds, udot);
     sequence<expression> bias = l.by_coordinates;
     for (int i = 0; i < bias.size(); ++i) bias[i] -= along_time.of(l.momenta[i]);
     return bias;
@@ -100,6 +101,7 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
+  const loads& loads_;
   lagrangian_gradient gradient_{};
 };
 

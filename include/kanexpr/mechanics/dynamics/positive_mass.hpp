@@ -29,7 +29,7 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
 class energy_of_motion {
 public:
   constexpr explicit energy_of_motion(const skeleton& s)
-      : s_(s), m_(*s.model), frame_rests_(m_.frames.size(), 0), node_rests_(s.nodes.size(), 0),
+      : s_(s), m_(*s.model), frame_rests_(m_.frames.size(), 0), station_rests_(s.stations.size(), 0),
         way_rests_(m_.ways(), 0) {
     frame_rests_[mechanism::inertial] = 1;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) way_rests_[w] = 1; // auxiliary speeds are zero
@@ -43,8 +43,9 @@ public:
       for (int f = 1; f < m_.frames.size(); ++f)
         if (s_.rigid_with[f] == f && frame_rests_[f] == 0 && rests_if_frame_does_not_move(f))
           frame_rests_[f] = 1, progress = true;
-      for (int n = 0; n < s_.nodes.size(); ++n)
-        if (node_rests_[n] == 0 && rests_if_node_does_not_move(n)) node_rests_[n] = 1, progress = true;
+      for (int n = 0; n < s_.stations.size(); ++n)
+        if (station_rests_[n] == 0 && rests_if_station_does_not_move(n))
+          station_rests_[n] = 1, progress = true;
     }
     for (char rests : way_rests_)
       if (rests == 0) return false;
@@ -72,9 +73,9 @@ private:
   }
 
   /// Those that are not known to rest.
-  constexpr ways free_ways(const sequence<direction>& all, int from_axes, int to_axes) const {
+  constexpr ways free_ways(const sequence<partial_velocity>& all, int from_axes, int to_axes) const {
     ways w;
-    for (const direction& d : all) {
+    for (const partial_velocity& d : all) {
       if (way_rests_[d.speed] != 0) continue;
       const components c = express(m_, d.value, from_axes, to_axes);
       w.known = w.known && c.is_constant();
@@ -101,19 +102,19 @@ private:
 
   constexpr bool rests_if_frame_does_not_move(int f) {
     if (frame_rests_[s_.turns_in[f]] == 0) return false;
-    const ways w = free_ways(s_.partial_turning[f], s_.working_axes[f], s_.body_axes[f]);
+    const ways w = free_ways(s_.partial_angular_velocities[f], s_.working_axes[f], s_.body_axes[f]);
     if (!w.known || w.speeds.empty()) return w.known;
     sequence<double> energy(9, 0.0);
     for (const link& l : s_.links)
       if (l.frame == f) {
-        // about the node where that rests; what is left out otherwise is not negative
-        const sequence<double> own = inertia(l, node_rests_[l.node] == 0);
+        // about the station where that rests; what is left out otherwise is not negative
+        const sequence<double> own = inertia(l, station_rests_[l.station] == 0);
         for (int i = 0; i < 9; ++i) energy[i] += own[i];
       }
     return settle(w, energy);
   }
 
-  /// About the mass centre or about the node, by rows.
+  /// About the mass centre or about the station, by rows.
   static constexpr sequence<double> inertia(const link& l, bool central) {
     const double mass = value(l.mass.mass);
     const double h[]{value(l.mass.first_moment.x), value(l.mass.first_moment.y),
@@ -128,26 +129,26 @@ private:
     return found;
   }
 
-  constexpr bool rests_if_node_does_not_move(int n) {
-    const node& at = s_.nodes[n];
+  constexpr bool rests_if_station_does_not_move(int n) {
+    const station& at = s_.stations[n];
     double mass = 0;
     for (const link& l : s_.links) {
-      if (l.node != n) continue;
+      if (l.station != n) continue;
       if (frame_rests_[l.frame] != 0 || l.mass.first_moment.is_zero()) mass += value(l.mass.mass);
-      if (frame_rests_[l.frame] != 0 && value(l.mass.mass) > 0) node_rests_[n] = 1;
+      if (frame_rests_[l.frame] != 0 && value(l.mass.mass) > 0) station_rests_[n] = 1;
     }
     const bool carried = !at.absolute && at.parent != none;
-    if (carried && (node_rests_[at.parent] == 0 || (frame_rests_[at.frame] == 0 && !at.r.is_zero())))
-      return node_rests_[n] != 0;
+    if (carried && (station_rests_[at.parent] == 0 || (frame_rests_[at.frame] == 0 && !at.r.is_zero())))
+      return station_rests_[n] != 0;
     const int axes = s_.working_axes[at.axes];
-    const ways w = free_ways(s_.partial_slide[n], axes, axes);
+    const ways w = free_ways(s_.partial_velocities[n], axes, axes);
     if (!w.known || w.speeds.empty()) return w.known;
     return settle(w, {mass, 0, 0, 0, mass, 0, 0, 0, mass});
   }
 
   const skeleton& s_;
   const mechanism& m_;
-  sequence<char> frame_rests_, node_rests_, way_rests_;
+  sequence<char> frame_rests_, station_rests_, way_rests_;
 };
 
 } // namespace kanexpr::mechanics

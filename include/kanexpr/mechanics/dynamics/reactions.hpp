@@ -31,8 +31,8 @@ constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, 
 }
 
 /// What acts along the partial velocities of each auxiliary speed to keep it zero: −(F_a + F_a* + J_aᵀ λ).
-constexpr sequence<expression> auxiliary_forces(const constraints& c, const symbolic::matrix& lambda,
-                                                const sequence<expression>& imbalance_of_auxiliary) {
+constexpr sequence<expression> noncontributing_forces(const constraints& c, const symbolic::matrix& lambda,
+                                                      const sequence<expression>& imbalance_of_auxiliary) {
   sequence<expression> out;
   for (int a = 0; a < imbalance_of_auxiliary.size(); ++a) {
     expression force = imbalance_of_auxiliary[a];

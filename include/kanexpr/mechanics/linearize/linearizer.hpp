@@ -100,7 +100,7 @@ private:
 
   constexpr symbolic::matrix derivatives(const sequence<expression>& of, const sequence<expression>& by) {
     symbolic::matrix out(g_, of.size(), by.size());
-    symbolic::derivation d(g_);
+    symbolic::differentiation d(g_);
     for (int j = 0; j < by.size(); ++j) {
       d.restart();
       d.set_rate(by[j], {g_, graph::one});
@@ -112,7 +112,7 @@ private:
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
     for (int j = 0; j < variations_.size(); ++j) {
-      symbolic::derivation d = variations_.along(j);
+      symbolic::differentiation d = variations_.along(j);
       for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
     }
     return out;
@@ -207,7 +207,7 @@ private:
     const symbolic::matrix bias = acceleration_bias();
     symbolic::matrix out(g_, force.size(), variations_.size());
     for (int j = 0; j < out.columns; ++j) {
-      symbolic::derivation d = variations_.along(j);
+      symbolic::differentiation d = variations_.along(j);
       for (int i = 0; i < out.rows; ++i) {
         out(i, j) = d.of(force[i]);
         for (int k = 0; k < bias.rows; ++k) out(i, j) -= form_.known.coupling(k, i) * bias(k, j);

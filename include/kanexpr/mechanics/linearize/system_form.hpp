@@ -13,10 +13,11 @@ namespace kanexpr::mechanics {
 class system_form {
 public:
   /// `by_q` are the derivatives of the configuration constraints by the coordinates.
-  constexpr system_form(const skeleton& s, const constraints& c, const symbolic::matrix& by_q,
-                        const partition& coordinates, const partition& speeds, dynamics& d)
+  constexpr system_form(const skeleton& s, const loads& acting, const constraints& c,
+                        const symbolic::matrix& by_q, const partition& coordinates, const partition& speeds,
+                        dynamics& d)
       : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
-        dynamics_(d), motion_(motion_on_rising_ground(s, m_.speed_rates)) {}
+        dynamics_(d), motion_(motion_on_rising_ground(s, acting, m_.speed_rates)) {}
 
   /// Of the independent speeds alone, without multipliers.
   constexpr general_form reduced() {
@@ -75,18 +76,18 @@ private:
   }
 
   constexpr void take_constraints(general_form& form) {
-    form.f_c = m_.configuration_constraints;
+    form.f_c = constraints_.on_configuration;
     for (const velocity_constraint& each : constraints_.on_velocities) form.f_v.push(each.value);
     form.known.on_q = by_q_;
     form.known.on_u = form.known.on_udot = constraints_.jacobian;
-    if (m_.acceleration_constraints.empty()) {
+    if (constraints_.on_accelerations.empty()) {
       for (int i = 0; i < constraints_.size(); ++i)
         form.f_a.push(rate_of_constraint(motion_, constraints_, i));
       return;
     }
     known_rates known(m_, s_.coordinate_rates);
-    for (const expression& e : m_.acceleration_constraints) form.f_a.push(known.in(e));
-    form.known.on_udot = linear_in_speed_rates(s_).jacobian;
+    for (const expression& e : constraints_.on_accelerations) form.f_a.push(known.in(e));
+    form.known.on_udot = linear_in_speed_rates(s_, constraints_).jacobian;
   }
 
   const skeleton& s_;

@@ -54,8 +54,8 @@ public:
   constexpr expression symbol(int j) const { return symbols_[j]; }
 
   /// The derivatives of expressions along direction `j`.
-  constexpr symbolic::derivation along(int j) const {
-    symbolic::derivation d(g_);
+  constexpr symbolic::differentiation along(int j) const {
+    symbolic::differentiation d(g_);
     d.set_rate(symbol(j), {g_, graph::one});
     for (int i = 0; i < coordinates_.rows; ++i) d.set_rate(form_.q[of_q_.dependent[i]], coordinates_(i, j));
     for (int i = 0; i < speeds_.rows; ++i) d.set_rate(form_.u[of_u_.dependent[i]], speeds_(i, j));
@@ -85,13 +85,13 @@ private:
     symbolic::matrix by_dependent(g_, rows, rows), right(g_, rows, size());
     for (int j = 0; j < rows; ++j) {
       const int column = split.dependent[j];
-      symbolic::derivation d(g_);
+      symbolic::differentiation d(g_);
       if (known.rows == 0) d.set_rate(unknowns[column], {g_, graph::one});
       for (int i = 0; i < rows; ++i) by_dependent(i, j) = known.rows == 0 ? d.of(zero[i]) : known(i, column);
     }
     for (int j = 0; j < size(); ++j) {
       const int place = independent_place(unknowns, split, j);
-      symbolic::derivation d = along(j);
+      symbolic::differentiation d = along(j);
       for (int i = 0; i < rows; ++i)
         right(i, j) = place >= 0 && known.rows != 0 ? -known(i, place) : -d.of(zero[i]);
     }

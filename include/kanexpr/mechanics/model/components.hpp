@@ -6,6 +6,7 @@ namespace kanexpr::mechanics {
 
 using symbolic::expression;
 using symbolic::graph;
+using symbolic::name;
 using symbolic::sequence;
 
 /// A vector's three measure numbers in the axes of some frame.

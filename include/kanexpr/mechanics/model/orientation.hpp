@@ -6,14 +6,14 @@
 namespace kanexpr::mechanics {
 
 /// One turn of a vector's axes: about a basis vector, which costs four products, or by a matrix.
-struct hop {
+struct elementary_rotation {
   bool about_basis = true;
   int axis = 0;
   expression angle{}; ///< of the old axes in the new ones
   matrix3 to_new{};
 };
 
-constexpr components turned(const hop& h, const components& v) {
+constexpr components turned(const elementary_rotation& h, const components& v) {
   if (!h.about_basis) return h.to_new * v;
   const int b = (h.axis + 1) % 3, d = (h.axis + 2) % 3;
   const expression s = sin(h.angle), c = cos(h.angle);
@@ -26,7 +26,7 @@ constexpr components turned(const hop& h, const components& v) {
 /// A symmetric dyadic in turned axes. About a basis vector a: with e = s²(I_bb − I_dd) + 2sc I_bd the
 /// diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; the row of a turns like a
 /// vector.
-constexpr symmetric turned(const hop& h, const symmetric& m) {
+constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {
     matrix3 half; // row j: m · (row j of to_new)
@@ -60,11 +60,11 @@ public:
     descend(m, to, meeting);
   }
 
-  constexpr const sequence<hop>& hops() const { return hops_; }
+  constexpr const sequence<elementary_rotation>& rotations() const { return rotations_; }
 
   template <class Quantity>
   constexpr Quantity turn(Quantity v) const {
-    for (const hop& h : hops_) v = turned(h, v);
+    for (const elementary_rotation& h : rotations_) v = turned(h, v);
     return v;
   }
 
@@ -90,23 +90,23 @@ private:
       if (f.kind == orientation::about_basis)
         push_turn(f.axis, f.angle, 0);
       else if (!f.to_parent.is_identity())
-        hops_.push({false, 0, expression{}, f.to_parent});
+        rotations_.push({false, 0, expression{}, f.to_parent});
     }
-    for (int i = 0, j = hops_.size() - 1; i < j; ++i, --j) {
-      const hop first = hops_[i];
-      hops_[i] = hops_[j];
-      hops_[j] = first;
+    for (int i = 0, j = rotations_.size() - 1; i < j; ++i, --j) {
+      const elementary_rotation first = rotations_[i];
+      rotations_[i] = rotations_[j];
+      rotations_[j] = first;
     }
   }
   constexpr void descend(const mechanism& m, int to, int meeting) {
     const sequence<int> way = way_down(m, to, meeting);
-    const int climbed = hops_.size();
+    const int climbed = rotations_.size();
     for (int i = way.size() - 1; i >= 0; --i) {
       const frame& f = m.frames[way[i]];
       if (f.kind == orientation::about_basis)
         push_turn(f.axis, -f.angle, climbed);
       else if (!f.to_parent.is_identity())
-        hops_.push({false, 0, expression{}, transpose(f.to_parent)});
+        rotations_.push({false, 0, expression{}, transpose(f.to_parent)});
     }
   }
   /// The frames from `f` to the one below `meeting`, the last first.
@@ -116,13 +116,13 @@ private:
     return way;
   }
   constexpr void push_turn(int axis, expression angle, int first_to_merge) {
-    if (hops_.size() > first_to_merge && hops_.back().about_basis && hops_.back().axis == axis)
-      hops_.back().angle += angle;
+    if (rotations_.size() > first_to_merge && rotations_.back().about_basis && rotations_.back().axis == axis)
+      rotations_.back().angle += angle;
     else
-      hops_.push({true, axis, angle, matrix3{}});
+      rotations_.push({true, axis, angle, matrix3{}});
   }
 
-  sequence<hop> hops_{};
+  sequence<elementary_rotation> rotations_{};
 };
 
 constexpr components express(const mechanism& m, const components& v, int from, int to) {
@@ -131,21 +131,21 @@ constexpr components express(const mechanism& m, const components& v, int from, 
 }
 
 /// A sum over frames in the axes of one: the running sum starts at the frame that is farthest away and is
-/// turned hop by hop, taking up the other parts where it meets them.
+/// turned rotation by rotation, taking up the other parts where it meets them.
 constexpr components express(const mechanism& m, const vector& v, int to) {
   sequence<vector::part> left = v.parts;
   components total(*m.g);
   while (!left.empty()) {
-    int farthest = 0, hops = -1;
+    int farthest = 0, rotations = -1;
     for (int i = 0; i < left.size(); ++i) {
       const int meeting = path::common_ancestor(m, left[i].frame, to);
       const int n = path::depth(m, left[i].frame) + path::depth(m, to) - 2 * path::depth(m, meeting);
-      if (n > hops) farthest = i, hops = n;
+      if (n > rotations) farthest = i, rotations = n;
     }
     const vector::part part = left[farthest];
     left[farthest] = left.back();
     left.pop();
-    if (hops == 0) {
+    if (rotations == 0) {
       total += part.value;
       continue;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
 /// Parts of sentences about a mechanism.
@@ -11,37 +11,43 @@ constexpr std::string_view called(const mechanism& m, expression symbol) {
 }
 
 /// "3 configuration constraints".
-constexpr problem several(int n, std::string_view one, std::string_view what = {}) {
+constexpr sentence several(int n, std::string_view one, std::string_view what = {}) {
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
-/// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be.
-constexpr problem enumerated(const mechanism& m, const sequence<expression>& symbols,
-                             const sequence<int>& places, std::string_view noun = {}) {
-  problem p = sentence({noun, noun.empty() ? "" : places.size() == 1 ? " " : "s "});
-  for (int i = 0; i < places.size(); ++i)
-    p = sentence({p.view(),
-                  i == 0                  ? ""
-                  : i + 1 < places.size() ? ", "
-                                          : " and ",
-                  called(m, symbols[places[i]])});
-  return p;
+/// What stands before entry `i` of a list of `count`: "q1, q2 and q3".
+constexpr std::string_view before_entry(int i, int count) {
+  return i == 0 ? "" : i + 1 < count ? ", " : " and ";
+}
+
+/// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be. Of many it
+/// names ten, and how many others there are.
+constexpr sentence enumerated(const mechanism& m, const sequence<expression>& symbols,
+                              const sequence<int>& places, std::string_view noun = {}) {
+  constexpr int most_named = 10;
+  const int named = places.size() > most_named + 1 ? most_named : places.size();
+  const int entries = named < places.size() ? named + 1 : named;
+  sentence p = sentence({noun, noun.empty() ? "" : places.size() == 1 ? " " : "s "});
+  for (int i = 0; i < named; ++i)
+    p = sentence({p.view(), before_entry(i, entries), called(m, symbols[places[i]])});
+  if (named == places.size()) return p;
+  return sentence({p.view(), before_entry(named, entries), counted(places.size() - named).view(), " others"});
 }
 
 /// "speed u1"; of Lagrange's method "rate of coordinate q1".
-constexpr problem speed_called(const mechanism& m, std::string_view speed) {
+constexpr sentence speed_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"speed ", speed});
   return sentence({"rate of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
 /// "rate of speed u1"; of Lagrange's method "second derivative of coordinate q1".
-constexpr problem speed_rate_called(const mechanism& m, std::string_view speed) {
+constexpr sentence speed_rate_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"rate of speed ", speed});
   return sentence({"second derivative of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
 /// "speeds u1 and u2"; of Lagrange's method "rates of coordinates q1 and q2".
-constexpr problem speeds_called(const mechanism& m, const sequence<int>& places) {
+constexpr sentence speeds_called(const mechanism& m, const sequence<int>& places) {
   if (m.derived_by == method::kane) return enumerated(m, m.speeds, places, "speed");
   return sentence({places.size() == 1 ? "rate of " : "rates of ",
                    enumerated(m, m.coordinates, places, "coordinate").view()});

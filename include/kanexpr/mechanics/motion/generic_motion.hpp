@@ -66,12 +66,12 @@ public:
   /// Its angular velocity in the inertial frame, by its orientation.
   constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
   /// Its angular velocity in the inertial frame as the equations of motion use it.
-  constexpr triple turning(int f) const { return frames_[f].turning; }
+  constexpr triple angular_velocity(int f) const { return frames_[f].angular_velocity; }
   /// What rounding may make of an angular velocity that is zero: all are solved for together.
   constexpr double rounding() const {
     double fastest = 0;
     for (const pose& p : frames_)
-      for (const triple& w : {p.by_orientation, p.turning})
+      for (const triple& w : {p.by_orientation, p.angular_velocity})
         if (length(w) > fastest) fastest = length(w);
     return 1e-14 * fastest;
   }
@@ -96,9 +96,9 @@ private:
 
   struct pose {
     triad basis{};
-    triple by_orientation{}, turning{};
+    triple by_orientation{}, angular_velocity{};
     bool proper = true;
-    bool known = false; ///< `turning`
+    bool known = false; ///< `angular_velocity`
   };
 
   static constexpr sequence<int> nodes_of(const sequence<expression>& all) {
@@ -178,9 +178,9 @@ private:
       set_rate(unknown[j], 0);
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
-    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination_math>(order, &f[0]);
     if (!(f[place.least_pivot()] > 0)) return false;
-    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &x[0]);
     for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
     return true;
   }
@@ -196,7 +196,7 @@ private:
     for (int f = 0; f < frames_.size(); ++f) place(f);
     for (int f = 0; f < frames_.size(); ++f) {
       turn(f);
-      const triple w = frames_[f].turning - frames_[f].by_orientation;
+      const triple w = frames_[f].angular_velocity - frames_[f].by_orientation;
       if (!elementary::detail::is_finite(w.x + w.y + w.z)) return false;
     }
     return true;
@@ -240,11 +240,12 @@ private:
     const frame& own = m_.frames[f];
     if (own.turns_by_declaration()) {
       turn(own.reference);
-      p.turning = frames_[own.reference].turning + declared(f);
+      p.angular_velocity = frames_[own.reference].angular_velocity + declared(f);
       p.proper = p.proper && frames_[own.reference].proper;
     } else if (own.parent != none) {
       turn(own.parent);
-      p.turning = frames_[own.parent].turning + (p.by_orientation - frames_[own.parent].by_orientation);
+      p.angular_velocity =
+          frames_[own.parent].angular_velocity + (p.by_orientation - frames_[own.parent].by_orientation);
     }
   }
 

@@ -18,8 +18,8 @@ struct remembered {
   }
 };
 
-/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's nodes, all
-/// in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
+/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's stations,
+/// all in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
 /// ground, and kept.
 class motion {
 public:
@@ -33,9 +33,12 @@ public:
   constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
       : s_(&s), m_(s.model), along_time_(time_derivative(*s.model, s.coordinate_rates, udot)),
         omega_(s.model->frames.size()), alpha_(s.model->frames.size()), carry_(s.model->frames.size()),
-        velocity_(s.nodes.size()), acceleration_(s.nodes.size()) {}
+        velocity_(s.stations.size()), acceleration_(s.stations.size()) {}
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
+
+  /// Where the skeleton was moved to.
+  constexpr void follow(const skeleton& s) { s_ = &s; }
 
   /// The time derivative of a scalar.
   constexpr expression rate(expression e) { return along_time_.of(e); }
@@ -57,7 +60,8 @@ public:
     components w(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      w = turn(angular_velocity(p), p, f) + express(*m_, s_->turning[f], s_->working_axes[f]);
+      w = turn(angular_velocity(p), p, f) +
+          express(*m_, s_->relative_angular_velocity[f], s_->working_axes[f]);
     }
     return omega_[f].keep(w);
   }
@@ -69,13 +73,13 @@ public:
     components a(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      a = turn(angular_acceleration(p), p, f) + rate(s_->turning[f], f);
+      a = turn(angular_acceleration(p), p, f) + rate(s_->relative_angular_velocity[f], f);
     }
     return alpha_[f].keep(a);
   }
 
   /// U = [α]× + [ω]×[ω]×: the acceleration of a point at r in the frame is a + U r.
-  constexpr const matrix3& carry(int f) {
+  constexpr const matrix3& acceleration_matrix(int f) {
     f = s_->rigid_with[f];
     if (!carry_[f].known) {
       const components w = angular_velocity(f), a = angular_acceleration(f);
@@ -90,23 +94,23 @@ public:
     return carry_[f].value;
   }
 
-  /// Velocity of a node, in the working axes of its own frame.
+  /// Velocity of a station, in the working axes of its own frame.
   constexpr components velocity(int n) {
     if (velocity_[n].known) return velocity_[n].value;
-    const node& at = s_->nodes[n];
+    const station& at = s_->stations[n];
     components v(*m_->g);
     if (!at.absolute) {
       v = velocity(at.parent, at.axes);
       v += cross(angular_velocity(at.frame), s_->offset_in_working_axes(n));
     }
-    v += express(*m_, at.slide, s_->working_axes[at.axes]);
+    v += express(*m_, at.relative_velocity, s_->working_axes[at.axes]);
     return velocity_[n].keep(v);
   }
 
-  /// Acceleration of a node, in the working axes of its own frame.
+  /// Acceleration of a station, in the working axes of its own frame.
   constexpr components acceleration(int n) {
     if (acceleration_[n].known) return acceleration_[n].value;
-    const node& at = s_->nodes[n];
+    const station& at = s_->stations[n];
     components a(*m_->g);
     if (at.absolute) {
       a = express(*m_, ground_, s_->working_axes[at.axes]);
@@ -114,27 +118,28 @@ public:
       a = acceleration(at.parent, at.axes);
       const components r = s_->offset_in_working_axes(n);
       if (at.carried)
-        a += carry(at.frame) * r;
+        a += acceleration_matrix(at.frame) * r;
       else
         a += cross(angular_acceleration(at.frame), r) +
              cross(angular_velocity(at.frame), rate(at.offset(), at.frame));
-      if (!at.slide.parts.empty())
-        a += cross(angular_velocity(at.frame), express(*m_, at.slide, s_->working_axes[at.frame]));
+      if (!at.relative_velocity.parts.empty())
+        a +=
+            cross(angular_velocity(at.frame), express(*m_, at.relative_velocity, s_->working_axes[at.frame]));
     }
-    if (!at.slide.parts.empty()) a += rate(at.slide, at.axes);
+    if (!at.relative_velocity.parts.empty()) a += rate(at.relative_velocity, at.axes);
     return acceleration_[n].keep(a);
   }
 
-  /// The node that has the velocity `v`, given in the axes of frame `axes`; or none.
-  constexpr int node_with_velocity(const components& v, int axes) {
+  /// The station that has the velocity `v`, given in the axes of frame `axes`; or none.
+  constexpr int station_with_velocity(const components& v, int axes) {
     for (int n = 0; n < velocity_.size(); ++n)
-      if (s_->working_axes[s_->nodes[n].axes] == axes && velocity(n) == v) return n;
+      if (s_->working_axes[s_->stations[n].axes] == axes && velocity(n) == v) return n;
     return none;
   }
 
-  constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->nodes[n].axes, frame); }
+  constexpr components velocity(int n, int frame) { return turn(velocity(n), s_->stations[n].axes, frame); }
   constexpr components acceleration(int n, int frame) {
-    return turn(acceleration(n), s_->nodes[n].axes, frame);
+    return turn(acceleration(n), s_->stations[n].axes, frame);
   }
 
   /// From the working axes of one frame to those of another.
@@ -157,7 +162,7 @@ public:
 private:
   const skeleton* s_ = nullptr;
   const mechanism* m_ = nullptr;
-  symbolic::derivation along_time_{};
+  symbolic::differentiation along_time_{};
   vector ground_{};
   sequence<remembered<components>> omega_{}, alpha_{};
   sequence<remembered<matrix3>> carry_{};

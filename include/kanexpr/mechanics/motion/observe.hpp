@@ -14,15 +14,15 @@ constexpr vector in_working_axes(const motion& k, int frame, const components& v
 /// Velocity in the inertial frame.
 constexpr vector velocity_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
-  const int n = s.node_of_point[point];
-  return in_working_axes(k, s.nodes[n].axes, k.velocity(n));
+  const int n = s.station_of_point[point];
+  return in_working_axes(k, s.stations[n].axes, k.velocity(n));
 }
 
 /// Acceleration in the inertial frame.
 constexpr vector acceleration_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
-  const int n = s.node_of_point[point];
-  return in_working_axes(k, s.nodes[n].axes, k.acceleration(n));
+  const int n = s.station_of_point[point];
+  return in_working_axes(k, s.stations[n].axes, k.acceleration(n));
 }
 
 /// Angular velocity in the inertial frame.
@@ -40,14 +40,14 @@ constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
 constexpr vector derivative_in(motion& k, const vector& v, int frame) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
-  const vector turning = angular_velocity_of_frame(k, frame);
+  const vector angular_velocity = angular_velocity_of_frame(k, frame);
   vector total;
   for (const vector::part& p : v.parts) {
     const components own{k.rate(k.known(p.value.x)), k.rate(k.known(p.value.y)), k.rate(k.known(p.value.z))};
     components w(*m.g);
     if (s.rigid_with[p.frame] != s.rigid_with[frame]) {
       w = express(m, angular_velocity_of_frame(k, p.frame), p.frame);
-      w -= express(m, turning, p.frame);
+      w -= express(m, angular_velocity, p.frame);
     }
     total.add(p.frame, own + cross(w, p.value));
   }

@@ -4,17 +4,18 @@
 
 namespace kanexpr::mechanics {
 
-/// How each way of moving enters the velocity of a node along a direction.
+/// How each way of moving enters the velocity of a station along a direction.
 ///
-/// v = Σ_f w_f × S_f + slides, with the turning w_f of each frame below the node and S_f, what of the way
-/// from the ground to the node turns with it: the sum is formed inwards once, and each way takes one triple
-/// product of it. For a single point that is cheaper than the forces and moments of a unit force there.
+/// v = Σ_f w_f × S_f + relative velocities, with the relative angular velocity w_f of each frame below the
+/// station and S_f, what of the way from the ground to the station turns with it: the sum is formed inwards
+/// once, and each way takes one triple product of it. For a single point that is cheaper than the forces and
+/// moments of a unit force there.
 class point_jacobian {
 public:
-  constexpr point_jacobian(const skeleton& s, int node)
-      : s_(s), m_(*s.model), node_(node), carried_(m_.frames.size()) {
-    for (int n = node; n != none; n = s.nodes[n].absolute ? none : s.nodes[n].parent)
-      if (!s.nodes[n].absolute) carried_[s.nodes[n].frame].add(s.nodes[n].offset());
+  constexpr point_jacobian(const skeleton& s, int station)
+      : s_(s), m_(*s.model), station_(station), carried_(m_.frames.size()) {
+    for (int n = station; n != none; n = s.stations[n].absolute ? none : s.stations[n].parent)
+      if (!s.stations[n].absolute) carried_[s.stations[n].frame].add(s.stations[n].offset());
     for (int f : s.frames_tips_first())
       if (s.turns_in[f] != mechanism::inertial) carried_[s.turns_in[f]].add(carried_[f]);
   }
@@ -22,12 +23,12 @@ public:
   /// By speeds, then by auxiliary speeds.
   constexpr sequence<expression> along(const vector& direction) const {
     sequence<expression> share(m_.ways(), m_.zero());
-    for (int n = node_; n != none; n = s_.nodes[n].absolute ? none : s_.nodes[n].parent)
-      for (const struct direction& v : s_.partial_slide[n])
-        share[v.speed] += dot(v.value, express(m_, direction, s_.working_axes[s_.nodes[n].axes]));
+    for (int n = station_; n != none; n = s_.stations[n].absolute ? none : s_.stations[n].parent)
+      for (const partial_velocity& v : s_.partial_velocities[n])
+        share[v.speed] += dot(v.value, express(m_, direction, s_.working_axes[s_.stations[n].axes]));
     for (int f = 1; f < m_.frames.size(); ++f) {
       if (s_.rigid_with[f] != f || carried_[f].parts.empty()) continue;
-      for (const struct direction& w : s_.partial_turning[f]) {
+      for (const partial_velocity& w : s_.partial_angular_velocities[f]) {
         const seen_from best = nearest(w.value, s_.working_axes[f], direction.parts[0].frame);
         const components moved = cross(best.value, express(m_, carried_[f], best.axes));
         share[w.speed] += dot(moved, express(m_, direction, best.axes));
@@ -62,7 +63,7 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
-  int node_;
+  int station_;
   sequence<vector> carried_; ///< S, by frame
 };
 

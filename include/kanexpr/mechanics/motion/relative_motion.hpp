@@ -17,10 +17,10 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
   vector w;
   while (a != b)
     if (above_a >= above_b) {
-      w.add(s.turning[a]);
+      w.add(s.relative_angular_velocity[a]);
       a = s.turns_in[a], --above_a;
     } else {
-      w.subtract(s.turning[b]);
+      w.subtract(s.relative_angular_velocity[b]);
       b = s.turns_in[b], --above_b;
     }
   return w;
@@ -28,11 +28,11 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
 
 namespace detail {
 
-/// What a node's velocity has beside that of the node which it is measured from.
+/// What a station's velocity has beside that of the station which it is measured from.
 constexpr vector step_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
-  const node& at = s.nodes[n];
-  vector v = at.slide;
+  const station& at = s.stations[n];
+  vector v = at.relative_velocity;
   if (!at.absolute)
     v.add(s.working_axes[at.frame], cross(k.angular_velocity(at.frame), s.offset_in_working_axes(n)));
   return v;
@@ -40,18 +40,18 @@ constexpr vector step_of(motion& k, int n) {
 
 } // namespace detail
 
-/// v of a node without that of another.
-constexpr vector velocity_between(motion& k, int node, int other) {
+/// v of a station without that of another.
+constexpr vector velocity_between(motion& k, int station, int other) {
   const skeleton& s = k.skeleton_used();
-  const auto below = [&](int n) { return s.nodes[n].absolute ? none : s.nodes[n].parent; };
+  const auto below = [&](int n) { return s.stations[n].absolute ? none : s.stations[n].parent; };
   const auto depth = [&](int n) {
     int steps = 0;
     for (; n != none; n = below(n)) ++steps;
     return steps;
   };
-  int above_a = depth(node), above_b = depth(other);
+  int above_a = depth(station), above_b = depth(other);
   vector v;
-  for (int a = node, b = other; a != b;)
+  for (int a = station, b = other; a != b;)
     if (above_a >= above_b) {
       v.add(detail::step_of(k, a));
       a = below(a), --above_a;

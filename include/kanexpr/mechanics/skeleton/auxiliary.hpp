@@ -16,8 +16,8 @@ public:
 
 constexpr void drop_auxiliary_speeds(skeleton& s) {
   without_auxiliary_speeds drop(*s.model);
-  for (vector& w : s.turning) w = drop.in(w);
-  for (node& n : s.nodes) n.slide = drop.in(n.slide);
+  for (vector& w : s.relative_angular_velocity) w = drop.in(w);
+  for (station& n : s.stations) n.relative_velocity = drop.in(n.relative_velocity);
 }
 
 } // namespace kanexpr::mechanics

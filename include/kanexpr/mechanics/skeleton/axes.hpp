@@ -19,7 +19,7 @@ constexpr sequence<int> described_in(const skeleton& s, int f) {
   for (const body& b : m.bodies)
     if (b.frame != none && s.rigid_with[b.frame] == f)
       for (const dyadic::part& p : b.inertia.parts) note(p.left), note(p.right);
-  for (const node& n : s.nodes)
+  for (const station& n : s.stations)
     if (n.frame == f && n.rigid && !n.absolute && !n.r.is_zero()) note(n.offset_frame);
   return used;
 }
@@ -34,7 +34,7 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
     if (part.about != none && part.about != part.center) return false;
     if (!is_round(express(m, part.inertia, f), a)) return false;
   }
-  for (const node& n : s.nodes) {
+  for (const station& n : s.stations) {
     if (n.frame != f || n.absolute) continue;
     if (s.rigid_with[n.offset_frame] != f) return false;
     const components r = express(m, n.r, n.offset_frame, f);
@@ -46,8 +46,8 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
 /// Whether every turn of the mechanism is about one axis of the ground, and what slides is given in its axes.
 constexpr bool planar(const skeleton& s) {
   int axis = none;
-  for (const node& n : s.nodes)
-    for (const vector::part& p : n.slide.parts)
+  for (const station& n : s.stations)
+    for (const vector::part& p : n.relative_velocity.parts)
       if (s.rigid_with[p.frame] != mechanism::inertial) return false;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     const frame& own = s.model->frames[f];
@@ -110,6 +110,19 @@ constexpr void choose_working_axes(skeleton& s) {
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     s.body_axes[f] = s.body_axes[s.rigid_with[f]];
     s.working_axes[f] = s.working_axes[s.rigid_with[f]];
+  }
+}
+
+/// The axes of frames that carry no mass, from the number `from` on: those below where both turn about
+/// parallel axes.
+constexpr void choose_axes_from(skeleton& s, int from) {
+  for (int f = from; f < s.rigid_with.size(); ++f) {
+    const int stands = s.rigid_with[f];
+    const bool is_new = stands == f;
+    s.body_axes.push(is_new ? f : s.body_axes[stands]);
+    s.working_axes.push(!is_new                            ? s.working_axes[stands]
+                        : detail::parallel_to_parent(s, f) ? s.working_axes[s.model->frames[f].parent]
+                                                           : f);
   }
 }
 

@@ -7,7 +7,7 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Links while they are gathered: at most one for each node and frame.
+/// Links while they are gathered: at most one for each station and frame.
 class gathering {
 public:
   constexpr gathering(const skeleton& s, const sequence<link>& links) : s_(s) {
@@ -16,11 +16,11 @@ public:
 
   /// Walks from the tips to the ground; `regroup` decides whether numbers may move across joints.
   constexpr sequence<link> run(bool regroup) {
-    for (int c = s_.nodes.size() - 1; c >= 0; --c)
+    for (int c = s_.stations.size() - 1; c >= 0; --c)
       for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
         const link l = links_[i];
-        links_[i].node = none;
-        const node& at = s_.nodes[c];
+        links_[i].station = none;
+        const station& at = s_.stations[c];
         if (l.frame == at.frame && at.rigid && !at.absolute)
           put({at.parent, l.frame, shifted(l.mass, at.r)});
         else if (regroup)
@@ -34,19 +34,20 @@ public:
 private:
   constexpr void put(const link& added) {
     for (link& l : links_)
-      if (l.node == added.node && l.frame == added.frame) {
+      if (l.station == added.station && l.frame == added.frame) {
         l.mass += added.mass;
         return;
       }
     links_.push(added);
   }
 
-  /// The unsettled link at node `c` whose frame is the farthest from the ground, or -1.
+  /// The unsettled link at station `c` whose frame is the farthest from the ground, or -1.
   constexpr int deepest_at(int c) const {
     int found = -1, depth = -1;
-    for (int i = 0; i < links_.size(); ++i) {
-      if (links_[i].node != c) continue;
-      const int d = path::depth(*s_.model, links_[i].frame);
+    const link* const links = links_.begin();
+    for (int i = 0, end = links_.size(); i < end; ++i) {
+      if (links[i].station != c) continue;
+      const int d = path::depth(*s_.model, links[i].frame);
       if (d > depth) found = i, depth = d;
     }
     return found;
@@ -58,10 +59,10 @@ private:
   /// to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there, and of symbols
   /// the mass alone moves, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
-    const node& at = s_.nodes[l.node];
-    const bool stands = at.rigid || (at.absolute && at.slide.parts.empty());
+    const station& at = s_.stations[l.station];
+    const bool stands = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
     const int below = l.frame == at.frame ? s_.turns_in[l.frame] : at.frame;
-    if (l.frame == at.frame ? !carries(l.node, below) : !stands) return l;
+    if (l.frame == at.frame ? !carries(l.station, below) : !stands) return l;
     const mechanism& m = *s_.model;
     rigid_mass moved(*m.g);
     link left = l;
@@ -90,21 +91,21 @@ private:
       left.mass.inertia(spin, spin) = l.mass.inertia(spin, spin);
       moved.inertia = path(m, s_.body_axes[l.frame], s_.body_axes[below]).turn(across);
     }
-    put({l.node, below, moved});
+    put({l.station, below, moved});
     return left;
   }
 
-  /// Whether there is a mass at a node that moves with a frame which is not the ground.
-  constexpr bool carries(int node, int frame) const {
+  /// Whether there is a mass at a station that moves with a frame which is not the ground.
+  constexpr bool carries(int station, int frame) const {
     for (const link& l : links_)
-      if (l.node == node && l.frame == frame) return frame != mechanism::inertial;
+      if (l.station == station && l.frame == frame) return frame != mechanism::inertial;
     return false;
   }
 
   /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
   constexpr int spin_axis(int f, int below) const {
     if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
-    const components w = express(*s_.model, s_.turning[f], s_.body_axes[f]);
+    const components w = express(*s_.model, s_.relative_angular_velocity[f], s_.body_axes[f]);
     for (int a = 0; a < 3; ++a)
       if (w[(a + 1) % 3].is_zero() && w[(a + 2) % 3].is_zero()) return a;
     return none;

@@ -17,7 +17,7 @@ constexpr linear_kinematics linear_in_rates(const mechanism& m) {
   const int n = m.kinematics.size();
   linear_kinematics out{symbolic::matrix(*m.g, n, m.coordinate_rates.size()), {}};
   for (int j = 0; j < m.coordinate_rates.size(); ++j) {
-    symbolic::derivation by_rate(*m.g);
+    symbolic::differentiation by_rate(*m.g);
     by_rate.set_rate(m.coordinate_rates[j], m.one());
     for (int i = 0; i < n; ++i) out.k_rates(i, j) = by_rate.of(m.kinematics[i]);
   }

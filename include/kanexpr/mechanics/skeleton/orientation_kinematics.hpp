@@ -1,16 +1,16 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
 
 /// The kinematic differential equations of a frame whose angular velocity is declared.
 namespace kanexpr::mechanics {
 
 /// Why a frame's orientation and its declared angular velocity give no equations, or nothing.
-constexpr problem check_orientation_kinematics(const mechanism& m, int place, int reference) {
+constexpr sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
     return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
@@ -30,7 +30,7 @@ namespace detail {
 /// ė0 = −(e1 ω1 + e2 ω2 + e3 ω3)/2, ė1 = (e0 ω1 + e2 ω3 − e3 ω2)/2 and so on in a circle, for ω of the frame
 /// in its parent in its own axes. Kane, Likins & Levinson (1983), section 1.13.
 constexpr sequence<expression> quaternion_kinematics(const sequence<expression>& e, const components& omega,
-                                                     symbolic::derivation& along_time) {
+                                                     symbolic::differentiation& along_time) {
   const components half{omega.x / 2, omega.y / 2, omega.z / 2};
   const components axial{e[1], e[2], e[3]};
   const components turned = e[0] * half + cross(axial, half);
@@ -47,7 +47,7 @@ constexpr sequence<expression> quaternion_kinematics(const sequence<expression>&
 /// They are taken in the axes of the frame below the last turn: there the equations of three angles can be
 /// solved one after another.
 constexpr sequence<expression> orientation_kinematics(const mechanism& m, int place, int reference) {
-  symbolic::derivation along_time = time_derivative(m, m.coordinate_rates);
+  symbolic::differentiation along_time = time_derivative(m, m.coordinate_rates);
   vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
   const frame& last = m.frames[place];
   const bool quaternion = !last.quaternion.empty();
@@ -55,7 +55,7 @@ constexpr sequence<expression> orientation_kinematics(const mechanism& m, int pl
   bool turns = false; // above `axes`
   for (int f = place; f != reference; f = m.frames[f].parent) {
     if (quaternion && f == place) continue;
-    vector w = turning_of_orientation(m, f, along_time);
+    vector w = relative_angular_velocity(m, f, along_time);
     if (w.is_zero()) continue;
     if (quaternion || turns)
       w.parts[0].frame = f; // the axis of a turn has the same components below and above it

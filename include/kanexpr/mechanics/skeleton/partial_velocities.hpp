@@ -8,10 +8,10 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
-constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivation& by_speed, const vector& v,
-                                          int f) {
+constexpr sequence<partial_velocity> partials_of(const skeleton& s, symbolic::differentiation& by_speed,
+                                                 const vector& v, int f) {
   const mechanism& m = *s.model;
-  sequence<direction> out;
+  sequence<partial_velocity> out;
   if (v.is_zero()) return out;
   for (int i = 0; i < m.ways(); ++i) {
     by_speed.restart();
@@ -26,15 +26,17 @@ constexpr sequence<direction> partials_of(const skeleton& s, symbolic::derivatio
 
 } // namespace detail
 
-/// How each speed enters at each frame and node. Kane & Levinson (1985), section 2.14.
+/// How each speed enters at each frame and station that lacks it. Kane & Levinson (1985), section 2.14.
 constexpr void form_partial_velocities(skeleton& s) {
-  symbolic::derivation by_speed(*s.model->g);
-  for (int f = 0; f < s.turning.size(); ++f) {
-    sequence<direction> partials;
-    if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.turning[f], f);
-    s.partial_turning.push(partials);
+  symbolic::differentiation by_speed(*s.model->g);
+  for (int f = s.partial_angular_velocities.size(); f < s.relative_angular_velocity.size(); ++f) {
+    sequence<partial_velocity> partials;
+    if (s.rigid_with[f] == f) partials = detail::partials_of(s, by_speed, s.relative_angular_velocity[f], f);
+    s.partial_angular_velocities.push(partials);
   }
-  for (const node& n : s.nodes) s.partial_slide.push(detail::partials_of(s, by_speed, n.slide, n.axes));
+  for (int n = s.partial_velocities.size(); n < s.stations.size(); ++n)
+    s.partial_velocities.push(
+        detail::partials_of(s, by_speed, s.stations[n].relative_velocity, s.stations[n].axes));
 }
 
 } // namespace kanexpr::mechanics

@@ -6,17 +6,17 @@
 
 namespace kanexpr::mechanics {
 
-/// A point of the skeleton and how it moves: v = v_parent + ω_frame × r + slide.
-struct node {
+/// A point of the skeleton and how it moves: v = v_parent + ω_frame × r + relative_velocity.
+struct station {
   int parent = none;
-  bool absolute = false; ///< v = slide alone, measured from the ground
+  bool absolute = false; ///< v = relative_velocity alone, measured from the ground
   int frame = mechanism::inertial;
   int offset_frame = mechanism::inertial; ///< the frame whose axes `r` is given in
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
   bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
-  vector slide{};
-  int axes = mechanism::inertial; ///< the frame in whose working axes the node's motion and forces are given
+  vector relative_velocity{};
+  int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are given
 
   constexpr vector offset() const {
     vector v;
@@ -25,16 +25,16 @@ struct node {
   }
 };
 
-/// The mass that moves as one with a frame, seen from a node, in the frame's body axes.
+/// The mass that moves as one with a frame, seen from a station, in the frame's body axes.
 struct link {
-  int node = none;
+  int station = none;
   int frame = none;
   rigid_mass mass{};
 };
 
 /// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or
 /// a partial angular velocity.
-struct direction {
+struct partial_velocity {
   int speed = none;
   components value{};
 };
@@ -48,22 +48,27 @@ struct skeleton {
   sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that gave them
   sequence<int> rigid_with{}; ///< by frame: the frame that stands for all that turn with it
   sequence<int> turns_in{};   ///< by such frame: the one that its angular velocity is measured in
-  sequence<vector> turning{}; ///< by such frame: that angular velocity
-  sequence<int> body_axes{};  ///< by such frame: the axes in which its masses and offsets are given
+  sequence<vector> relative_angular_velocity{}; ///< by such frame: that angular velocity
+  sequence<int> body_axes{}; ///< by such frame: the axes in which its masses and offsets are given
   sequence<int>
       working_axes{}; ///< by such frame: the axes in which its motion, forces and composites are formed
-  sequence<sequence<direction>>
-      partial_turning{};  ///< by such frame: the partial derivatives of that, in working axes
-  sequence<node> nodes{}; ///< a parent comes before its children
-  sequence<sequence<direction>>
-      partial_slide{}; ///< by node: the partial derivatives of its slide, in working axes
-  sequence<int> node_of_point{};
+  sequence<sequence<partial_velocity>>
+      partial_angular_velocities{}; ///< by such frame: the partial derivatives of that, in working axes
+  sequence<station> stations{};     ///< a parent comes before its children
+  sequence<sequence<partial_velocity>>
+      partial_velocities{}; ///< by station: the partial derivatives of its relative velocity, in working axes
+  sequence<int> station_of_point{};
   sequence<link> links{};      ///< every mass, gathered where it moves as one
   sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
 
+  /// Whether the mechanism has frames or points that were added later.
+  constexpr bool lacks_any() const {
+    return rigid_with.size() < model->frames.size() || station_of_point.size() < model->points.size();
+  }
+
   constexpr components offset_in_working_axes(int n) const {
-    const node& at = nodes[n];
+    const station& at = stations[n];
     return express(*model, at.r, at.offset_frame, working_axes[at.frame]);
   }
 

@@ -7,30 +7,31 @@
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 #include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
+#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
-#include <kanexpr/mechanics/skeleton/turning.hpp>
 
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Reads a mechanism into nodes and links, with every coordinate rate replaced by what the kinematic
-/// equations say.
+/// Reads what a skeleton does not have yet of its mechanism into stations and links, with every coordinate
+/// rate replaced by what the kinematic equations say.
 class skeleton_builder {
 public:
-  constexpr skeleton_builder(const mechanism& m, skeleton& s)
-      : m_(m), s_(s), known_(m, take_rates(m, s)), along_time_(time_derivative(m, s.coordinate_rates)) {
-    s.model = &m;
-  }
+  constexpr explicit skeleton_builder(skeleton& s)
+      : m_(*s.model), s_(s), known_(m_, s.coordinate_rates),
+        along_time_(time_derivative(m_, s.coordinate_rates)) {}
 
   constexpr void frames() {
-    for (int f = 0; f < m_.frames.size(); ++f) {
+    const int before = s_.rigid_with.size();
+    for (int f = before; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
-      s_.turning.push(turning_of(f));
-      const bool turns = f != mechanism::inertial && (own.turns_by_declaration() || !s_.turning[f].is_zero());
+      s_.relative_angular_velocity.push(relative_angular_velocity_of(f));
+      const bool turns = f != mechanism::inertial &&
+                         (own.turns_by_declaration() || !s_.relative_angular_velocity[f].is_zero());
       s_.rigid_with.push(f == mechanism::inertial || turns ? f : s_.rigid_with[own.parent]);
     }
-    for (int f = 0; f < m_.frames.size(); ++f) {
+    for (int f = before; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       const int in = own.turns_by_declaration() ? own.reference : own.parent;
       s_.turns_in.push(in == none ? none : s_.rigid_with[in]);
@@ -38,21 +39,21 @@ public:
   }
 
   constexpr void points() {
-    for (int p = 0; p < m_.points.size(); ++p) {
+    for (int p = s_.station_of_point.size(); p < m_.points.size(); ++p) {
       const point& at = m_.points[p];
       if (at.parent == none)
-        s_.node_of_point.push(ground_node());
+        s_.station_of_point.push(ground_station());
       else if (at.moves_by_declaration())
-        s_.node_of_point.push(declared_node(at));
+        s_.station_of_point.push(declared_station(at));
       else
-        s_.node_of_point.push(offset_nodes(at));
+        s_.station_of_point.push(offset_stations(at));
     }
   }
 
   constexpr void masses() {
     for (const body& b : m_.bodies) {
-      const int at = s_.node_of_point[b.center];
-      link l{at, b.frame == none ? s_.nodes[at].frame : s_.rigid_with[b.frame], rigid_mass(*m_.g)};
+      const int at = s_.station_of_point[b.center];
+      link l{at, b.frame == none ? s_.stations[at].frame : s_.rigid_with[b.frame], rigid_mass(*m_.g)};
       l.mass.mass = b.mass;
       if (b.frame != none) l.mass.inertia = central_inertia(m_, b, s_.body_axes[l.frame]);
       s_.links.push(l);
@@ -60,8 +61,9 @@ public:
   }
 
   /// Offsets that are fixed in their frame are given in its body axes from here on.
-  constexpr void settle_offsets() {
-    for (node& n : s_.nodes) {
+  constexpr void settle_offsets(int from = 0) {
+    for (int i = from; i < s_.stations.size(); ++i) {
+      station& n = s_.stations[i];
       if (!n.rigid) continue;
       const int axes = s_.body_axes[n.frame];
       n.r = express(m_, n.r, n.offset_frame, axes);
@@ -70,65 +72,58 @@ public:
   }
 
 private:
-  static constexpr const sequence<expression>& take_rates(const mechanism& m, skeleton& s) {
-    const solved_rates solved = solve_kinematics(m);
-    s.coordinate_rates = solved.rates;
-    s.rate_blocks = solved.blocks;
-    return s.coordinate_rates;
-  }
-
-  constexpr vector turning_of(int f) {
+  constexpr vector relative_angular_velocity_of(int f) {
     const frame& own = m_.frames[f];
     if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
-    return turning_of_orientation(m_, f, along_time_);
+    return relative_angular_velocity(m_, f, along_time_);
   }
 
-  constexpr int ground_node() {
-    node n;
+  constexpr int ground_station() {
+    station n;
     n.absolute = true;
     n.r = components(*m_.g);
-    return s_.nodes.push(n);
+    return s_.stations.push(n);
   }
 
   /// The one-point theorem, or a velocity measured from the ground.
-  constexpr int declared_node(const point& at) {
+  constexpr int declared_station(const point& at) {
     const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
     if (in == mechanism::inertial) {
-      node n;
+      station n;
       n.absolute = true;
-      n.parent = s_.node_of_point[at.parent];
+      n.parent = s_.station_of_point[at.parent];
       n.r = components(*m_.g);
-      n.slide = v;
+      n.relative_velocity = v;
       n.axes = v.parts.empty() ? mechanism::inertial : s_.rigid_with[v.parts[0].frame];
-      return s_.nodes.push(n);
+      return s_.stations.push(n);
     }
-    int last = s_.node_of_point[at.parent];
+    int last = s_.station_of_point[at.parent];
     for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, true);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
-    s_.nodes[last].slide = v;
-    s_.nodes[last].rigid = false;
+    s_.stations[last].relative_velocity = v;
+    s_.stations[last].rigid = false;
     return last;
   }
 
-  constexpr int offset_nodes(const point& at) {
-    int last = s_.node_of_point[at.parent];
-    if (at.fixed_in != none) return fixed_node(at, last);
+  constexpr int offset_stations(const point& at) {
+    int last = s_.station_of_point[at.parent];
+    if (at.fixed_in != none) return fixed_station(at, last);
     for (const vector::part& p : at.offset.parts) {
       if (p.value.is_zero()) continue;
       last = push_step(last, s_.rigid_with[p.frame], p, true);
       const components growth{along_time_.of(p.value.x), along_time_.of(p.value.y),
                               along_time_.of(p.value.z)};
       if (growth.is_zero()) continue;
-      s_.nodes[last].slide.add(p.frame, growth);
-      s_.nodes[last].rigid = false;
+      s_.stations[last].relative_velocity.add(p.frame, growth);
+      s_.stations[last].rigid = false;
     }
     return last;
   }
 
   /// The two-point theorem, with the whole offset in the axes of one frame: what its parts have in common
   /// may cancel.
-  constexpr int fixed_node(const point& at, int parent) {
+  constexpr int fixed_station(const point& at, int parent) {
     const int in = s_.rigid_with[at.fixed_in];
     vector::part whole{in, components(*m_.g)};
     int deepest = -1;
@@ -144,27 +139,28 @@ private:
   }
 
   constexpr int push_step(int parent, int in, const vector::part& offset, bool carried) {
-    node n;
+    station n;
     n.parent = parent;
     n.frame = n.axes = in;
     n.offset_frame = offset.frame;
     n.r = offset.value;
     n.carried = carried;
     n.rigid = carried && s_.rigid_with[offset.frame] == in;
-    return s_.nodes.push(n);
+    return s_.stations.push(n);
   }
 
   const mechanism& m_;
   skeleton& s_;
   known_rates known_;
-  symbolic::derivation along_time_;
+  symbolic::differentiation along_time_;
 };
 
 } // namespace detail
 
 constexpr skeleton skeleton_of(const mechanism& m) {
-  skeleton s;
-  detail::skeleton_builder build(m, s);
+  const solved_rates solved = solve_kinematics(m);
+  skeleton s{.model = &m, .coordinate_rates = solved.rates, .rate_blocks = solved.blocks};
+  detail::skeleton_builder build(s);
   build.frames();
   build.points();
   choose_body_axes(s);
@@ -176,6 +172,19 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   choose_working_axes(s);
   form_partial_velocities(s);
   return s;
+}
+
+/// Takes up the frames and points that were added to the mechanism after its skeleton was formed. What the
+/// skeleton holds stays as it is, so that results do not depend on them.
+constexpr void extend(skeleton& s) {
+  const int frames = s.rigid_with.size(), stations = s.stations.size();
+  detail::skeleton_builder build(s);
+  build.frames();
+  build.points();
+  choose_axes_from(s, frames);
+  build.settle_offsets(stations);
+  gather_rigid_steps(s, stations);
+  form_partial_velocities(s);
 }
 
 } // namespace kanexpr::mechanics

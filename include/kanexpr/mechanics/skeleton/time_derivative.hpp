@@ -7,9 +7,9 @@ namespace kanexpr::mechanics {
 
 /// The derivative in time of scalars, for given rates of the coordinates and of the speeds; a speed without
 /// a rate counts as constant.
-constexpr symbolic::derivation time_derivative(const mechanism& m, const sequence<expression>& qdot,
-                                               const sequence<expression>& udot = {}) {
-  symbolic::derivation d(*m.g);
+constexpr symbolic::differentiation time_derivative(const mechanism& m, const sequence<expression>& qdot,
+                                                    const sequence<expression>& udot = {}) {
+  symbolic::differentiation d(*m.g);
   d.set_rate(m.time, m.one());
   for (const prescribed_rate& p : m.prescribed_rates) d.set_rate(p.quantity, p.rate);
   for (int i = 0; i < qdot.size(); ++i) d.set_rate(m.coordinates[i], qdot[i]);

@@ -22,7 +22,7 @@ public:
         first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p.data(), size_of(p)),
         r_(r.data(), size_of(r)), residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
         terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
-        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_full))),
+        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_by_all))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
         velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
         speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
@@ -33,7 +33,7 @@ public:
   Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) {
     return residual_(t_, at_norm_one(x), p_, r_);
   }
-  Eigen::MatrixXd configuration_jacobian(const Eigen::VectorXd& x) {
+  Eigen::MatrixXd configuration_jacobian_by_all(const Eigen::VectorXd& x) {
     const Eigen::VectorXd at = at_norm_one(x);
     Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
     for (const symbolic::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
@@ -49,7 +49,7 @@ public:
     for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
-  mechanics::problem quaternion_called(int k) const {
+  mechanics::sentence quaternion_called(int k) const {
     return mechanics::sentence(
         {"the quaternion ",
          mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
@@ -81,7 +81,7 @@ private:
   symbolic::sequence<int> coordinates_, speeds_;
   symbolic::sequence<symbolic::sequence<int>> quaternions_;
   const mechanics::mechanism& mechanism_;
-  mechanics::problem far_from_one_;
+  mechanics::sentence far_from_one_;
   int first_speed_;
   double t_;
   given_vector p_;

@@ -1,26 +1,28 @@
 #pragma once
 
+#include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/bodies.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
-#include <kanexpr/mechanics/model/loads.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/points.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/engine/derived_from_mechanism.hpp>
+#include <kanexpr/runtime/engine/derived_from_builder.hpp>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : m_(*graph_), inspect_(m_) {
+KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*graph_), inspect_(m_) {
   inspect_.fresh("frames", inertial_frame, m_.frames);
   mechanics::add_inertial_frame(m_, inertial_frame);
 }
 
-KANEXPR_ENGINE problem(builder::check)() const {
-  return mistake() ? mistake() : mechanics::check_mechanism(m_);
+KANEXPR_ENGINE sentence(builder::check)() const {
+  return mistake() ? mistake() : mechanics::check_system(system_);
 }
 
 KANEXPR_ENGINE expression builder::coordinate(std::string_view q) {
@@ -60,8 +62,8 @@ KANEXPR_ENGINE void builder::rates_as_speeds() {
 
 KANEXPR_ENGINE void builder::lagrangian(expression energy) {
   if (!inspect_.own(energy, "the Lagrangian")) return;
-  m_.has_lagrangian = true;
-  m_.lagrangian = energy;
+  system_.loads.has_lagrangian = true;
+  system_.loads.lagrangian = energy;
 }
 
 KANEXPR_ENGINE expression builder::number(double value) {
@@ -89,7 +91,7 @@ KANEXPR_ENGINE void builder::kinematic_equation(expression vanishes) {
 KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
   constexpr std::string_view whose = "kinematics_of";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
-  if (const problem found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
+  if (const sentence found = mechanics::check_orientation_kinematics(m_, place(frame), place(reference))) {
     inspect_.fail({found.view()});
     return;
   }
@@ -97,27 +99,38 @@ KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
     m_.kinematics.push(e);
 }
 
-KANEXPR_ENGINE vector builder::along(frame_id axes, expression x, expression y, expression z) {
+KANEXPR_ENGINE expression builder::of(const number_or_expression& given) {
+  if (const double* value = std::get_if<double>(&given.held())) return number(*value);
+  return std::get<expression>(given.held());
+}
+
+KANEXPR_ENGINE vector builder::along(frame_id axes, const number_or_expression& x,
+                                     const number_or_expression& y, const number_or_expression& z) {
   vector v;
-  const mechanics::components value{x, y, z};
+  const mechanics::components value{of(x), of(y), of(z)};
   if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
   return v;
 }
 
-KANEXPR_ENGINE vector builder::along(frame_id axes, double x, double y, double z) {
-  return along(axes, number(x), number(y), number(z));
+KANEXPR_ENGINE expression builder::dot(const vector& a, const vector& b) {
+  constexpr std::string_view whose = "a dot product";
+  if (!inspect_.own(a, whose) || !inspect_.own(b, whose)) return m_.zero();
+  return deriving::dot(m_, a, b);
 }
 
-KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz,
-                                       expression xy, expression yz, expression zx) {
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
+                                       const number_or_expression& yy, const number_or_expression& zz,
+                                       const number_or_expression& xy, const number_or_expression& yz,
+                                       const number_or_expression& zx) {
   mechanics::symmetric scalars;
-  scalars.xx = xx, scalars.yy = yy, scalars.zz = zz;
-  scalars.xy = xy, scalars.yz = yz, scalars.zx = zx;
+  scalars.xx = of(xx), scalars.yy = of(yy), scalars.zz = of(zz);
+  scalars.xy = of(xy), scalars.yz = of(yz), scalars.zx = of(zx);
   const dyadic d = mechanics::dyadic_of(place(axes), scalars);
   return inspect_.own(d, "an inertia") ? d : dyadic{};
 }
 
-KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, expression xx, expression yy, expression zz) {
+KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
+                                       const number_or_expression& yy, const number_or_expression& zz) {
   return inertia(axes, xx, yy, zz, m_.zero(), m_.zero(), m_.zero());
 }
 
@@ -184,6 +197,11 @@ KANEXPR_ENGINE void builder::fixed_in(point_id point, frame_id frame) {
     mechanics::fix_point(m_, place(point), place(frame));
 }
 
+KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
+  if (!both(point, from, "a position")) return {};
+  return mechanics::position_from_origin(m_, place(point)) - mechanics::position_from_origin(m_, place(from));
+}
+
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
   if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
       inspect_.own(value, name_of(point)))
@@ -229,41 +247,41 @@ KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
 
 KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
   if (inspect_.present(at, "a force") && inspect_.own(value, "a force"))
-    mechanics::add_force(m_, place(at), value);
+    system_.loads.forces.push({place(at), value});
 }
 
 KANEXPR_ENGINE void builder::torque(frame_id on, const vector& value) {
   if (inspect_.present(on, "a torque") && inspect_.own(value, "a torque"))
-    mechanics::add_torque(m_, place(on), value);
+    system_.loads.torques.push({place(on), value});
 }
 
 KANEXPR_ENGINE void builder::force_between(point_id at, point_id other, const vector& value) {
   if (both(at, other, "a force") && inspect_.own(value, "a force"))
-    mechanics::add_force(m_, place(at), value, place(other));
+    system_.loads.forces.push({place(at), value, place(other)});
 }
 
 KANEXPR_ENGINE void builder::torque_between(frame_id on, frame_id other, const vector& value) {
   if (both(on, other, "a torque") && inspect_.own(value, "a torque"))
-    mechanics::add_torque(m_, place(on), value, place(other));
+    system_.loads.torques.push({place(on), value, place(other)});
 }
 
 KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
-  if (m_.has_gravity)
+  if (system_.loads.has_gravity)
     inspect_.fail({"gravity is given twice"});
   else if (inspect_.own(acceleration, "gravity"))
-    mechanics::set_gravity(m_, acceleration);
+    system_.loads.has_gravity = true, system_.loads.gravity = acceleration;
 }
 
 KANEXPR_ENGINE void builder::potential_energy(expression energy) {
   if (!inspect_.own(energy, "a potential energy")) return;
   if (energy.is_zero()) inspect_.fail({"a potential energy is zero; 1/2 of whole numbers is 0 in C++"});
-  m_.potential_energies.push(energy);
+  system_.loads.potential_energies.push({energy});
 }
 
 KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness,
                                     expression natural_length) {
   if (both(at, other, "a spring") && inspect_.own({stiffness, natural_length}, "a spring"))
-    mechanics::add_spring(m_, place(at), place(other), stiffness, natural_length);
+    mechanics::add_spring(system_.loads.spring_dampers, place(at), place(other), stiffness, natural_length);
 }
 
 KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness) {
@@ -272,16 +290,16 @@ KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stif
 
 KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damping) {
   if (both(at, other, "a damper") && inspect_.own(damping, "a damper"))
-    mechanics::add_damper(m_, place(at), place(other), damping);
+    mechanics::add_damper(system_.loads.spring_dampers, place(at), place(other), damping);
 }
 
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
   constexpr std::string_view whose = "a torsional spring";
   if (!inspect_.own(angle, whose) || !inspect_.own({stiffness, rest}, whose)) return;
-  if (const problem found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
+  if (const sentence found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
     inspect_.fail({found.view()});
   else
-    mechanics::add_torsional_spring(m_, angle, stiffness, rest);
+    system_.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
 }
 
 KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness) {
@@ -290,38 +308,55 @@ KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiff
 
 KANEXPR_ENGINE void builder::torsional_damper(frame_id on, frame_id other, expression damping) {
   if (both(on, other, "a torsional damper") && inspect_.own(damping, "a torsional damper"))
-    mechanics::add_torsional_damper(m_, place(on), place(other), damping);
+    system_.loads.torsional_dampers.push({place(on), place(other), damping});
 }
 
 KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "a configuration constraint")) m_.configuration_constraints.push(vanishes);
+  if (inspect_.own(vanishes, "a configuration constraint"))
+    system_.constraints.on_configuration.push(vanishes);
+}
+
+KANEXPR_ENGINE bool builder::may_vanish(const vector& v, const vector& direction, std::string_view whose) {
+  if (!inspect_.own(v, whose) || !inspect_.own(direction, whose)) return false;
+  return !direction.is_zero() || inspect_.fail({whose, " is given a direction of no length"});
+}
+
+KANEXPR_ENGINE void builder::configuration_constraint(const vanishing& v) {
+  constexpr std::string_view whose = "a configuration constraint";
+  if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " is given no direction"});
+  for (const vector& direction : v.directions)
+    if (may_vanish(v.value, direction, whose))
+      system_.constraints.on_configuration.push(deriving::dot(m_, v.value, direction));
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "a velocity constraint")) m_.velocity_constraints.push({vanishes, {}, {}});
+  if (inspect_.own(vanishes, "a velocity constraint"))
+    system_.constraints.on_velocities.push({vanishes, {}, {}});
 }
 
-KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishing, const vector& direction) {
-  constexpr std::string_view whose = "a velocity constraint";
-  if (!inspect_.own(vanishing, whose) || !inspect_.own(direction, whose)) return;
-  if (direction.is_zero()) {
-    inspect_.fail({whose, " is given a direction of no length"});
-    return;
-  }
+KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
+  if (!may_vanish(vanishes, direction, "a velocity constraint")) return;
   const int axes = direction.parts[0].frame;
   const expression value =
-      mechanics::dot(mechanics::express(m_, vanishing, axes), mechanics::express(m_, direction, axes));
-  m_.velocity_constraints.push({value, vanishing, direction});
+      mechanics::dot(mechanics::express(m_, vanishes, axes), mechanics::express(m_, direction, axes));
+  system_.constraints.on_velocities.push({value, vanishes, direction});
+}
+
+KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {
+  if (v.directions.empty()) inspect_.fail({"zero_along of a velocity constraint is given no direction"});
+  for (const vector& direction : v.directions) velocity_constraint(v.value, direction);
 }
 
 KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
-  if (inspect_.own(vanishes, "an acceleration constraint")) m_.acceleration_constraints.push(vanishes);
+  if (inspect_.own(vanishes, "an acceleration constraint"))
+    system_.constraints.on_accelerations.push(vanishes);
 }
 
 KANEXPR_ENGINE void builder::dependent(expression e) {
   if (!inspect_.own(e, "what is dependent")) return;
   const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
-  symbolic::sequence<int>& places = q >= 0 ? m_.dependent_coordinates : m_.dependent_speeds;
+  symbolic::sequence<int>& places =
+      q >= 0 ? system_.constraints.dependent_coordinates : system_.constraints.dependent_speeds;
   const int at = q >= 0 ? q : u;
   if (at < 0)
     inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
@@ -375,7 +410,7 @@ namespace kanexpr {
 
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
   return model(
-      std::make_shared<runtime::derived_from_mechanism>(built.graph_, built.mechanism(), built.mistake()));
+      std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.mistake()));
 }
 
 } // namespace kanexpr

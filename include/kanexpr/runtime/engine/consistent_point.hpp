@@ -40,7 +40,7 @@ public:
   symbolic::point_values values(const symbolic::matrix& m) { return symbolic::limits_at(g_, m, all_); }
 
   /// The equations that the point does not satisfy, as sentences.
-  const std::vector<std::string>& problems() const { return problems_; }
+  const std::vector<std::string>& failures() const { return failures_; }
 
 private:
   using symbols = symbolic::sequence<symbolic::expression>;
@@ -69,7 +69,7 @@ private:
     const symbolic::point_values found = values(column);
     for (const symbolic::singularity& s : found.singular)
       if (!names(wanted[s.row]))
-        problems_.push_back(symbolic::print(wanted[s.row]) +
+        failures_.push_back(symbolic::print(wanted[s.row]) +
                             " has no value at the operating point: " + s.condition);
     std::vector<symbolic::replacement> added;
     for (int i = 0; i < wanted.size(); ++i)
@@ -92,7 +92,7 @@ private:
                                    kind::multiplier}))
         continue;
       if (vanishes(left[i], terms[i])) continue;
-      problems_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
+      failures_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
                           ": it leaves " + symbolic::print(left[i]));
     }
   }
@@ -111,7 +111,7 @@ private:
   symbolic::graph& g_;
   bool is_empty_;
   std::vector<symbolic::replacement> all_; ///< what is given, then what follows from it
-  std::vector<std::string> problems_{};
+  std::vector<std::string> failures_{};
 };
 
 } // namespace kanexpr::runtime

@@ -11,20 +11,20 @@ namespace kanexpr::runtime {
 /// Derived from the words of a model.
 class derived_from_words final : public derived {
 public:
-  derived_from_words(const describe::system_record& from, std::span<const derivation::request> also)
+  derived_from_words(const describe::system_record& from, std::span<const deriving::request> also)
       : system_(from) {
-    for (const derivation::request& each : also) derivation::visit(each, system_.reader());
-    derivation::go_on(system_, derivation::stage::constrained);
+    deriving::go_on(system_, deriving::stage::constrained);
+    for (const deriving::request& each : also) deriving::visit(each, system_.reader());
   }
 
-  const mechanics::problem& mistake() const override { return system_.mistake(); }
+  const mechanics::sentence& mistake() const override { return system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
-  const mechanics::mechanism& mechanism() const override { return system_.model(); }
-  derivation::reader& reader() override { return system_.reader(); }
+  const mechanics::mechanism& mechanism() const override { return system_.mechanism(); }
+  deriving::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
 private:
-  derivation::derived_system system_;
+  deriving::derived_system system_;
 };
 
 } // namespace kanexpr::runtime

@@ -15,18 +15,20 @@ namespace kanexpr::runtime {
 class linearization::at_point {
 public:
   at_point(std::shared_ptr<derived> system, const linearization_point& given) : system_(std::move(system)) {
+    const bool is_sound = !system_->mistake();
     point_reader reader(*system_);
     const std::vector<symbolic::replacement> point = reader.read(given);
     if (system_->mistake()) {
-      problems_.assign(1, std::string(system_->mistake().view()));
+      failures_.assign(1, std::string(system_->mistake().view()));
+      if (is_sound) system_->reader().forget_mistake(); // the point's alone
       return;
     }
-    problems_ = reader.problems();
+    failures_ = reader.failures();
     point_.emplace(equations(), point);
-    problems_.insert(problems_.end(), point_->problems().begin(), point_->problems().end());
+    failures_.insert(failures_.end(), point_->failures().begin(), point_->failures().end());
   }
 
-  const std::vector<std::string>& problems() const { return problems_; }
+  const std::vector<std::string>& failures() const { return failures_; }
 
   const implicit_matrices& implicit_form() {
     if (implicit_.M.rows != 0 || !point_) return implicit_;
@@ -40,11 +42,11 @@ public:
     if (point_->is_empty()) return explicit_ = from_derivation();
     explicit_ = from_implicit();
     if (solve_numbers::are_numbers(explicit_.A) && solve_numbers::are_numbers(explicit_.B)) return explicit_;
-    const std::size_t known_problems = problems_.size();
+    const std::size_t known_problems = failures_.size();
     const explicit_matrices derived = from_derivation();
-    if (problems_.size() == known_problems && operations(derived) < operations(explicit_))
+    if (failures_.size() == known_problems && operations(derived) < operations(explicit_))
       explicit_ = derived;
-    problems_.resize(known_problems);
+    failures_.resize(known_problems);
     return explicit_;
   }
 
@@ -82,7 +84,7 @@ private:
   symbolic::matrix values(const symbolic::matrix& m, const std::string& called) {
     const symbolic::point_values found = point_->values(m);
     for (const symbolic::singularity& s : found.singular)
-      problems_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
+      failures_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
                           ") of " + called + " has no value at the operating point: " + s.condition);
     return found.values;
   }
@@ -117,7 +119,7 @@ private:
 
   void require(bool is_regular) {
     if (!is_regular)
-      problems_.push_back("the rates cannot be solved for at the operating point: M is singular");
+      failures_.push_back("the rates cannot be solved for at the operating point: M is singular");
   }
 
   /// Whether all entries are numbers at generic values of the symbols that they hold.
@@ -137,7 +139,7 @@ private:
 
   std::shared_ptr<derived> system_;
   std::optional<consistent_point> point_{}; ///< of a system without a mistake
-  std::vector<std::string> problems_{};
+  std::vector<std::string> failures_{};
   implicit_matrices implicit_{};
   explicit_matrices explicit_{};
 };
@@ -145,7 +147,7 @@ private:
 KANEXPR_ENGINE linearization::linearization(std::shared_ptr<derived> system, const linearization_point& at)
     : at_(std::make_shared<at_point>(std::move(system), at)) {}
 
-KANEXPR_ENGINE const std::vector<std::string>& linearization::problems() const { return at_->problems(); }
+KANEXPR_ENGINE const std::vector<std::string>& linearization::failures() const { return at_->failures(); }
 KANEXPR_ENGINE const implicit_matrices& linearization::implicit_form() { return at_->implicit_form(); }
 KANEXPR_ENGINE const explicit_matrices& linearization::explicit_form() { return at_->explicit_form(); }
 KANEXPR_ENGINE output_matrices linearization::outputs(const symbolic::matrix& y) { return at_->outputs(y); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derive/take_survey.hpp>
 #include <kanexpr/runtime/engine/derived_from_words.hpp>
 #include <kanexpr/runtime/model.hpp>
 
@@ -11,15 +12,43 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
                               const mechanics::partition& (mechanics::equations::*which)() const) {
   if (system.mistake()) return {};
   const symbolic::sequence<int>& dependent = (system.equations()->*which)().dependent;
-  return std::string(mechanics::enumerated(system.mechanism(), symbols, dependent).view());
+  std::string text;
+  for (int i = 0; i < dependent.size(); ++i)
+    text.append(mechanics::before_entry(i, dependent.size()))
+        .append(mechanics::called(system.mechanism(), symbols[dependent[i]]));
+  return text;
+}
+
+/// What is asked of a sound system; a mistake in the request alone is refused, and forgotten by the next one.
+template <class Form>
+auto asked_of(derived& system, const Form& form) {
+  using result = decltype(form());
+  system.refused = {};
+  if (system.mistake()) return result();
+  const result found = form();
+  if (system.reader().mistake()) {
+    system.refused = system.reader().mistake();
+    system.reader().forget_mistake();
+  }
+  return system.refused || system.mistake() ? result() : found;
+}
+
+/// A result that belongs to what the system has.
+inline symbolic::matrix result_of(derived& system, const deriving::request& wanted) {
+  if (wanted.what == deriving::request::kind::result)
+    system.refused = system.equations()->check_bodies(wanted.wanted);
+  if (system.refused) return {};
+  return deriving::form(wanted, system.reader(), *system.equations());
 }
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const derivation::request> also)
+KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const deriving::request> also)
     : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
 
-KANEXPR_ENGINE std::string model::mistake() const { return std::string(system_->mistake().view()); }
+KANEXPR_ENGINE std::string model::mistake() const {
+  return std::string((system_->mistake() ? system_->mistake() : system_->refused).view());
+}
 
 KANEXPR_ENGINE std::string model::names_of_dependent_coordinates() {
   return runtime::enumerated(*system_, mechanism().coordinates, &mechanics::equations::coordinates);
@@ -29,28 +58,34 @@ KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
-  if (system_->mistake()) return {};
-  return equations().get(wanted);
+  return get({.what = deriving::request::kind::result, .wanted = wanted});
 }
 
-KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
-  if (system_->mistake()) return {};
-  return derivation::form(wanted, system_->reader(), equations());
+KANEXPR_ENGINE symbolic::matrix model::get(const deriving::request& wanted) {
+  return runtime::asked_of(*system_, [&] { return runtime::result_of(*system_, wanted); });
 }
 
-KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
-  if (system_->mistake()) return {};
-  symbolic::matrix all(graph(), 0, 1);
-  for (const derivation::request& each : measured)
-    for (const symbolic::expression& e :
-         derivation::form_with_rates(each, system_->reader(), equations()).entries)
-      all.entries.push(e);
-  all.rows = all.entries.size();
-  return all;
+KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::request> measured) {
+  return runtime::asked_of(*system_, [&] {
+    symbolic::matrix all(graph(), 0, 1);
+    for (const deriving::request& each : measured)
+      for (const symbolic::expression& e :
+           deriving::form_with_rates(each, system_->reader(), equations()).entries)
+        all.entries.push(e);
+    all.rows = all.entries.size();
+    return all;
+  });
 }
 
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
-  return system_->reader().evaluate(words, "an expression").vector;
+  return runtime::asked_of(*system_, [&] {
+    system_->reader().visit(words.tokens, words.size);
+    return system_->reader().evaluate(words, "an expression").vector;
+  });
+}
+
+KANEXPR_ENGINE symbolic::expression model::in_motion(symbolic::expression e) {
+  return system_->mistake() ? e : equations().in_motion(e);
 }
 
 KANEXPR_ENGINE symbolic::expression model::imposed(symbolic::expression e) {
@@ -76,13 +111,20 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
   return mechanics::latex(mechanism(), v, style);
 }
 
+KANEXPR_ENGINE std::shared_ptr<const deriving::survey> model::known() const {
+  auto found = std::make_shared<deriving::survey>();
+  found->take(mechanism(), !system_->mistake(), system_->equations());
+  return found;
+}
+
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
-KANEXPR_ENGINE symbolic::sequence<mechanics::guard> model::guards_of(const symbolic::matrix& result) {
+KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
+model::singularity_checks_of(const symbolic::matrix& result) {
   if (system_->equations() == nullptr) return {};
   symbolic::sequence<int> outputs;
   for (const symbolic::expression& e : result.entries) outputs.push(e.node());
-  return equations().guards_of(outputs);
+  return equations().singularity_checks_of(outputs);
 }
 
 } // namespace kanexpr

@@ -18,11 +18,11 @@ public:
   std::vector<symbolic::replacement> read(const linearization_point& point) {
     std::vector<symbolic::replacement> found;
     for (const symbol_name& what : point.doubled())
-      problems_.push_back("the operating point gives " + what.name() + " two values");
+      failures_.push_back("the operating point gives " + what.name() + " two values");
     for (const linearization_point::entry& e : point.entries()) {
       const std::optional<symbolic::expression> symbol = symbol_of(e.what);
       if (!symbol.has_value()) {
-        problems_.push_back("the operating point names " + e.what.name() +
+        failures_.push_back("the operating point names " + e.what.name() +
                             ", which the system does not have");
         continue;
       }
@@ -32,7 +32,7 @@ public:
   }
 
   /// What could not be read, as sentences.
-  const std::vector<std::string>& problems() const { return problems_; }
+  const std::vector<std::string>& failures() const { return failures_; }
 
 private:
   using symbols = symbolic::sequence<symbolic::expression>;
@@ -97,7 +97,7 @@ private:
       if (t.symbol->kind == symbolic::symbol_kind::parameter)
         system_.reader().admit_parameter(*t.symbol);
       else if (!symbol_of(*t.symbol).has_value()) {
-        problems_.push_back("the value of " + e.what.name() + " at the operating point holds " +
+        failures_.push_back("the value of " + e.what.name() + " at the operating point holds " +
                             std::string(t.symbol->called.view()) + ", which the system does not have");
         return std::nullopt;
       }
@@ -108,7 +108,7 @@ private:
 
   derived& system_;
   const mechanics::mechanism& m_;
-  std::vector<std::string> problems_{};
+  std::vector<std::string> failures_{};
 };
 
 } // namespace kanexpr::runtime

@@ -27,7 +27,9 @@ public:
   }
 
   /// Whether M is regular.
-  explicit operator bool() const { return factors_.regularity() > mechanics::least_regularity<double>(); }
+  explicit operator bool() const {
+    return factors_.singularity_measure() > mechanics::least_singularity_measure<double>();
+  }
 
   /// δ[q̇; u̇; λ] for each state, then each input.
   const symbolic::matrix& rates() const { return rates_; }

@@ -27,7 +27,7 @@ public:
 /// How a search ended. KINSOL's own word for success is not taken: the caller looks at what is left.
 struct search_end {
   int iterations = 0;
-  std::string reason; ///< "the line search finds no better point"; empty: it was content
+  std::string failure; ///< "the line search finds no better point"; empty: it was content
 };
 
 /// KINSOL: Newton's method with line search (Hindmarsh et al. 2005), here with the least step of least

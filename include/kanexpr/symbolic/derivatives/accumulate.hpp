@@ -14,7 +14,7 @@ public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
       : graph_(g), adjoints_(g.size(), graph::zero), order_(users_first(g, nodes_of(outputs))) {}
 
-  constexpr void seed(expression output, expression weight) { collect(output.node(), weight); }
+  constexpr void seed(expression output, expression weight) { collect(output.node(), weight.node()); }
 
   constexpr void restart() {
     for (int id : order_) adjoints_[id] = graph::zero;
@@ -32,23 +32,24 @@ public:
         back_through(id, n);
         continue;
       }
-      if (n.op == operation::regularity) continue;
-      const expression adjoint{graph_, adjoints_[id]};
+      if (n.op == operation::singularity_measure) continue;
+      const int adjoint = adjoints_[id];
       if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
-        collect(n.a, (2 * adjoint) * expression{graph_, n.a});
+        collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
         continue;
       }
       const partials p = local_partials(graph_, id);
-      collect(n.a, p.by_a * adjoint);
-      if (is_binary(n.op)) collect(n.b, p.by_b * adjoint);
+      collect(n.a, multiply(graph_, p.by_a, adjoint));
+      if (is_binary(n.op)) collect(n.b, multiply(graph_, p.by_b, adjoint));
     }
   }
 
   constexpr expression by(expression symbol) const { return {graph_, adjoints_[symbol.node()]}; }
 
 private:
-  constexpr void collect(int id, expression part) {
-    adjoints_[id] = (expression{graph_, adjoints_[id]} + part).node();
+  constexpr void collect(int id, int part) {
+    int& adjoint = adjoints_[id];
+    adjoint = add(graph_, adjoint, part);
   }
 
   /// The adjoint of b is λ in Aᵀ λ = x̄, and that of A is -λ xᵀ.
@@ -66,10 +67,10 @@ private:
     const operation transposed = is_transposed ? operation::solve : operation::transposed_solve;
     const sequence<expression> lambda = solve(transposed, factors, weights);
     for (int i = 0; i < order; ++i) {
-      collect(right[i], lambda[i]);
+      collect(right[i], lambda[i].node());
       for (int j = 0; j < order; ++j)
         if (entries[i * order + j] != graph::zero)
-          collect(entries[i * order + j], is_transposed ? -(lambda[j] * x[i]) : -(lambda[i] * x[j]));
+          collect(entries[i * order + j], (is_transposed ? -(lambda[j] * x[i]) : -(lambda[i] * x[j])).node());
     }
   }
 

@@ -5,35 +5,34 @@
 
 namespace kanexpr::symbolic {
 
-/// The partial derivatives of an operation by its operands, as expressions of those and of its own value.
+/// The partial derivatives of an operation by its operands, as nodes made of those and of its own value.
 struct partials {
-  expression by_a;
-  expression by_b;
+  int by_a;
+  int by_b;
 };
 
 constexpr partials local_partials(graph& g, int id) {
   const node n = g[id];
-  const expression f{g, id}, a{g, n.a}, b{g, is_binary(n.op) ? n.b : graph::zero};
-  const expression zero{g, graph::zero}, one{g, graph::one};
+  constexpr int zero = graph::zero, one = graph::one;
   switch (form_of(n.op)) {
-  case form::negate: return {-one, zero};
+  case form::negate: return {negate(g, one), zero};
   case form::add: return {one, one};
-  case form::subtract: return {one, -one};
-  case form::multiply: return {b, a};
-  case form::divide: return {one / b, -(f / b)};
+  case form::subtract: return {one, negate(g, one)};
+  case form::multiply: return {n.b, n.a};
+  case form::divide: return {divide(g, one, n.b), negate(g, divide(g, id, n.b))};
   case form::power: {
-    const expression by_base = b * power(a, b - 1);
-    return {by_base, b.is_constant() ? zero : f * log(a)};
+    const expression f{g, id}, a{g, n.a}, b{g, n.b}, by_base = b * power(a, b - 1);
+    return {by_base.node(), b.is_constant() ? zero : (f * log(a)).node()};
   }
-  case form::function: return {slope_of(n.op, a, f), zero};
+  case form::function: return {slope_of(n.op, expression{g, n.a}, expression{g, id}).node(), zero};
   case form::atan2: {
-    const expression square = a * a + b * b;
-    return {b / square, -(a / square)};
+    const expression a{g, n.a}, b{g, n.b}, square = a * a + b * b;
+    return {(b / square).node(), (-(a / square)).node()};
   }
   case form::constant: // have no operands
   case form::symbol:
-  case form::regularity: // is never differentiated
-  case form::pair:       // have derivatives of their own, below
+  case form::singularity_measure: // is never differentiated
+  case form::pair:                // have derivatives of their own, below
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
@@ -45,14 +44,14 @@ constexpr partials local_partials(graph& g, int id) {
 /// Directional derivatives: every symbol has a rate, and an expression's rate follows by the chain rule.
 ///
 /// Results are remembered, so that many expressions share their common parts.
-class derivation {
+class differentiation {
 public:
-  constexpr derivation() = default;
-  derivation(const derivation&) = default;
-  derivation(derivation&&) = default;
-  derivation& operator=(const derivation&) = default;
-  derivation& operator=(derivation&&) = default;
-  constexpr explicit derivation(graph& g) : graph_(&g) {}
+  constexpr differentiation() = default;
+  differentiation(const differentiation&) = default;
+  differentiation(differentiation&&) = default;
+  differentiation& operator=(const differentiation&) = default;
+  differentiation& operator=(differentiation&&) = default;
+  constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
   /// The rate of a symbol's node; zero where none is set. To be set before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
@@ -80,15 +79,15 @@ private:
     int rate = graph::zero;
     if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
-    } else if (!is_leaf(n.op) && n.op != operation::regularity) {
-      const expression a{*graph_, of(n.a)};
-      const expression b{*graph_, is_binary(n.op) ? of(n.b) : graph::zero};
+    } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
+      graph& g = *graph_;
+      const int a = of(n.a), b = is_binary(n.op) ? of(n.b) : graph::zero;
       if (n.op == operation::divide) {
-        const expression f{*graph_, id}, below{*graph_, n.b};
-        rate = ((a - f * b) / below).node();
-      } else if (!a.is_zero() || !b.is_zero()) {
-        const partials p = local_partials(*graph_, id);
-        rate = (p.by_a * a + p.by_b * b).node();
+        rate = divide(g, subtract(g, a, multiply(g, id, b)), n.b);
+      } else if (a != graph::zero || b != graph::zero) {
+        const partials p = local_partials(g, id);
+        const int through_a = multiply(g, p.by_a, a), through_b = multiply(g, p.by_b, b);
+        rate = add(g, through_a, through_b);
       }
     }
     remember(id, rate);
@@ -122,7 +121,7 @@ private:
 
 /// The partial derivative of an expression by a symbol.
 constexpr expression differentiate(expression e, expression symbol) {
-  derivation d(e.owner());
+  differentiation d(e.owner());
   d.set_rate(symbol, expression{e.owner(), graph::one});
   return d.of(e);
 }

@@ -41,7 +41,7 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: break; // no operations on two numbers
+  case form::singularity_measure: break; // no operations on two numbers
   }
   return {value, elementary::detail::not_a_number};
 }

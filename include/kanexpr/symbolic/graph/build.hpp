@@ -20,7 +20,7 @@ constexpr int build(graph& g, operation op, int a, int b) {
   case form::solve:
   case form::transposed_solve: return solution(g, op, a, b);
   case form::component: return component(g, a, integer_at(g, b));
-  case form::regularity: return regularity(g, a, b);
+  case form::singularity_measure: return singularity_measure(g, a, b);
   case form::function: return apply(g, op, a);
   case form::constant:
   case form::symbol: break; // have no operands

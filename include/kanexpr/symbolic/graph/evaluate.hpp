@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/numeric/constant_elimination.hpp>
+#include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -28,7 +28,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: break; // no operations on two numbers
+  case form::singularity_measure: break; // no operations on two numbers
   }
   return elementary::detail::not_a_number;
 }
@@ -97,7 +97,7 @@ private:
       for (int rows = n.a; g_[rows].op == operation::pair; rows = g_[rows].b) all = gather(g_[rows].a) && all;
       more_.resize(first + place.size(), 0);
       if (all)
-        numeric::factorize<numeric::constant_elimination>(order, &more_[first]);
+        numeric::factorize<numeric::constant_elimination_math>(order, &more_[first]);
       else
         more_[first + place.least_pivot()] = undefined;
       return 0;
@@ -105,22 +105,22 @@ private:
     const bool all = gather(n.b);
     const double* const f = &more_[place_[n.a]];
     const double least = f[place.least_pivot()];
-    if (n.op == operation::regularity)
-      return all && numeric::is_number(least) ? regularity(order, f, first) : undefined;
+    if (n.op == operation::singularity_measure)
+      return all && numeric::is_number(least) ? singularity_measure(order, f, first) : undefined;
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
-      numeric::solve_factorized<numeric::constant_elimination>(order, f, &more_[first]);
+      numeric::solve_factorized<numeric::constant_elimination_math>(order, f, &more_[first]);
     } else {
-      numeric::solve_transposed_factorized<numeric::constant_elimination>(order, f, &more_[first]);
+      numeric::solve_transposed_factorized<numeric::constant_elimination_math>(order, f, &more_[first]);
     }
     return 0;
   }
 
-  constexpr double regularity(int order, const double* f, int squares) {
+  constexpr double singularity_measure(int order, const double* f, int squares) {
     if (numeric::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
     if (order > largest_written_out)
-      return numeric::regularity_of<numeric::constant_elimination>(order, f, &more_[squares]);
+      return numeric::singularity_measure_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;
     for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
     return 1 / elementary::abs(inverse);

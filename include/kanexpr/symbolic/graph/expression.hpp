@@ -2,6 +2,8 @@
 
 #include <kanexpr/symbolic/graph/build.hpp>
 
+#include <concepts>
+
 namespace kanexpr::symbolic {
 
 /// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra.
@@ -44,6 +46,35 @@ public:
   friend constexpr expression operator-(int a, expression b) { return b.number(exactly(a)) - b; }
   friend constexpr expression operator/(expression a, int b) { return a / a.number(exactly(b)); }
   friend constexpr expression operator/(int a, expression b) { return b.number(exactly(a)) / b; }
+  // beside them, as a decimal number would become an int
+  template <std::floating_point Real>
+  friend constexpr expression operator+(expression a, Real b) {
+    return a + a.number(real(static_cast<double>(b)));
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator+(Real a, expression b) {
+    return b.number(real(static_cast<double>(a))) + b;
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator-(expression a, Real b) {
+    return a - a.number(real(static_cast<double>(b)));
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator-(Real a, expression b) {
+    return b.number(real(static_cast<double>(a))) - b;
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator*(Real a, expression b) {
+    return b.number(real(static_cast<double>(a))) * b;
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator/(expression a, Real b) {
+    return a / a.number(real(static_cast<double>(b)));
+  }
+  template <std::floating_point Real>
+  friend constexpr expression operator/(Real a, expression b) {
+    return b.number(real(static_cast<double>(a))) / b;
+  }
   constexpr expression& operator+=(expression b) { return *this = *this + b; }
   constexpr expression& operator-=(expression b) { return *this = *this - b; }
   constexpr expression& operator*=(expression b) { return *this = *this * b; }

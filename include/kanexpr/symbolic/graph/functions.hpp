@@ -19,6 +19,7 @@ constexpr expression acos(expression a) { return apply(operation::acos, a); }
 constexpr expression atan(expression a) { return apply(operation::atan, a); }
 constexpr expression exp(expression a) { return apply(operation::exp, a); }
 constexpr expression log(expression a) { return apply(operation::log, a); }
+constexpr expression tanh(expression a) { return apply(operation::tanh, a); }
 constexpr expression abs(expression a) { return apply(operation::abs, a); }
 constexpr expression sign(expression a) { return apply(operation::sign, a); }
 
@@ -149,6 +150,19 @@ struct scalar_function<operation::log> {
 };
 
 template <>
+struct scalar_function<operation::tanh> {
+  template <class T>
+  static T of(const T& x) {
+    using std::tanh;
+    return tanh(x);
+  }
+  template <class T>
+  static constexpr T slope(const T&, const T& f) {
+    return 1 - f * f;
+  }
+};
+
+template <>
 struct scalar_function<operation::abs> {
   template <class T>
   static T of(const T& x) {
@@ -190,6 +204,7 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::atan: return use.template operator()<operation::atan>();
   case operation::exp: return use.template operator()<operation::exp>();
   case operation::log: return use.template operator()<operation::log>();
+  case operation::tanh: return use.template operator()<operation::tanh>();
   case operation::abs: return use.template operator()<operation::abs>();
   case operation::sign: return use.template operator()<operation::sign>();
   case operation::constant:
@@ -206,7 +221,7 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::solve:
   case operation::transposed_solve:
   case operation::component:
-  case operation::regularity: break;
+  case operation::singularity_measure: break;
   }
   __builtin_unreachable();
 }

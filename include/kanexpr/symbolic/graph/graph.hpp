@@ -36,7 +36,7 @@ public:
   constexpr graph(const graph& other)
       : numbers_(other.numbers_), symbols_(other.symbols_), holds_lists_(other.holds_lists_) {
     make_room(other.room_);
-    for (const node& n : other) restore(n);
+    place_all(other.nodes_, other.size_);
   }
   graph& operator=(const graph&) = delete;
   constexpr ~graph() {
@@ -77,7 +77,7 @@ public:
 
   /// Number of an existing node, or -1.
   constexpr int find(const node& wanted) const {
-    unsigned place = hash(wanted.op, wanted.a, wanted.b) & last_place_;
+    unsigned place = hash(wanted) & last_place_;
     for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
       const node& present = nodes_[id];
       if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
@@ -86,32 +86,27 @@ public:
   }
 
   constexpr int find_or_append(const node& wanted) {
-    unsigned place = hash(wanted.op, wanted.a, wanted.b) & last_place_;
+    unsigned place = hash(wanted) & last_place_;
     for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
       const node& present = nodes_[id];
       if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
     }
-    return append(wanted, static_cast<int>(place));
+    if (size_ == room_ || wanted.op >= operation::pair) return append(wanted, static_cast<int>(place));
+    table_[place] = size_;
+    nodes_[size_] = wanted;
+    return size_++;
   }
 
-  /// Begins anew, with the numbers and symbols of a graph of which the nodes follow by `restore`.
-  constexpr void restart(sequence<number>&& numbers, sequence<symbol>&& symbols, int nodes) {
+  /// Becomes a graph that was set aside, with its nodes in their order as arrays.
+  constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const operation* op,
+                         const int* a, const int* b, int nodes) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
-    size_ = 0;
     int room = 1 << 9;
     while (nodes > room) room *= 4;
     make_room(room);
-  }
-  /// A node in the order in which they stood in a graph, which had no more of them than there is room for.
-  constexpr void restore(const node& kept) {
-    unsigned place =
-        (kept.op == operation::constant ? hash(numbers_[kept.a]) : hash(kept.op, kept.a, kept.b));
-    place &= last_place_;
-    while (table_[place] >= 0) place = (place + 1) & last_place_;
-    table_[place] = size_;
-    nodes_[size_++] = kept;
-    if (kept.op >= operation::pair) holds_lists_ = true;
+    for (int id = 0; id < nodes; ++id) nodes_[id] = {op[id], a[id], b[id]};
+    place_all(nodes_, nodes);
   }
 
 private:
@@ -119,12 +114,13 @@ private:
     const std::uint64_t fraction =
         static_cast<std::uint64_t>(value.numerator) * 31 + static_cast<std::uint64_t>(value.denominator);
     const auto real = std::bit_cast<std::uint64_t>(value.real);
-    return hash(operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32)));
+    return hash(node{operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32))});
   }
-  static constexpr unsigned hash(operation op, int a, int b) {
-    const unsigned mixed = (static_cast<unsigned>(a) * 2654435761u) ^
-                           (static_cast<unsigned>(b) * 2246822519u) ^
-                           (static_cast<unsigned>(op) * 3266489917u);
+  /// Of a reference: g++ keeps the value of each call with plain numbers, and there are many.
+  static constexpr unsigned hash(const node& n) {
+    const unsigned mixed = (static_cast<unsigned>(n.a) * 2654435761u) ^
+                           (static_cast<unsigned>(n.b) * 2246822519u) ^
+                           (static_cast<unsigned>(n.op) * 3266489917u);
     return mixed ^ (mixed >> 15);
   }
 
@@ -153,11 +149,22 @@ private:
     node* const before = nodes_;
     const int count = size_;
     nodes_ = nullptr;
-    size_ = 0;
     make_room(4 * room_);
-    for (int id = 0; id < count; ++id) restore(before[id]);
-    restore(kept);
+    place_all(before, count);
     delete[] before;
+    find_or_append(kept);
+  }
+
+  /// Takes over nodes that all differ, in their order; they may stand in their places already.
+  constexpr void place_all(const node* all, int count) {
+    for (int id = 0; id < count; ++id) {
+      const node n = nodes_[id] = all[id];
+      unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & last_place_;
+      while (table_[place] >= 0) place = (place + 1) & last_place_;
+      table_[place] = id;
+      if (n.op >= operation::pair) holds_lists_ = true;
+    }
+    size_ = count;
   }
 
   /// Twice as many places in the table as there are nodes at most, an empty graph's.

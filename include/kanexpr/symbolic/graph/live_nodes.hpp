@@ -22,9 +22,13 @@ constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs
   for (int id = last; id >= 0; --id) {
     if (live[id] == 0) continue;
     const node& n = nodes[id];
-    if (is_leaf(n.op)) continue;
+    if (n.op <= operation::symbol) continue; // a leaf, without a call
     live[n.a] = 1;
-    if (is_binary(n.op) && (n.op < operation::pair || is_value(n))) live[n.b] = 1;
+    if (n.op <= operation::power) {
+      if (n.op != operation::negate) live[n.b] = 1;
+    } else if (is_binary(n.op) && (n.op < operation::pair || is_value(n))) {
+      live[n.b] = 1;
+    }
   }
   return marks;
 }

@@ -27,16 +27,17 @@ enum class operation : unsigned char {
   atan2,
   exp,
   log,
+  tanh,
   abs,
   sign,
   // linear systems; lists are no values, and stand only as operands of these
-  pair,             ///< a list: its first element and the list of the others, ended by the constant zero
-  factorization,    ///< of the matrix with a list of rows, each a list, and of the order in the constant b
-  solve,            ///< A x = b: a factorization and the list b
-  transposed_solve, ///< Aᵀ x = b
-  component,        ///< an element of a solution; the constant b counts from zero
-  regularity,       ///< how far a factorization is from a singular matrix: of a small one its determinant, of
-                    ///< another its pivots beside the list b, squares of the sizes of its entries
+  pair,                ///< a list: its first element and the list of the others, ended by the constant zero
+  factorization,       ///< of the matrix with a list of rows, each a list, and of the order in the constant b
+  solve,               ///< A x = b: a factorization and the list b
+  transposed_solve,    ///< Aᵀ x = b
+  component,           ///< an element of a solution; the constant b counts from zero
+  singularity_measure, ///< how far a factorization is from a singular matrix: of a small one its determinant,
+                       ///< of another its pivots beside the list b, squares of the sizes of its entries
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -74,7 +75,7 @@ enum class form : unsigned char {
   solve,
   transposed_solve,
   component,
-  regularity,
+  singularity_measure,
 };
 
 constexpr form form_of(operation op) {
@@ -83,7 +84,8 @@ constexpr form form_of(operation op) {
   constexpr int before = static_cast<int>(operation::pair) - static_cast<int>(form::pair);
   return static_cast<form>(static_cast<int>(op) - before);
 }
-static_assert(form_of(operation::power) == form::power && form_of(operation::regularity) == form::regularity);
+static_assert(form_of(operation::power) == form::power &&
+              form_of(operation::singularity_measure) == form::singularity_measure);
 
 /// f(-x) is -f(x) for an odd function, f(x) for an even one.
 enum class parity { none, odd, even };
@@ -192,6 +194,13 @@ inline constexpr function_properties functions[] = {
      .latex = "\\ln",
      .smooth_from = 0,
      .exact_at = 1},
+    {.op = operation::tanh,
+     .name = "tanh",
+     .value = elementary::tanh,
+     .latex = "\\tanh",
+     .symmetry = parity::odd,
+     .exact_at = 0,
+     .stays_finite = true},
     {.op = operation::abs,
      .name = "abs",
      .value = elementary::abs,
@@ -235,7 +244,7 @@ constexpr const char* function_name(operation op) {
   case form::function: return properties_of(op).name;
   case form::atan2: return "atan2";
   case form::component: return "solve";
-  case form::regularity: return "regularity";
+  case form::singularity_measure: return "singularity_measure";
   case form::constant:
   case form::symbol:
   case form::negate:

@@ -8,7 +8,8 @@
 ///
 /// Each rule looks at most two levels deep and never makes an expression larger. Signs are drawn outwards,
 /// where the next sum absorbs them; constants are gathered in front; commutative operands are in the order
-/// of their numbers, so that equal expressions meet in one node.
+/// of their numbers, so that equal expressions meet in one node. Compilers interpret each call, so what is
+/// asked most often of nodes is asked in place.
 namespace kanexpr::symbolic {
 
 constexpr int negate(graph& g, int a);
@@ -19,20 +20,9 @@ constexpr int divide(graph& g, int a, int b);
 
 namespace detail {
 
-/// `c*x` as c and x; c is one where nothing stands in front.
-struct scaled {
-  number coefficient = exactly(1);
-  int rest = 0;
-};
-
-constexpr scaled split_coefficient(const graph& g, int a) {
-  const node& n = g[a];
-  if (n.op == operation::multiply && g.is_constant(n.a)) return {g.number_at(n.a), n.b};
-  return {exactly(1), a};
-}
-
-constexpr int commutative(graph& g, operation op, int a, int b) {
-  return a < b ? g.find_or_append({op, a, b}) : g.find_or_append({op, b, a});
+/// c of a node c*x, whose x is known; one where nothing stands in front.
+constexpr number coefficient_of(const graph& g, int a, int x) {
+  return a == x ? exactly(1) : g.number_at(g[a].a);
 }
 
 /// x for sin(x)*sin(x) or cos(x)*cos(x), else -1.
@@ -41,6 +31,7 @@ constexpr int squared_angle(const graph& g, int a, operation function) {
   return n.op == operation::multiply && n.a == n.b && g[n.a].op == function ? g[n.a].a : -1;
 }
 
+/// Of two products.
 constexpr bool is_pythagorean(const graph& g, int a, int b) {
   const int s = squared_angle(g, a, operation::sin);
   return s >= 0 && s == squared_angle(g, b, operation::cos);
@@ -62,10 +53,11 @@ constexpr int negate(graph& g, int a) {
 constexpr int add(graph& g, int a, int b) {
   if (a == graph::zero) return b;
   if (b == graph::zero) return a;
-  const node x = g[a], y = g[b];
+  const node* const nodes = g.begin();
+  const node x = nodes[a], y = nodes[b];
   if (x.op == operation::constant) {
     if (y.op == operation::constant) return g.constant(g.number_at(a) + g.number_at(b));
-    if (y.op == operation::add && g.is_constant(y.a))
+    if (y.op == operation::add && nodes[y.a].op == operation::constant)
       return add(g, g.constant(g.number_at(a) + g.number_at(y.a)), y.b);
     return g.find_or_append({operation::add, a, b});
   }
@@ -76,20 +68,27 @@ constexpr int add(graph& g, int a, int b) {
   if (x.op == operation::subtract && x.b == b) return x.a;
   if (y.op == operation::subtract && y.b == a) return y.a;
   if (a == b) return multiply(g, g.constant(exactly(2)), a);
-  const detail::scaled p = detail::split_coefficient(g, a), q = detail::split_coefficient(g, b);
-  if (p.rest == q.rest) return multiply(g, g.constant(p.coefficient + q.coefficient), p.rest);
-  if (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)) return graph::one;
+  const int of_a = x.op == operation::multiply && nodes[x.a].op == operation::constant ? x.b : a,
+            of_b = y.op == operation::multiply && nodes[y.a].op == operation::constant ? y.b : b;
+  if (of_a == of_b)
+    return multiply(g, g.constant(detail::coefficient_of(g, a, of_a) + detail::coefficient_of(g, b, of_b)),
+                    of_a);
+  if (x.op == operation::multiply && y.op == operation::multiply &&
+      (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)))
+    return graph::one;
   // constants gather in front: (c + x) + y is c + (x + y) only where that meets another constant
-  if (x.op == operation::add && g.is_constant(x.a) && y.op == operation::add && g.is_constant(y.a))
+  if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
+      nodes[y.a].op == operation::constant)
     return add(g, g.constant(g.number_at(x.a) + g.number_at(y.a)), add(g, x.b, y.b));
-  return detail::commutative(g, operation::add, a, b);
+  return g.find_or_append(a < b ? node{operation::add, a, b} : node{operation::add, b, a});
 }
 
 constexpr int subtract(graph& g, int a, int b) {
   if (a == b) return graph::zero;
   if (a == graph::zero) return negate(g, b);
   if (b == graph::zero) return a;
-  const node x = g[a], y = g[b];
+  const node* const nodes = g.begin();
+  const node x = nodes[a], y = nodes[b];
   if (y.op == operation::constant) return add(g, g.constant(-g.number_at(b)), a);
   if (y.op == operation::negate) return add(g, a, y.a);
   if (x.op == operation::negate) return negate(g, add(g, x.a, b));
@@ -104,13 +103,17 @@ constexpr int subtract(graph& g, int a, int b) {
   }
   if (y.op == operation::subtract && y.a == a) return y.b;
   if (x.op == operation::constant) {
-    if (y.op == operation::add && g.is_constant(y.a))
+    if (y.op == operation::add && nodes[y.a].op == operation::constant)
       return subtract(g, g.constant(g.number_at(a) - g.number_at(y.a)), y.b);
     // 1 - sin² is not rewritten: cos² would cost a product and may need a cosine that nothing else needs
   } else {
-    const detail::scaled p = detail::split_coefficient(g, a), q = detail::split_coefficient(g, b);
-    if (p.rest == q.rest) return multiply(g, g.constant(p.coefficient - q.coefficient), p.rest);
-    if (detail::is_same_product(g, a, b)) return graph::zero;
+    const int of_a = x.op == operation::multiply && nodes[x.a].op == operation::constant ? x.b : a,
+              of_b = y.op == operation::multiply && nodes[y.a].op == operation::constant ? y.b : b;
+    if (of_a == of_b)
+      return multiply(g, g.constant(detail::coefficient_of(g, a, of_a) - detail::coefficient_of(g, b, of_b)),
+                      of_a);
+    if (x.op == operation::multiply && y.op == operation::multiply && detail::is_same_product(g, a, b))
+      return graph::zero;
   }
   const int turned = g.find({operation::subtract, b, a});
   if (turned >= 0) return negate(g, turned);
@@ -121,13 +124,14 @@ constexpr int multiply(graph& g, int a, int b) {
   if (a == graph::zero || b == graph::zero) return graph::zero;
   if (a == graph::one) return b;
   if (b == graph::one) return a;
-  const node x = g[a], y = g[b];
+  const node* const nodes = g.begin();
+  const node x = nodes[a], y = nodes[b];
   if (x.op == operation::constant) {
     const number c = g.number_at(a);
     if (y.op == operation::constant) return g.constant(c * g.number_at(b));
     if (c.negative()) return negate(g, multiply(g, g.constant(-c), b));
     if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
-    if (y.op == operation::multiply && g.is_constant(y.a))
+    if (y.op == operation::multiply && nodes[y.a].op == operation::constant)
       return multiply(g, g.constant(c * g.number_at(y.a)), y.b);
     return g.find_or_append({operation::multiply, a, b});
   }
@@ -138,15 +142,17 @@ constexpr int multiply(graph& g, int a, int b) {
   if (x.op == operation::sqrt && a == b) return x.a;
   if (x.op == operation::divide && x.b == b) return x.a;
   if (y.op == operation::divide && y.b == a) return y.a;
-  if (x.op == operation::multiply && g.is_constant(x.a) && y.op == operation::multiply && g.is_constant(y.a))
+  if (x.op == operation::multiply && nodes[x.a].op == operation::constant && y.op == operation::multiply &&
+      nodes[y.a].op == operation::constant)
     return multiply(g, g.constant(g.number_at(x.a) * g.number_at(y.a)), multiply(g, x.b, y.b));
-  return detail::commutative(g, operation::multiply, a, b);
+  return g.find_or_append(a < b ? node{operation::multiply, a, b} : node{operation::multiply, b, a});
 }
 
 /// A division by the constant zero stays as it is written: what it means is the model's mistake to report.
 constexpr int divide(graph& g, int a, int b) {
   if (b == graph::one) return a;
-  const node x = g[a], y = g[b];
+  const node* const nodes = g.begin();
+  const node x = nodes[a], y = nodes[b];
   if (b != graph::zero) {
     if (a == graph::zero) return graph::zero;
     if (y.op == operation::constant) return multiply(g, g.constant(exactly(1) / g.number_at(b)), a);

@@ -57,12 +57,12 @@ constexpr int component(graph& g, int solution, int index) {
   return g.find_or_append({operation::component, solution, g.constant(exactly(index))});
 }
 
-constexpr int regularity(graph& g, int factorization, int squares) {
+constexpr int singularity_measure(graph& g, int factorization, int squares) {
   if (order_of(g, factorization) == 1) return apply(g, operation::abs, entries_of(g, factorization)[0]);
   bool is_constant = true;
   for (int id : entries_of(g, factorization)) is_constant = is_constant && g.is_constant(id);
   if (is_constant && constant_inverse(g, factorization).empty()) return graph::zero;
-  return g.find_or_append({operation::regularity, factorization, squares});
+  return g.find_or_append({operation::singularity_measure, factorization, squares});
 }
 
 } // namespace kanexpr::symbolic

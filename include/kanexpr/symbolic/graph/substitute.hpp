@@ -18,25 +18,33 @@ private:
   static constexpr int unknown = -1;
 
   constexpr void remember(int id, int by) {
-    if (images_.size() <= id) images_.resize(graph_.size() + 64, unknown);
-    images_[id] = by;
+    if (known_ <= id) make_room();
+    image_[id] = by;
+  }
+  constexpr void make_room() {
+    known_ = graph_.size() + 64;
+    images_.resize(known_, unknown);
+    image_ = images_.begin();
   }
 
   constexpr int in(int id) {
-    if (id < images_.size() && images_[id] != unknown) return images_[id];
+    if (id < known_ && image_[id] != unknown) return image_[id];
     const node n = graph_[id];
     int image = id;
-    if (!is_leaf(n.op)) {
-      const int a = in(n.a);
-      const int b = is_binary(n.op) ? in(n.b) : 0;
+    if (n.op > operation::symbol) { // compilers interpret every call
+      const int a = n.a < known_ && image_[n.a] != unknown ? image_[n.a] : in(n.a);
+      int b = 0;
+      if (is_binary(n.op)) b = n.b < known_ && image_[n.b] != unknown ? image_[n.b] : in(n.b);
       if (a != n.a || b != n.b) image = build(graph_, n.op, a, b);
     }
-    remember(id, image);
-    return image;
+    if (known_ <= id) make_room();
+    return image_[id] = image;
   }
 
   graph& graph_;
   sequence<int> images_{};
+  int* image_ = nullptr; ///< by node
+  int known_ = 0;        ///< nodes that there is an image of, or `unknown`
 };
 
 } // namespace kanexpr::symbolic

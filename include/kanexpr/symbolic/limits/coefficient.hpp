@@ -55,15 +55,22 @@ inline number arithmetic(operation op, const number& a, const number& b) {
 /// A quotient of expressions with one number in front, so that those of a direction meet and cancel.
 inline int quotient(graph& g, int a, int b) {
   const bool is_negative = (g[a].op == operation::negate) != (g[b].op == operation::negate);
-  const auto split = [&g](int id) {
-    return symbolic::detail::split_coefficient(g, g[id].op == operation::negate ? g[id].a : id);
+  struct scaled {
+    number coefficient;
+    int rest;
   };
-  const symbolic::detail::scaled above = split(a), below = split(b);
+  const auto split = [&g](int id) -> scaled {
+    if (g[id].op == operation::negate) id = g[id].a;
+    const node& n = g[id];
+    if (n.op == operation::multiply && g.is_constant(n.a)) return {g.number_at(n.a), n.b};
+    return {exactly(1), id};
+  };
+  const scaled above = split(a), below = split(b);
   if (g.is_constant(b)) return divide(g, a, b);
   const int rest = divide(g, g.is_constant(a) ? a : above.rest, below.rest);
   const number front = (g.is_constant(a) ? exactly(1) : above.coefficient) / below.coefficient;
-  const int scaled = multiply(g, g.constant(front), rest);
-  return is_negative ? negate(g, scaled) : scaled;
+  const int product = multiply(g, g.constant(front), rest);
+  return is_negative ? negate(g, product) : product;
 }
 
 inline coefficient combined(operation op, const coefficient& a, const coefficient& b) {

@@ -7,15 +7,15 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// What to say of an expression that has no limit: a sentence that names the part to blame.
+/// What to say of an expression that has no limit: a sentence that names the part that fails.
 class conditions {
 public:
   conditions(const graph& g, const appraisal& point) : g_(g), point_(point) {}
 
   /// Of a node that has no series along a line.
   std::string without_series(const line& l, int id) const {
-    id = l.cause(id);
-    switch (l[id].trouble()) {
+    id = l.failing(id);
+    switch (l[id].met()) {
     case obstacle::none:
     case obstacle::truncated: return "no limit is found with 16 terms of a series" + where(id);
     case obstacle::zero_divisor:

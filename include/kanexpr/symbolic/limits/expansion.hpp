@@ -23,16 +23,16 @@ enum class obstacle {
 class expansion {
 public:
   expansion(series found) : found_(std::move(found)) {}
-  expansion(obstacle trouble) : trouble_(trouble) {}
+  expansion(obstacle met) : met_(met) {}
 
-  explicit operator bool() const { return trouble_ == obstacle::none; }
+  explicit operator bool() const { return met_ == obstacle::none; }
   const series& operator*() const { return found_; }
   const series* operator->() const { return &found_; }
-  obstacle trouble() const { return trouble_; }
+  obstacle met() const { return met_; }
 
 private:
   series found_{};
-  obstacle trouble_ = obstacle::none;
+  obstacle met_ = obstacle::none;
 };
 
 inline expansion quotient(const series& a, const series& b) {

@@ -32,7 +32,7 @@ inline obstacle unbounded(const series& s) {
 
 /// The sine, or the cosine.
 inline expansion sine(const series& s, operation wanted) {
-  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   if (s.is_constant()) return detail::constant_or(apply(wanted, s[0]), obstacle::not_real);
   const auto first_sine = apply(operation::sin, s[0]), first_cosine = apply(operation::cos, s[0]);
   if (!first_sine || !first_cosine) return obstacle::not_real;
@@ -47,7 +47,7 @@ inline expansion sine(const series& s, operation wanted) {
 
 /// By t' = (1 + t²) s'; where the cosine vanishes, by a quotient.
 inline expansion tan(const series& s) {
-  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   const std::optional<coefficient> cosine = apply(operation::cos, s[0]);
   if (!cosine) return obstacle::not_real;
   if (cosine->is_zero()) {

@@ -29,9 +29,9 @@ public:
   const expansion& operator[](int id) const { return found_.at(id); }
   bool holds(int id) const { return found_.contains(id); }
   /// The first node on the way to another that has no series, and why; itself where it has one.
-  int cause(int id) const {
-    const auto blamed = blamed_.find(id);
-    return blamed == blamed_.end() ? id : blamed->second;
+  int failing(int id) const {
+    const auto found = failing_.find(id);
+    return found == failing_.end() ? id : found->second;
   }
 
 private:
@@ -48,7 +48,7 @@ private:
   expansion expand(int id) {
     const node n = g_[id];
     if (!point_.is_singular(id) && !point_.is_moved(id)) return series(plain(id));
-    if (n.op == operation::regularity) return measured(id);
+    if (n.op == operation::singularity_measure) return measured(id);
     if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, n);
     const expansion& a = found_.at(n.a);
     if (!a) return passed(id, n.a);
@@ -61,7 +61,7 @@ private:
   }
 
   expansion passed(int id, int operand) {
-    blamed_[id] = cause(operand);
+    failing_[id] = failing(operand);
     return found_.at(operand);
   }
 
@@ -84,8 +84,8 @@ private:
     int without = gather(entries_of(g_, n.a), a);
     if (without < 0) without = gather(elements_of(g_, n.b), b);
     if (without >= 0) return passed(id, without);
-    const obstacle trouble = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
-    if (trouble != obstacle::none) return trouble;
+    const obstacle met = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
+    if (met != obstacle::none) return met;
     return solutions_.emplace(id, std::move(x)).first->second.front();
   }
 
@@ -95,7 +95,7 @@ private:
   int most_;
   std::map<int, expansion> found_{};
   std::map<int, std::vector<series>> solutions_{};
-  std::map<int, int> blamed_{};
+  std::map<int, int> failing_{};
 };
 
 } // namespace kanexpr::symbolic::taylor

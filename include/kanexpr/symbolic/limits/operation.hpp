@@ -40,7 +40,7 @@ inline expansion slope_of(operation op, const series& s, const series& f) {
 
 /// A function that is smooth at s_0, by f' = slope(s, f) s': what is known of f to some order gives one more.
 inline expansion smooth(operation op, const series& s) {
-  if (const obstacle trouble = unbounded(s); trouble != obstacle::none) return trouble;
+  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   const std::optional<coefficient> first = apply(op, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
   series f(0, {*first}, 1, s.most());
@@ -89,7 +89,7 @@ inline expansion apply(operation op, const series& a, const series& b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::regularity: break; // who expands a graph knows these
+  case form::singularity_measure: break; // who expands a graph knows these
   }
   return obstacle::truncated;
 }

@@ -23,7 +23,10 @@ class expansion {
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
       : g_(g), live_(live_nodes(g, outputs)), image_(g.size(), 0), uses_of_(g.size(), -1) {
-    for (int id = 0; id < g.size(); ++id) collect(id);
+    const char* const live = live_.begin();
+    const node* const nodes = g.begin();
+    for (int id = 0, end = live_.size(); id < end; ++id)
+      if (live[id] != 0 && nodes[id].op > operation::pair) collect(id);
     for (solves_of_factors& uses : uses_)
       if (is_small(uses.factorization)) uses.method = cheapest(uses);
   }
@@ -31,17 +34,20 @@ public:
   constexpr int operator[](int id) const { return image_[id]; }
 
   constexpr void run() {
-    for (int id = 0; id < live_.size(); ++id) {
+    const char* const live = live_.begin();
+    int* const image = image_.begin();
+    for (int id = 0, end = live_.size(); id < end; ++id) {
+      image[id] = id;
+      if (live[id] == 0) continue;
       const node n = g_[id];
-      image_[id] = id;
-      if (live_[id] == 0 || is_leaf(n.op)) continue;
-      const int a = image_[n.a], b = !is_binary(n.op) ? 0 : live_[n.b] != 0 ? image_[n.b] : n.b;
+      if (n.op <= operation::symbol) continue;
+      const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
       if (n.op == operation::component)
-        image_[id] = element(n, a);
-      else if (n.op == operation::regularity && is_small(n.a))
-        image_[id] = measure(n, a);
+        image[id] = element(n, a);
+      else if (n.op == operation::singularity_measure && is_small(n.a))
+        image[id] = measure(n, a);
       else if (a != n.a || b != n.b)
-        image_[id] = build(g_, n.op, a, b);
+        image[id] = build(g_, n.op, a, b);
     }
   }
 
@@ -52,7 +58,6 @@ private:
 
   constexpr void collect(int id) {
     const node& n = g_[id];
-    if (live_[id] == 0) return;
     if (n.op == operation::factorization) {
       uses_of_[id] = uses_.size();
       uses_.push({id, {}, 0, false, {}});
@@ -60,7 +65,7 @@ private:
       uses_[uses_of_[n.a]].solutions.push(id);
     } else if (n.op == operation::component) {
       ++uses_[uses_of_[g_[n.a].a]].results;
-    } else if (n.op == operation::regularity) {
+    } else if (n.op == operation::singularity_measure) {
       uses_[uses_of_[n.a]].measured = true;
     }
   }
@@ -112,12 +117,13 @@ private:
 
   constexpr int weight_of(const sequence<int>& outputs) const {
     constexpr int division = 4;
-    const sequence<char> live = live_nodes(trial_, outputs);
+    const sequence<char> marks = live_nodes(trial_, outputs);
+    const char* const live = marks.begin();
+    const node* const nodes = trial_.begin();
     int weight = 0;
-    for (int id = 0; id < live.size(); ++id) {
-      const operation op = trial_[id].op;
-      if (live[id] != 0 && !is_leaf(op) && op != operation::negate)
-        weight += op == operation::divide ? division : 1;
+    for (int id = 0, end = marks.size(); id < end; ++id) {
+      const operation op = nodes[id].op;
+      if (live[id] != 0 && op > operation::negate) weight += op == operation::divide ? division : 1;
     }
     return weight;
   }
@@ -164,8 +170,11 @@ private:
 
 /// Whether `expand_solves` has anything to do for what is live.
 constexpr bool holds_solves(const graph& g, const sequence<char>& live) {
-  for (int id = 0; g.holds_lists() && id < live.size(); ++id)
-    if (live[id] != 0 && g[id].op == operation::factorization) return true;
+  if (!g.holds_lists()) return false;
+  const node* const nodes = g.begin();
+  const char* const is_live = live.begin();
+  for (int id = 0, end = live.size(); id < end; ++id)
+    if (is_live[id] != 0 && nodes[id].op == operation::factorization) return true;
   return false;
 }
 

@@ -12,7 +12,7 @@ constexpr sequence<int> nodes_of(const sequence<expression>& all) {
   return nodes;
 }
 
-/// A square matrix made ready to solve with; no value, but what `solve` and `regularity` need.
+/// A square matrix made ready to solve with; no value, but what `solve` and `singularity_measure` need.
 constexpr expression factorization(graph& g, const matrix& a) {
   return {g, factorization(g, nodes_of(a.entries), a.rows)};
 }
@@ -37,9 +37,9 @@ constexpr sequence<expression> solve_transposed(expression factorization, const 
 /// How far a matrix is from a singular one: of order 1 to 3 |det|, beyond the least pivot of elimination
 /// beside the terms that it is the sum of, if the entries are as large as the roots of `squares`, by rows.
 /// Zero, or no number, where it is singular. Derivatives take it as a constant.
-constexpr expression regularity(expression factorization, const sequence<expression>& squares) {
+constexpr expression singularity_measure(expression factorization, const sequence<expression>& squares) {
   graph& g = factorization.owner();
-  return {g, regularity(g, factorization.node(), list_of(g, nodes_of(squares)))};
+  return {g, singularity_measure(g, factorization.node(), list_of(g, nodes_of(squares)))};
 }
 
 } // namespace kanexpr::symbolic

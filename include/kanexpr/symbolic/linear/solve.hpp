@@ -36,56 +36,98 @@ constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, 
 
 } // namespace detail
 
+namespace detail {
+
+/// A symmetric matrix on its way through elimination, by nodes and in both triangles, with the number of
+/// entries off the diagonal of each row that is left. Compilers interpret every call, so it is arrays.
+struct symmetric_elimination {
+  int n;
+  sequence<int> entries;
+  sequence<int> degrees;
+  int* entry;  ///< by rows
+  int* degree; ///< by row
+
+  /// From the lower triangle.
+  constexpr explicit symmetric_elimination(const matrix& m)
+      : n(m.rows), entries(n * n, graph::zero), degrees(n, 0), entry(entries.begin()),
+        degree(degrees.begin()) {
+    const expression* const given = m.entries.begin();
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= i; ++j) {
+        const int id = given[i * n + j].node();
+        entry[i * n + j] = entry[j * n + i] = id;
+        if (id != graph::zero && i != j) ++degree[i], ++degree[j];
+      }
+  }
+  symmetric_elimination(const symmetric_elimination&) = delete;
+  symmetric_elimination& operator=(const symmetric_elimination&) = delete;
+
+  constexpr void set(int i, int j, int id) {
+    const bool was = entry[i * n + j] != graph::zero, is = id != graph::zero;
+    entry[i * n + j] = entry[j * n + i] = id;
+    if (i == j || was == is) return;
+    const int change = is ? 1 : -1;
+    degree[i] += change, degree[j] += change;
+  }
+};
+
+} // namespace detail
+
 /// Solves the symmetric positive definite system M x = f by M = LᵀDL without square roots.
 ///
 /// The order of elimination keeps structural zeros (minimum degree; among equals the last row first, which
 /// runs a chain from its tip to its base). Only the lower triangle of M is read.
-constexpr symmetric_solution solve_symmetric(graph& g, matrix m, sequence<expression> f) {
+constexpr symmetric_solution solve_symmetric(graph& g, const matrix& m, const sequence<expression>& f) {
   const int n = m.rows;
-  sequence<expression> diagonal;
-  for (int i = 0; i < n; ++i) diagonal.push(m(i, i));
+  detail::symmetric_elimination left(m);
+  int* const entry = left.entry;
+  const auto pivot_at = [&](int p, int quotient, sequence<pivot>& all) {
+    detail::note_pivot(all, p, {g, quotient}, {g, entry[p * n + p]}, m(p, p));
+  };
   sequence<pivot> pivots;
-  const auto at = [&](int i, int j) -> expression& { return i >= j ? m(i, j) : m(j, i); };
-  sequence<int> order;
-  sequence<int> eliminated(n, 0);
-  sequence<expression> inverse(n, expression{g, graph::zero});
-  matrix factor(g, n, n); // row p: the multipliers of pivot p
+  sequence<int> order, right = nodes_of(f);
+  sequence<int> is_eliminated(n, 0), inverses(n, graph::zero), factors(n * n, graph::zero);
+  int* const eliminated = is_eliminated.begin();
+  int* const factor = factors.begin(); // row p: the multipliers of pivot p
   for (int step = 0; step < n; ++step) {
-    int pivot = -1, least = n + 1;
-    for (int i = n - 1; i >= 0; --i) {
-      if (eliminated[i] != 0) continue;
-      int degree = 0;
-      for (int j = 0; j < n; ++j)
-        if (j != i && eliminated[j] == 0 && !at(i, j).is_zero()) ++degree;
-      if (degree < least) pivot = i, least = degree;
-    }
-    eliminated[pivot] = 1;
-    order.push(pivot);
+    int p = -1, least = n + 1;
+    for (int i = n - 1; i >= 0; --i)
+      if (eliminated[i] == 0 && left.degree[i] < least) p = i, least = left.degree[i];
+    eliminated[p] = 1;
+    order.push(p);
+    int inverse = graph::zero;
     if (least > 0) {
-      inverse[pivot] = 1 / at(pivot, pivot);
-      detail::note_pivot(pivots, pivot, inverse[pivot], at(pivot, pivot), diagonal[pivot]);
+      inverses[p] = inverse = divide(g, graph::one, entry[p * n + p]);
+      pivot_at(p, inverse, pivots);
     }
     for (int i = n - 1; i >= 0; --i) {
-      if (eliminated[i] != 0 || at(pivot, i).is_zero()) continue;
-      factor(pivot, i) = at(pivot, i) * inverse[pivot];
+      if (eliminated[i] != 0 || entry[p * n + i] == graph::zero) continue;
+      --left.degree[i];
+      const int by = factor[p * n + i] = multiply(g, entry[p * n + i], inverse);
       for (int j = i; j >= 0; --j)
-        if (eliminated[j] == 0 && !at(pivot, j).is_zero()) at(i, j) -= factor(pivot, i) * at(pivot, j);
-      f[i] -= factor(pivot, i) * f[pivot];
+        if (eliminated[j] == 0 && entry[p * n + j] != graph::zero)
+          left.set(i, j, subtract(g, entry[i * n + j], multiply(g, by, entry[p * n + j])));
+      right[i] = subtract(g, right[i], multiply(g, by, right[p]));
     }
   }
-  sequence<expression> x(n, expression{g, graph::zero});
+  sequence<int> x(n, graph::zero);
   for (int step = n - 1; step >= 0; --step) {
     const int p = order[step];
-    if (inverse[p].is_zero()) { // coupled to nothing that is left: one division does
-      x[p] = f[p] / at(p, p);
-      detail::note_pivot(pivots, p, x[p], at(p, p), diagonal[p]);
+    int sum = graph::zero;
+    if (inverses[p] == graph::zero) { // coupled to nothing that is left: one division does
+      sum = divide(g, right[p], entry[p * n + p]);
+      pivot_at(p, sum, pivots);
     } else {
-      x[p] = f[p] * inverse[p];
+      sum = multiply(g, right[p], inverses[p]);
     }
     for (int i = 0; i < n; ++i)
-      if (!factor(p, i).is_zero()) x[p] -= factor(p, i) * x[i];
+      if (factor[p * n + i] != graph::zero) sum = subtract(g, sum, multiply(g, factor[p * n + i], x[i]));
+    x[p] = sum;
   }
-  return {x, pivots};
+  symmetric_solution solved;
+  for (int id : x) solved.x.push({g, id});
+  solved.pivots = pivots;
+  return solved;
 }
 
 } // namespace kanexpr::symbolic

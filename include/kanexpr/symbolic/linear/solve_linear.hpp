@@ -175,13 +175,13 @@ private:
     const sequence<int> squares = squares_of(part.rows, part.columns);
     const expression one{g_, graph::one};
     if (order <= largest_written_out) {
-      out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, {}),
+      out_.blocks.push({part.rows, part.columns, factors.node(), singularity_measure(factors, {}),
                         root(permanent(g_, squares, order))});
       return;
     }
     sequence<expression> sizes;
     for (int id : squares) sizes.push({g_, id});
-    out_.blocks.push({part.rows, part.columns, factors.node(), regularity(factors, sizes), one});
+    out_.blocks.push({part.rows, part.columns, factors.node(), singularity_measure(factors, sizes), one});
   }
 
   graph& g_;

@@ -3,6 +3,11 @@
 #include <kanexpr/symbolic/print/print.hpp>
 #include <kanexpr/symbolic/print/writer.hpp>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace kanexpr::symbolic {
 
 namespace printing {
@@ -27,8 +32,8 @@ public:
       return "solve(" + matrix_of(solution.a, solution.op == operation::transposed_solve) + ", " +
              list(elements(solution.b)) + ")[" + std::to_string(integer_at(owner(), n.b) + 1) + "]";
     }
-    if (n.op == operation::regularity)
-      return "regularity(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
+    if (n.op == operation::singularity_measure)
+      return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";
@@ -64,22 +69,34 @@ private:
 KANEXPR_ENGINE std::string print(const graph& g, int id) { return printing::plain(g).write(id); }
 KANEXPR_ENGINE std::string print(expression e) { return print(e.owner(), e.node()); }
 
-KANEXPR_ENGINE std::string print(const matrix& m) {
+namespace printing {
+
+/// How many letters a text of UTF-8 shows.
+inline std::size_t width_of(std::string_view text) {
+  const auto begins_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
+}
+
+} // namespace printing
+
+KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before) {
+  using printing::width_of;
   std::vector<std::string> entries;
   std::vector<std::size_t> widths(static_cast<std::size_t>(m.columns));
   for (const expression& e : m.entries) {
     std::size_t& width = widths[entries.size() % widths.size()];
     entries.push_back(print(e));
-    width = (std::max)(width, entries.back().size());
+    width = (std::max)(width, width_of(entries.back()));
   }
-  std::string text;
+  std::string text(before);
+  const std::string margin(width_of(before.substr(before.rfind('\n') + 1)), ' ');
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::size_t column = i % widths.size();
-    if (column == 0) text += i == 0 ? "[" : "\n[";
+    if (column == 0) text += i == 0 ? "[" : "\n" + margin + "[";
     text += entries[i];
     const bool is_last = column + 1 == widths.size();
     if (!is_last) text += ", ";
-    text.append(widths[column] - entries[i].size(), ' ');
+    text.append(widths[column] - width_of(entries[i]), ' ');
     if (is_last) text += "]";
   }
   return text;

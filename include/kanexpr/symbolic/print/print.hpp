@@ -4,6 +4,7 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace kanexpr::symbolic {
 
@@ -11,8 +12,8 @@ namespace kanexpr::symbolic {
 KANEXPR_ENGINE std::string print(const graph& g, int id);
 KANEXPR_ENGINE std::string print(expression e);
 
-/// One row a line, columns aligned.
-KANEXPR_ENGINE std::string print(const matrix& m);
+/// One row a line, columns aligned, behind a text: `print(m, "M = ")`.
+KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {});
 
 } // namespace kanexpr::symbolic
 

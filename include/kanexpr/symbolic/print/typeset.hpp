@@ -75,8 +75,8 @@ private:
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
     if (n.op == operation::component) return component(n);
-    if (n.op == operation::regularity)
-      return "\\operatorname{regularity}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
+    if (n.op == operation::singularity_measure)
+      return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
     const std::string argument = write(n.a);
     if (n.op == operation::sqrt) return "\\sqrt{" + argument + "}";
     if (n.op == operation::abs) return "\\left|" + argument + "\\right|";

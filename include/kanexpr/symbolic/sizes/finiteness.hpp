@@ -16,8 +16,21 @@ public:
     const sequence<char> is_live = live_nodes(g, outputs);
     const char* const live = is_live.begin();
     for (int id : sure_divisors) facts_of_[id] = sure;
-    for (int id = 0; id < size_; ++id)
-      if (live[id] != 0 && nodes_[id].op != operation::symbol) look_at(id);
+    for (int id = 0; id < size_; ++id) {
+      if (live[id] == 0) continue;
+      const node& n = nodes_[id];
+      if (n.op != operation::add && n.op != operation::subtract && n.op != operation::multiply) {
+        if (n.op != operation::symbol) look_at(id);
+        continue;
+      }
+      // most nodes, and compilers interpret every call
+      const int both = facts_of_[n.a] & facts_of_[n.b], any = facts_of_[n.a] | facts_of_[n.b];
+      if ((any & may_fail) != 0) facts_of_[id] |= may_fail, any_fails_ = true;
+      if (n.op == operation::multiply && n.a == n.b)
+        facts_of_[id] |= never_negative;
+      else if (n.op != operation::subtract && (both & never_negative) != 0)
+        facts_of_[id] |= never_negative;
+    }
   }
   finiteness(const finiteness&) = delete;
   finiteness& operator=(const finiteness&) = delete;
@@ -74,10 +87,6 @@ private:
     case form::constant:
       if (!g_.number_at(id).negative()) facts_of_[id] |= never_negative;
       return;
-    case form::multiply:
-      if (n.a == n.b || (a & b & never_negative) != 0) found |= never_negative;
-      break;
-    case form::add: found |= a & b & never_negative; break;
     case form::divide:
       if (!g_.is_constant(n.b) && (b & sure) == 0) found |= begins;
       break;
@@ -91,14 +100,16 @@ private:
     case form::power: found |= begins; break;
     case form::symbol:
     case form::negate:
+    case form::add: // are looked at above
     case form::subtract:
+    case form::multiply:
     case form::atan2:
     case form::pair:
     case form::factorization:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break;
+    case form::singularity_measure: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
     if (n.op >= operation::pair) found |= may_fail; // and its status is another
@@ -126,7 +137,7 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break; // may be finite all the same
+    case form::singularity_measure: break; // may be finite all the same
     }
   }
 

@@ -47,7 +47,7 @@ private:
     case form::function: return size_of_function(n.op, size_[n.a], value[n.a], value[id]);
     case form::constant:
     case form::symbol:
-    case form::regularity: return v;
+    case form::singularity_measure: return v;
     case form::atan2: return v + size_[n.a];
     }
     return v;
@@ -79,9 +79,9 @@ private:
     sequence<double> f(place.size(), 0.0), x(order, 0.0), terms(order, 0.0);
     for (int i = 0; i < order; ++i)
       for (int j = 0; j < order; ++j) f[place.at(i, j)] = value[entry(i, j)];
-    numeric::factorize<numeric::constant_elimination>(order, &f[0]);
+    numeric::factorize<numeric::constant_elimination_math>(order, &f[0]);
     for (int i = 0; i < order; ++i) x[i] = value[right[i]];
-    numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &x[0]);
+    numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &x[0]);
     for (int i = 0; i < order; ++i) {
       terms[i] = size_[right[i]];
       for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
@@ -92,7 +92,7 @@ private:
     for (int j = 0; j < order; ++j) {
       sequence<double> unit(order, 0.0);
       unit[j] = 1;
-      numeric::solve_factorized<numeric::constant_elimination>(order, &f[0], &unit[0]);
+      numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &unit[0]);
       for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
     }
   }

@@ -21,13 +21,13 @@ public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
                         const sequence<int>& sums)
       : g_(g), squares_(g.size(), graph::zero) {
-    const sequence<char> all = terms_of(equations), needed = terms_of(expressions);
+    const sequence<int> all = terms_of(equations), needed = terms_of(expressions);
     sequence<int> coordinates;
-    for (int id = 0; id < all.size(); ++id)
-      if (all[id] != 0 && is_coordinate(id)) coordinates.push(id);
+    for (int id : all)
+      if (is_coordinate(id)) coordinates.push(id);
     if (!coordinates.empty()) count_with_their_like(coordinates, equations, sums);
-    for (int id = 0; id < needed.size(); ++id)
-      if (needed[id] != 0 && squares_[id] == graph::zero) squares_[id] = square(id);
+    for (int id : needed)
+      if (squares_[id] == graph::zero) squares_[id] = square(id);
   }
 
   /// Of one of the expressions.
@@ -52,17 +52,27 @@ private:
     }
   }
 
-  /// The sums and products that expressions are made of, with what those are made of.
-  constexpr sequence<char> terms_of(const sequence<int>& expressions) const {
-    sequence<char> reached(g_.size(), 0);
-    for (int id : expressions) reached[id] = 1;
-    for (int id = g_.size() - 1; id >= 0; --id) {
-      const node& n = g_[id];
-      if (reached[id] == 0 || n.op < operation::negate || n.op > operation::divide) continue;
+  /// The sums and products that expressions are made of, with what those are made of, in their order.
+  constexpr sequence<int> terms_of(const sequence<int>& expressions) const {
+    sequence<char> marks(g_.size(), 0);
+    char* const reached = marks.begin();
+    const node* const nodes = g_.begin();
+    int last = -1;
+    for (int id : expressions) {
+      reached[id] = 1;
+      if (id > last) last = id;
+    }
+    for (int id = last; id >= 0; --id) {
+      if (reached[id] == 0) continue;
+      const node& n = nodes[id];
+      if (n.op < operation::negate || n.op > operation::divide) continue;
       reached[n.a] = 1;
       if (n.op != operation::negate && n.op != operation::divide) reached[n.b] = 1;
     }
-    return reached;
+    sequence<int> terms;
+    for (int id = 0; id <= last; ++id)
+      if (reached[id] != 0) terms.push(id);
+    return terms;
   }
 
   constexpr int square(int id) {

@@ -85,7 +85,7 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: break; // of these nothing is known
+    case form::singularity_measure: break; // of these nothing is known
     }
     return {};
   }
@@ -148,7 +148,7 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::regularity: return;
+    case form::singularity_measure: return;
     }
   }
   constexpr void take(const estimate_of& open, double size) {

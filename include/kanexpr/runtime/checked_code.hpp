@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/regular.hpp>
-#include <kanexpr/mechanics/dynamics/singular.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
@@ -11,11 +11,11 @@ namespace kanexpr::runtime {
 /// The code for a result, and whether what it rests on can be solved at a state. It takes no memory when it
 /// is evaluated.
 template <class Scalar>
-class guarded_code {
+class checked_code {
 public:
-  /// `guards`: what may be singular on the way to the results.
-  guarded_code(symbolic::graph& g, const symbolic::matrix& wanted,
-               const symbolic::sequence<mechanics::guard>& guards);
+  /// `checks`: what may be singular on the way to the results.
+  checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
+               const symbolic::sequence<mechanics::singularity_check>& checks);
 
   /// The entries of the result, row by row.
   template <class Arguments>
@@ -24,36 +24,38 @@ public:
     return found_.begin();
   }
 
+  const lower::tape& code() const { return code_.code(); }
   symbolic::cost cost() const;
   /// Whether all could be solved in the last evaluation.
   kanexpr::status status() const;
 
 private:
   static symbolic::sequence<int> nodes(const symbolic::matrix& wanted,
-                                       const symbolic::sequence<mechanics::guard>& guards);
+                                       const symbolic::sequence<mechanics::singularity_check>& checks);
 
   interpreter<Scalar> code_;
   symbolic::sequence<Scalar> found_; ///< the result, then how regular what it rests on is
-  symbolic::sequence<mechanics::problem> causes_{};
+  symbolic::sequence<mechanics::sentence> causes_{};
   symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };
 
 template <class Scalar>
-guarded_code<Scalar>::guarded_code(symbolic::graph& g, const symbolic::matrix& wanted,
-                                   const symbolic::sequence<mechanics::guard>& guards)
-    : code_(lower::tape_of(g, nodes(wanted, guards))),
+checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
+                                   const symbolic::sequence<mechanics::singularity_check>& checks)
+    : code_(lower::tape_of(g, nodes(wanted, checks))),
       found_(code_.size(), lower::scalar_math<Scalar>::from(0)) {
-  for (const mechanics::guard& each : guards) {
+  for (const mechanics::singularity_check& each : checks) {
     causes_.push(each.cause);
     is_of_finiteness_.push(each.of_finiteness);
   }
 }
 
 template <class Scalar>
-symbolic::sequence<int> guarded_code<Scalar>::nodes(const symbolic::matrix& wanted,
-                                                    const symbolic::sequence<mechanics::guard>& guards) {
+symbolic::sequence<int>
+checked_code<Scalar>::nodes(const symbolic::matrix& wanted,
+                            const symbolic::sequence<mechanics::singularity_check>& checks) {
   symbolic::sequence<int> ids = symbolic::nodes_of(wanted.entries);
-  for (const mechanics::guard& each : guards) {
+  for (const mechanics::singularity_check& each : checks) {
     ids.push(each.measure.node());
     ids.push(each.scale.node());
   }
@@ -61,16 +63,16 @@ symbolic::sequence<int> guarded_code<Scalar>::nodes(const symbolic::matrix& want
 }
 
 template <class Scalar>
-symbolic::cost guarded_code<Scalar>::cost() const {
+symbolic::cost checked_code<Scalar>::cost() const {
   return lower::cost_of(code_.code());
 }
 
 template <class Scalar>
-kanexpr::status guarded_code<Scalar>::status() const {
+kanexpr::status checked_code<Scalar>::status() const {
   const int results = code_.size() - 2 * causes_.size();
   for (int i = 0; i < causes_.size(); ++i) {
     const Scalar &measure = found_[results + 2 * i], &scale = found_[results + 2 * i + 1];
-    constexpr double least = mechanics::least_regularity<Scalar>();
+    constexpr double least = mechanics::least_singularity_measure<Scalar>();
     if (is_of_finiteness_[i] ? !lower::passes<true>(measure, scale, least)
                              : !lower::passes<false>(measure, scale, least))
       return kanexpr::status(causes_[i].view());
@@ -79,8 +81,8 @@ kanexpr::status guarded_code<Scalar>::status() const {
 }
 
 #if defined KANEXPR_COMPILED_ENGINE
-extern template class guarded_code<double>;
-extern template class guarded_code<float>;
+extern template class checked_code<double>;
+extern template class checked_code<float>;
 #endif
 
 } // namespace kanexpr::runtime

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/lower/eliminate.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/unrolled_elimination.hpp>
 
 #include <utility>
 
@@ -13,9 +13,9 @@ namespace kanexpr::lower {
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
-  /// What is neither an operation nor a component: a sine with its cosine, and the eliminations from
-  /// `first_elimination` down.
-  static constexpr int sine_and_cosine = -1, first_elimination = -2;
+  /// What is neither an operation nor a component: a sine with its cosine, and the linear steps from
+  /// `first_linear_step` down.
+  static constexpr int sine_and_cosine = -1, first_linear_step = -2;
   static constexpr int component = static_cast<int>(operation::component);
 
   static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
@@ -28,7 +28,7 @@ struct step_plan {
       what[i] = !tape.paired[i]                ? static_cast<int>(tape.op[i])
                 : tape.op[i] == operation::sin ? sine_and_cosine
                                                : component;
-    for (int i = 0; i < tape.sizes.eliminations; ++i) what[tape.eliminations[i].step] = first_elimination - i;
+    for (int i = 0; i < tape.sizes.linear_steps; ++i) what[tape.linear_steps[i].step] = first_linear_step - i;
     for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
       if (uses_aside(what[i])) aside[i] = aside_count++;
   }
@@ -42,13 +42,13 @@ struct step_plan {
 /// initializer, so compilers dissolve the array before they look at anything else. Behind a pointer to the
 /// slots they would look at every step in memory, and in every function on the way out again.
 template <class Code, class T>
-class evaluation {
+class unrolled_tape {
 public:
   static constexpr const auto& tape = Code::tape;
 
   /// `Arguments` gives the value of each load: `arguments(load)`.
   template <class Arguments>
-  [[gnu::always_inline]] explicit evaluation(const Arguments& arguments) noexcept {
+  [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
     run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
         up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
         up_to<tape.sizes.steps - behind>{}, up_to<tape.sizes.results>{});
@@ -117,18 +117,18 @@ private:
       if constexpr (what == plan.sine_and_cosine)
         scalar_math<T>::sincos(a, aside[0], aside[1]);
       else if constexpr (what < 0)
-        eliminate<plan.first_elimination - what>(aside, slot);
+        eliminate<plan.first_linear_step - what>(aside, slot);
       return *aside;
     }
   }
 
   template <int i>
   [[gnu::always_inline]] static void eliminate(T* out, const T* slot) noexcept {
-    constexpr elimination e = tape.eliminations[i];
-    if constexpr (e.op == operation::regularity) {
+    constexpr linear_step e = tape.linear_steps[i];
+    if constexpr (e.op == operation::singularity_measure) {
       T squares[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(squares, slot, up_to<e.inputs()>{});
-      *out = unrolled_elimination<e.order, T>::regularity(slot + e.factors, squares);
+      *out = unrolled_elimination<e.order, T>::singularity_measure(slot + e.factors, squares);
     } else {
       gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)

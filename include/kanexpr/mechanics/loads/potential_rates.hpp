@@ -8,10 +8,10 @@ namespace kanexpr::mechanics {
 /// ∂V̇/∂u_r by speeds, of the sum V of the potential energies that a model gives: Σ_s ∂V/∂q_s ∂q̇_s/∂u_r with
 /// the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane & Levinson (1985),
 /// section 5.1.
-constexpr sequence<expression> potential_rates(const skeleton& s) {
+constexpr sequence<expression> potential_rates(const skeleton& s, const sequence<expression>& energies) {
   const mechanism& m = *s.model;
-  symbolic::accumulation by_coordinates(*m.g, m.potential_energies);
-  for (const expression& energy : m.potential_energies) by_coordinates.seed(energy, m.one());
+  symbolic::accumulation by_coordinates(*m.g, energies);
+  for (const expression& energy : energies) by_coordinates.seed(energy, m.one());
   by_coordinates.run();
   symbolic::accumulation by_speeds(*m.g, s.coordinate_rates);
   for (int q = 0; q < m.coordinates.size(); ++q)

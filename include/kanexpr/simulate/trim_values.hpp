@@ -10,11 +10,11 @@
 namespace kanexpr::trim {
 
 /// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r].
-class evaluation {
+class values_of_equations {
 public:
   using number = std::complex<double>;
 
-  explicit evaluation(const subject& system) : of_(system), norms_(system.known) {
+  explicit values_of_equations(const subject& system) : of_(system), norms_(system.known) {
     if (of_.constraints != nullptr) constraints_.emplace(*of_.constraints, of_.known);
     if (of_.rates != nullptr) rates_.emplace(*of_.rates, of_.known);
   }
@@ -23,7 +23,7 @@ public:
   std::string_view operator()(double t, const number* at, number* all) {
     for (int k = 0; k < norms_.count(); ++k) *all++ = norms_.residual(k, at);
     if (of_.compiled != nullptr) return of_.compiled(t, at, all);
-    const derivation::survey& known = of_.known;
+    const deriving::survey& known = of_.known;
     const number* p = at + known.first_of(symbolic::symbol_kind::parameter);
     const number* r = at + known.first_of(symbolic::symbol_kind::input);
     const status kept = constraints_ ? constraints_->evaluate(t, at, p, r, all) : status();

@@ -34,8 +34,8 @@ public:
   [[gnu::always_inline]] static void solve_transposed(const T* f, T* x) noexcept {
     solve_transposed(f, x, numbers<order>{});
   }
-  [[gnu::always_inline]] static T regularity(const T* f, T* squares) noexcept {
-    return regularity(f, squares, numbers<order>{});
+  [[gnu::always_inline]] static T singularity_measure(const T* f, T* squares) noexcept {
+    return singularity_measure(f, squares, numbers<order>{});
   }
 
 private:
@@ -83,8 +83,8 @@ private:
   [[gnu::always_inline]] static void subtract(T& a, const T& b, const T& c) noexcept { a = T(a - T(b * c)); }
 
   template <int... k>
-  [[gnu::always_inline]] static T regularity(const T* f, T* squares,
-                                             std::integer_sequence<int, k...>) noexcept {
+  [[gnu::always_inline]] static T singularity_measure(const T* f, T* squares,
+                                                      std::integer_sequence<int, k...>) noexcept {
     T largest = f[0]; // overwritten by the first
     const int in_order[]{(inverse<k>(f, squares, largest, numbers<order - 1 - k>{}), 0)...};
     static_cast<void>(in_order);

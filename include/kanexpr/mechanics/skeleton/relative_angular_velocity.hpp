@@ -7,7 +7,8 @@ namespace kanexpr::mechanics {
 
 /// The angular velocity of a frame in its parent as its orientation gives it, with the rates that
 /// `along_time` knows.
-constexpr vector turning_of_orientation(const mechanism& m, int place, symbolic::derivation& along_time) {
+constexpr vector relative_angular_velocity(const mechanism& m, int place,
+                                           symbolic::differentiation& along_time) {
   const frame& f = m.frames[place];
   vector w;
   switch (f.kind) {

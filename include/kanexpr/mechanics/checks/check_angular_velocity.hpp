@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/problem.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
@@ -21,23 +21,23 @@ struct left_out_angle {
 /// What of a declared angular velocity the orientation does not say has to be the spin of angles that the
 /// orientation leaves out, as that of a wheel that is the same from all sides. One such angle turns about an
 /// axis that is fixed in the frame, and about which the frame's own angles do not turn it.
-class checking_turning {
+class checking_angular_velocity {
 public:
-  constexpr checking_turning(const mechanism& m, const contents& held)
+  constexpr checking_angular_velocity(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held) {
     for (int f = 0; f < m.frames.size(); ++f)
       if (m.frames[f].turns_by_declaration())
         declared_.push({.frame = f, .all = {}, .bound = {}, .free = {}, .by_angles = {}, .before = {}});
   }
 
-  constexpr problem run() {
+  constexpr sentence run() {
     bool open = false;  // whether something is to be explained
     bool moves = false; // whether its axis may move in a frame
     for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
       motion_.draw();
       if (motion_.has_free_speeds() && !take(false)) continue;
       if (take(true)) ++looked;
-      for (const turning& t : declared_) {
+      for (const declared_angular_velocity& t : declared_) {
         is_any_apart_ = is_any_apart_ || t.all.size() != 0;
         open = open || t.bound.size() != 0;
         moves = moves || (t.all.size() != 0 && !is_wheel(t.frame));
@@ -46,8 +46,9 @@ public:
     if (open)
       for (int rates = 0; rates < 4; ++rates)
         if (motion_.move_freely())
-          for (turning& t : declared_) t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
-    for (const turning& t : declared_)
+          for (declared_angular_velocity& t : declared_)
+            t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
+    for (const declared_angular_velocity& t : declared_)
       if (!m_.frames[t.frame].turns_apart && !is_explained(t))
         return sentence(
             {"the angular velocity of frame ", called(t.frame),
@@ -60,14 +61,14 @@ public:
 
   constexpr sequence<left_out_angle> left_out_angles() const {
     sequence<left_out_angle> found;
-    for (const turning& t : declared_)
+    for (const declared_angular_velocity& t : declared_)
       if (t.all.size() != 0 && !m_.frames[t.frame].turns_apart) found.push({t.frame, t.all});
     return found;
   }
 
 private:
   /// Of a frame, in its own axes at all states.
-  struct turning {
+  struct declared_angular_velocity {
     int frame = none;
     span_of_triples all{};       ///< what its orientation does not say of its angular velocity
     span_of_triples bound{};     ///< the same without speeds that appear in no kinematic equation
@@ -86,7 +87,7 @@ private:
 
   constexpr bool take(bool with_free_speeds) {
     if (!motion_.move(with_free_speeds)) return false;
-    for (turning& t : declared_) {
+    for (declared_angular_velocity& t : declared_) {
       const int reference = m_.frames[t.frame].reference;
       if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
       const triple said = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
@@ -102,7 +103,7 @@ private:
     return true;
   }
 
-  constexpr bool is_explained(const turning& t) const {
+  constexpr bool is_explained(const declared_angular_velocity& t) const {
     // by two speeds of its own the orientation is unknown, and other checks ask what depends on it
     if (t.bound.size() == 0 || t.free.size() > 1) return true;
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
@@ -144,7 +145,7 @@ private:
   const mechanism& m_;
   const contents& held_;
   generic_motion motion_;
-  sequence<turning> declared_{};
+  sequence<declared_angular_velocity> declared_{};
   bool is_any_apart_ = false;
 };
 

@@ -7,20 +7,29 @@
 
 namespace kanexpr::mechanics {
 
-/// A mistake in a model, as one sentence in the words of mechanics that names the entity. Empty: no mistake.
-struct problem {
+/// One sentence in the words of mechanics that names the entity: a mistake, the cause of a status or of a
+/// failure, or a part of one. Empty: there is none.
+struct sentence {
   static constexpr int capacity = 255;
   char letters[capacity + 1]{};
   int length = 0;
+
+  constexpr sentence() = default;
+  /// Of names that are too long for a sentence the middle is left out, so that its end is there and names
+  /// stay distinct.
+  constexpr explicit sentence(std::initializer_list<std::string_view> pieces);
 
   constexpr explicit operator bool() const { return length != 0; }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
   /// The same, as a status has it.
   constexpr std::string_view cause() const { return view(); }
+
+private:
+  constexpr void append(std::string_view text);
 };
 
 template <class Stream>
-auto operator<<(Stream& to, const problem& told) -> decltype(to << told.view()) {
+auto operator<<(Stream& to, const sentence& told) -> decltype(to << told.view()) {
   return to << told.view();
 }
 
@@ -30,24 +39,17 @@ constexpr std::string_view left_out = "...";
 
 /// How long a piece may be so that all of them fit.
 constexpr std::size_t longest_piece_of(std::initializer_list<std::string_view> pieces) {
-  std::size_t longest = problem::capacity;
+  std::size_t longest = sentence::capacity;
   for (;; --longest) {
     std::size_t whole = 0;
     for (std::string_view piece : pieces) whole += piece.size() < longest ? piece.size() : longest;
-    if (whole <= problem::capacity || longest <= 2 * left_out.size()) return longest;
+    if (whole <= sentence::capacity || longest <= 2 * left_out.size()) return longest;
   }
 }
 
 } // namespace detail
 
-/// The first mistake is the one that is reported; what follows from it would only confuse. Of names that are
-/// too long for a sentence the middle is left out, so that its end is there and names stay distinct.
-constexpr problem sentence(std::initializer_list<std::string_view> pieces) {
-  problem p;
-  const auto append = [&](std::string_view text) {
-    for (char letter : text)
-      if (p.length < problem::capacity) p.letters[p.length++] = letter;
-  };
+constexpr sentence::sentence(std::initializer_list<std::string_view> pieces) {
   const std::size_t longest = detail::longest_piece_of(pieces);
   for (std::string_view piece : pieces) {
     if (piece.size() <= longest) {
@@ -59,7 +61,19 @@ constexpr problem sentence(std::initializer_list<std::string_view> pieces) {
     append(detail::left_out);
     append(piece.substr(piece.size() - kept / 2));
   }
-  return p;
+}
+
+/// Of more pieces than there is room for even so, the last are left out.
+constexpr void sentence::append(std::string_view text) {
+  for (char letter : text) {
+    if (length < capacity) {
+      letters[length++] = letter;
+      continue;
+    }
+    for (int i = 0; i < static_cast<int>(detail::left_out.size()); ++i)
+      letters[capacity - 1 - i] = detail::left_out[static_cast<std::size_t>(i)];
+    return;
+  }
 }
 
 /// A number in a sentence.

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <kanexpr/mechanics/quantity.hpp>
+
+namespace kanexpr::compiled {
+
+/// The results of a system by their names, for all that offers them as functions: `Functions::of<quantity>`
+/// is the function of one.
+template <class Functions>
+struct named_results {
+  using quantity = mechanics::quantity;
+  template <quantity wanted>
+  using of = typename Functions::template of<wanted>;
+
+  /// M in M u̇ = f of the independent speeds.
+  static constexpr of<quantity::mass_matrix> mass_matrix{};
+  /// f in M u̇ = f of the independent speeds.
+  static constexpr of<quantity::forcing> forcing{};
+  /// M_full in M_full [q̇; u̇] = f_full: E, M, and the differentiated constraints solved for the dependent u̇.
+  static constexpr of<quantity::mass_matrix_full> mass_matrix_full{};
+  /// [q̇; f; b], with b in u̇_d = A u̇_i + b.
+  static constexpr of<quantity::forcing_full> forcing_full{};
+  static constexpr of<quantity::qdot> qdot{};
+  static constexpr of<quantity::udot> udot{};
+  /// ẋ = [q̇; u̇].
+  static constexpr of<quantity::rhs> rhs{};
+  /// F_r.
+  static constexpr of<quantity::active_forces> active_forces{};
+  /// F_r*, for given rates of the speeds: f(x, p, r, a).
+  static constexpr of<quantity::inertia_forces> inertia_forces{};
+  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
+  /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
+  static constexpr of<quantity::unreduced_forces> unreduced_forces{};
+  static constexpr of<quantity::kinetic_energy> kinetic_energy{};
+  static constexpr of<quantity::potential_energy> potential_energy{};
+  static constexpr of<quantity::linear_momentum> linear_momentum{};
+  static constexpr of<quantity::angular_momentum> angular_momentum{};
+  static constexpr of<quantity::center_of_mass> center_of_mass{};
+  /// ∂T/∂u_r of all speeds as if nothing bound them, M u and what prescribed motions add; by Lagrange's
+  /// method ∂L/∂q̇_r.
+  static constexpr of<quantity::generalized_momenta> generalized_momenta{};
+
+  /// What the configuration constraints leave, zero where they hold.
+  static constexpr of<quantity::configuration_residual> configuration_residual{};
+  /// How large the terms are of which each of that is the sum.
+  static constexpr of<quantity::configuration_terms> configuration_terms{};
+  /// Its derivatives by the dependent coordinates.
+  static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
+  /// Its derivatives by all coordinates.
+  static constexpr of<quantity::configuration_jacobian_by_all> configuration_jacobian_by_all{};
+  /// The step of Newton's method for the dependent coordinates, to be added to them.
+  static constexpr of<quantity::configuration_step> configuration_step{};
+  /// What the velocity constraints and the rates of the configuration constraints leave.
+  static constexpr of<quantity::velocity_residual> velocity_residual{};
+  static constexpr of<quantity::velocity_terms> velocity_terms{};
+  /// Both residuals, those of configurations first.
+  static constexpr of<quantity::constraint_residual> constraint_residual{};
+  /// J in J u + c = 0.
+  static constexpr of<quantity::constraint_jacobian> constraint_jacobian{};
+  /// The dependent speeds as the constraints give them by the independent ones.
+  static constexpr of<quantity::dependent_speeds> dependent_speeds{};
+  /// A in u̇_d = A u̇_i + b.
+  static constexpr of<quantity::dependency> dependency{};
+  /// b in u̇_d = A u̇_i + b.
+  static constexpr of<quantity::acceleration_bias> acceleration_bias{};
+  /// The forces of the constraints, each along the direction in which it holds a velocity zero.
+  static constexpr of<quantity::multipliers> multipliers{};
+  /// The forces that keep the auxiliary speeds zero.
+  static constexpr of<quantity::noncontributing_forces> noncontributing_forces{};
+  /// The same by another name.
+  static constexpr auto auxiliary_forces = noncontributing_forces;
+};
+
+} // namespace kanexpr::compiled

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/derive/read/entity_reader.hpp>
+
+namespace kanexpr::deriving {
+
+/// The numbers that a model gives to parameters.
+class value_reader {
+public:
+  constexpr value_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases)
+      : reading_(all), symbols_(symbols), phrases_(phrases) {}
+
+  constexpr void read(const phrase& p) {
+    phrases_.check_written(p, "values<...>");
+    if (reading_.mistake) return;
+    const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
+    phrase right{shape::scalar, p.tokens + 1, p.size - 2};
+    if (s == nullptr && p.kind == shape::equation) { // 2.5 == m
+      s = p.tokens[p.size - 2].symbol;
+      right.tokens = p.tokens;
+    }
+    if (s == nullptr || !is_whole(right)) {
+      const std::string_view held = name_in(p);
+      return reading_.fail(
+          {"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
+           held.empty() ? "" : " with ", held});
+    }
+    if (s->kind != symbolic::symbol_kind::parameter)
+      return reading_.fail({kind_of(*s), s->called.view(), " is given a value; only parameters have one"});
+    if (symbols_.is_bound(s->called))
+      return reading_.fail({"parameter ", s->called.view(), " is given two values"});
+    for (int i = 0; i < right.size; ++i)
+      if (right.tokens[i].symbol != nullptr)
+        return reading_.fail({"the value of parameter ", s->called.view(), " is not a number: it holds ",
+                              right.tokens[i].symbol->called.view()});
+    const value number = phrases_.evaluate_part("the value of parameter ", right, s->called.view());
+    if (!reading_.mistake && (number.kind != shape::scalar || !number.scalar.is_constant()))
+      reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});
+    symbols_.bind(*s, number.scalar);
+  }
+
+private:
+  reading& reading_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+};
+
+} // namespace kanexpr::deriving

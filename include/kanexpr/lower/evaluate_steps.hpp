@@ -1,0 +1,84 @@
+#pragma once
+
+#include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/unrolled_elimination.hpp>
+
+/// What the steps of a tape do to values, whatever these are: numbers of a program, or lines of code that is
+/// written. A type of values has arithmetic and a `scalar_math`. `Code` is a tape or the view of one.
+namespace kanexpr::lower {
+
+/// Room for what `evaluate_steps` needs beside the slots.
+template <class Code>
+constexpr int aside_of(const Code& code) {
+  int most = 0;
+  for (const linear_step& e : code.linear_steps) most = e.inputs() > most ? e.inputs() : most;
+  return most;
+}
+
+template <class Code, class T>
+void evaluate_linear_step(const Code& code, const linear_step& e, T* slots, T* aside) {
+  using math = elimination_math<T>;
+  T* const out = slots + code.first_step() + e.step;
+  T* const into = e.op == operation::singularity_measure ? aside : out;
+  const T* const factors = slots + e.factors;
+  for (int i = 0; i < e.inputs(); ++i) into[i] = slots[code.operands[e.operands + i]];
+  if (e.op == operation::factorization)
+    numeric::factorize<math>(e.order, out);
+  else if (e.op == operation::singularity_measure)
+    *out = numeric::singularity_measure_of<math>(e.order, factors, into);
+  else if (e.op == operation::solve)
+    numeric::solve_factorized<math>(e.order, factors, out);
+  else
+    numeric::solve_transposed_factorized<math>(e.order, factors, out);
+}
+
+template <class T>
+void evaluate_step(const instruction& step, const T* slots, T* out) {
+  const T& a = slots[step.a];
+  const T& b = slots[step.b];
+  if (step.paired) {
+    if (step.op == operation::sin) scalar_math<T>::sincos(a, out[0], out[1]);
+    return;
+  }
+  using symbolic::form;
+  switch (symbolic::form_of(step.op)) {
+  case form::negate: *out = apply<operation::negate>(a, b); return;
+  case form::add: *out = apply<operation::add>(a, b); return;
+  case form::subtract: *out = apply<operation::subtract>(a, b); return;
+  case form::multiply: *out = apply<operation::multiply>(a, b); return;
+  case form::divide: *out = apply<operation::divide>(a, b); return;
+  case form::power: *out = apply<operation::power>(a, b); return;
+  case form::atan2: *out = apply<operation::atan2>(a, b); return;
+  case form::function:
+    symbolic::with_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
+    return;
+  case form::constant:
+  case form::symbol: // are loaded before
+  case form::pair:
+  case form::factorization:
+  case form::solve:
+  case form::transposed_solve:
+  case form::component:
+  case form::singularity_measure: return; // belong to an elimination
+  }
+}
+
+template <class Code, class T>
+void evaluate_steps(const Code& code, int begin, int end, T* slots) {
+  T* out = slots + code.first_step() + begin;
+  for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], slots, out++);
+}
+
+/// Fills the slots of all steps, in their order; those of the numbers and of the arguments are filled.
+template <class Code, class T>
+void evaluate_steps(const Code& code, T* slots, T* aside) {
+  int next = 0;
+  for (const linear_step& e : code.linear_steps) {
+    evaluate_steps(code, next, e.step, slots);
+    evaluate_linear_step(code, e, slots, aside);
+    next = e.step + e.outputs();
+  }
+  evaluate_steps(code, next, code.steps.size(), slots);
+}
+
+} // namespace kanexpr::lower

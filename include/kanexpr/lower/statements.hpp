@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kanexpr/lower/evaluate_steps.hpp>
+
+namespace kanexpr::lower {
+
+/// One statement of straight-line code: a new value from values before it.
+struct statement {
+  enum class kind : unsigned char {
+    number,    ///< `numbers[a]`
+    argument,  ///< `arguments[a]`
+    operation, ///< `op` of the value a, or of the values a and b
+    choice,    ///< the value a where the value `by` is positive, else b
+  };
+  kind is = kind::number;
+  lower::operation op{};
+  int a = 0, b = 0, by = 0;
+};
+
+/// A tape as code in which every value is given once, by an operation that any language has: what a backend
+/// that writes code goes through. Linear systems are written out, each exchange of rows as two choices. The
+/// cosine of a pair stands behind its sine.
+struct statements {
+  sequence<symbolic::number> numbers{};
+  sequence<load> arguments{};
+  sequence<statement> lines{}; ///< line i gives the value i
+  sequence<int> results{};     ///< values
+};
+
+/// A value of code that is being written: evaluating a tape with it writes the code. One that belongs to none
+/// is a plain number.
+struct written_value {
+  statements* code = nullptr;
+  int place = 0;
+  double number = 0;
+};
+
+namespace detail {
+
+constexpr written_value write(statements& code, const statement& line) {
+  return {&code, code.lines.push(line)};
+}
+
+constexpr int place_in(statements& code, const written_value& v) {
+  if (v.code != nullptr) return v.place;
+  return code.lines.push({.a = code.numbers.push(symbolic::real(v.number))});
+}
+
+constexpr written_value write(operation op, const written_value& a, const written_value& b) {
+  statements& code = *(a.code != nullptr ? a.code : b.code);
+  const int first = place_in(code, a);
+  const int second = symbolic::is_binary(op) ? place_in(code, b) : 0;
+  return write(code, {statement::kind::operation, op, first, second});
+}
+constexpr written_value write(operation op, const written_value& a) { return write(op, a, a); }
+
+constexpr written_value choose(const written_value& by, const written_value& a, const written_value& b) {
+  statements& code = *by.code;
+  const int first = place_in(code, a), second = place_in(code, b);
+  if (first == second) return a;
+  return write(code, {statement::kind::choice, {}, first, second, by.place});
+}
+
+} // namespace detail
+
+constexpr written_value operator-(const written_value& a) { return detail::write(operation::negate, a); }
+constexpr written_value operator+(const written_value& a, const written_value& b) {
+  return detail::write(operation::add, a, b);
+}
+constexpr written_value operator-(const written_value& a, const written_value& b) {
+  return detail::write(operation::subtract, a, b);
+}
+constexpr written_value operator*(const written_value& a, const written_value& b) {
+  return detail::write(operation::multiply, a, b);
+}
+constexpr written_value operator/(const written_value& a, const written_value& b) {
+  return detail::write(operation::divide, a, b);
+}
+
+template <>
+struct scalar_math<written_value> {
+  static constexpr written_value from(double number) { return {nullptr, 0, number}; }
+  static constexpr void sincos(const written_value& angle, written_value& sine, written_value& cosine) {
+    sine = detail::write(operation::sin, angle);
+    cosine = detail::write(operation::cos, angle);
+  }
+  template <operation op>
+  static constexpr written_value by_name(const written_value& x) {
+    return detail::write(op, x);
+  }
+  static constexpr written_value power(const written_value& x, const written_value& y) {
+    return detail::write(operation::power, x, y);
+  }
+  static constexpr written_value atan2(const written_value& y, const written_value& x) {
+    return detail::write(operation::atan2, y, x);
+  }
+  static constexpr void exchange_if_positive(const written_value& d, written_value& a, written_value& b) {
+    const written_value upper = detail::choose(d, b, a), lower = detail::choose(d, a, b);
+    a = upper;
+    b = lower;
+  }
+};
+
+namespace detail {
+
+/// The lines that the results need; of a row that was exchanged not every entry is.
+constexpr statements without_unused(const statements& all) {
+  using kind = statement::kind;
+  sequence<char> is_used(all.lines.size(), 0);
+  for (int place : all.results) is_used[place] = 1;
+  for (int i = all.lines.size() - 1; i >= 0; --i) {
+    const statement& line = all.lines[i];
+    if (is_used[i] == 0 || line.is == kind::number || line.is == kind::argument) continue;
+    is_used[line.a] = 1;
+    if (line.is == kind::choice) is_used[line.b] = is_used[line.by] = 1;
+    if (line.is == kind::operation && symbolic::is_binary(line.op)) is_used[line.b] = 1;
+  }
+  statements kept{all.numbers, all.arguments, {}, {}};
+  sequence<int> place(all.lines.size(), 0);
+  for (int i = 0; i < all.lines.size(); ++i) {
+    if (is_used[i] == 0) continue;
+    statement line = all.lines[i];
+    if (line.is == kind::operation || line.is == kind::choice)
+      line.a = place[line.a], line.b = place[line.b], line.by = place[line.by];
+    place[i] = kept.lines.push(line);
+  }
+  for (int each : all.results) kept.results.push(place[each]);
+  return kept;
+}
+
+} // namespace detail
+
+/// The code of a tape, with the operations of every other evaluation in their order.
+inline statements statements_of(const tape& code) {
+  statements all{code.numbers, code.loads, {}, {}};
+  sequence<written_value> slots(code.slot_count()), aside(aside_of(code));
+  for (int i = 0; i < code.numbers.size(); ++i) slots[i] = detail::write(all, {.a = i});
+  for (int i = 0; i < code.loads.size(); ++i)
+    slots[code.numbers.size() + i] = detail::write(all, {.is = statement::kind::argument, .a = i});
+  evaluate_steps(code, slots.begin(), aside.begin());
+  for (int slot : code.results) all.results.push(slots[slot].place);
+  return detail::without_unused(all);
+}
+
+} // namespace kanexpr::lower

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/potential_rates.hpp>
+#include <kanexpr/mechanics/motion/motion.hpp>
+#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/known_rates.hpp>
+
+namespace kanexpr::mechanics {
+
+/// How a load acts that has a potential energy.
+enum class conservative : unsigned char {
+  by_forces,
+  by_energy, ///< its energy is in a Lagrangian, and only what is beside that is a force
+};
+
+/// Forces on the nodes of a skeleton and moments on its frames, and what is felt by single speeds alone:
+/// where loads leave what they do.
+class force_system {
+public:
+  constexpr explicit force_system(const skeleton& s)
+      : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), drop_(m_),
+        force_(s.stations.size(), components(*m_.g)), moment_(m_.frames.size(), components(*m_.g)),
+        share_(m_.ways(), expression{*m_.g, graph::zero}) {}
+
+  constexpr const skeleton& skeleton_used() const { return s_; }
+
+  /// With the rates of the kinematic equations, and without auxiliary speeds.
+  constexpr expression known(expression e) { return drop_.in(known_.in(e)); }
+  constexpr vector known(const vector& v) { return drop_.in(known_.in(v)); }
+
+  /// The motion at u̇ = 0.
+  constexpr motion& moving() {
+    if (!has_motion_) motion_ = motion(s_);
+    has_motion_ = true;
+    return motion_;
+  }
+
+  /// A force at a point.
+  constexpr void add_force(int point, const vector& value) {
+    const int n = s_.station_of_point[point];
+    force_[n] += express(m_, value, s_.working_axes[s_.stations[n].axes]);
+  }
+
+  /// A torque on a frame and its opposite on another. Between neighbours only the speeds of the turning of
+  /// one in the other feel it.
+  constexpr void add_torque(int frame, int against, const vector& value) {
+    const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
+    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
+    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
+    add_moment(f, value);
+    if (b != mechanism::inertial) add_moment(b, -value);
+  }
+
+  /// What has a potential energy.
+  constexpr void add_potential_energy(expression energy) { energies_.push(energy); }
+
+  /// After all loads: what the potential energies do.
+  constexpr void differentiate_energies() {
+    if (energies_.empty()) return;
+    const sequence<expression> rates = potential_rates(s_, energies_);
+    for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
+  }
+
+  /// By node, in the axes of its motion.
+  constexpr sequence<components>& forces() { return force_; }
+  /// By frame, in its working axes.
+  constexpr sequence<components>& moments() { return moment_; }
+  /// By speed: the generalized forces that are there already.
+  constexpr sequence<expression>& shares() { return share_; }
+
+private:
+  /// What a torque does where a frame turns in the one below it.
+  constexpr void add_turning(int f, const vector& value) {
+    for (const partial_velocity& w : s_.partial_angular_velocities[f])
+      share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
+  }
+
+  constexpr void add_moment(int f, const vector& value) {
+    if (f != mechanism::inertial) moment_[f] += express(m_, value, s_.working_axes[f]);
+  }
+
+  const skeleton& s_;
+  const mechanism& m_;
+  known_rates known_;
+  without_auxiliary_speeds drop_;
+  motion motion_{};
+  bool has_motion_ = false;
+  sequence<components> force_;
+  sequence<components> moment_;
+  sequence<expression> share_;
+  sequence<expression> energies_{};
+};
+
+} // namespace kanexpr::mechanics

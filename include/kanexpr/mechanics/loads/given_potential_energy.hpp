@@ -1,0 +1,35 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
+
+namespace kanexpr::mechanics {
+
+/// A potential energy that is given as such, of coordinates, parameters, time and inputs.
+struct given_potential_energy {
+  expression value{};
+
+  constexpr void act(force_system& on, conservative how) const {
+    if (how == conservative::by_forces) on.add_potential_energy(value);
+  }
+
+  constexpr expression potential_energy(const mechanism&) const { return value; }
+
+  /// `place`: among those of its kind.
+  constexpr void check(load_check& by, int place) const {
+    by.free_of_motion(value, "potential energy ", counted(place + 1).view());
+  }
+
+  template <class Visit>
+  constexpr void each_point(Visit&&) const {}
+  template <class Visit>
+  constexpr void each_vector(const mechanism&, Visit&&) const {}
+};
+
+/// Of what turns an angle back to `rest`.
+constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
+  const expression twist = angle - rest;
+  return {stiffness * (twist * twist) / 2};
+}
+
+} // namespace kanexpr::mechanics

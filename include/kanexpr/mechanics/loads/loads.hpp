@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/force.hpp>
+#include <kanexpr/mechanics/loads/given_potential_energy.hpp>
+#include <kanexpr/mechanics/loads/spring_damper.hpp>
+#include <kanexpr/mechanics/loads/torque.hpp>
+#include <kanexpr/mechanics/loads/torsional_damper.hpp>
+
+namespace kanexpr::mechanics {
+
+/// What acts on a mechanism, as it was given. A load is described where it is defined: how it acts on a
+/// `force_system`, its potential energy, what may not stand in it, and the points and vectors that it holds.
+struct loads {
+  sequence<force> forces{};
+  sequence<torque> torques{};
+  sequence<spring_damper> spring_dampers{};
+  sequence<torsional_damper> torsional_dampers{};
+  sequence<given_potential_energy> potential_energies{};
+  bool has_gravity = false;
+  vector gravity{}; ///< acceleration of free fall, on every body
+  bool has_lagrangian = false;
+  expression lagrangian{}; ///< in place of the energies of bodies
+
+  /// Calls `visit` with each load beside gravity, and its place among those of its kind.
+  template <class Visit>
+  constexpr void each(Visit&& visit) const {
+    const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
+    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies);
+  }
+
+private:
+  template <class Kind, class Visit>
+  static constexpr void visit_kind(const sequence<Kind>& all, Visit& visit) {
+    for (int i = 0; i < all.size(); ++i) visit(all[i], i);
+  }
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/motion/relative_motion.hpp>
+
+namespace kanexpr::mechanics {
+
+/// A straight massless spring and a damper beside it. They pull two points to each other with the force
+/// stiffness·(distance − length) + damping·(rate of the distance).
+struct spring_damper {
+  int point = none;
+  int other = none;
+  expression stiffness{}, length{}, damping{};
+
+  constexpr void act(force_system& on, conservative how) const {
+    const skeleton& s = on.skeleton_used();
+    const stretch line = stretch_in(s);
+    expression over_length = s.model->zero(); // the force over the distance
+    if (how == conservative::by_forces && !stiffness.is_zero()) over_length = pull_of_spring(line.d);
+    if (!damping.is_zero()) over_length += on.known(damping) * rate_of_stretch(on.moving(), line);
+    if (over_length.is_zero()) return;
+    vector force;
+    force.add(line.axes, over_length * line.d);
+    on.add_force(point, -force);
+    on.add_force(other, force);
+  }
+
+  /// ½ k (|d| − l)². What turns all of the line does not change it, so the line is taken in the axes that
+  /// come first of those that turn.
+  constexpr expression potential_energy(const mechanism& m) const {
+    const vector line = line_in(m);
+    int axes = mechanism::inertial, least = 0;
+    for (const vector::part& p : line.parts) {
+      const int depth = path::depth(m, p.frame);
+      if (depth > 0 && (least == 0 || depth < least)) axes = p.frame, least = depth;
+    }
+    const components d = express(m, line, axes);
+    if (length.is_zero()) return stiffness * dot(d, d) / 2;
+    const expression longer = sqrt(dot(d, d)) - length;
+    return stiffness * (longer * longer) / 2;
+  }
+
+  constexpr void check(load_check& by, int) const {
+    const mechanism& m = by.mechanism_used();
+    const std::string_view what = stiffness.is_zero() ? "damper" : "spring";
+    if (point == other) return by.fail({"a ", what, " lies between point ", by.point(point), " and itself"});
+    const sentence names = by.both_points(point, other);
+    const int origin = origin_of(m, point), other_origin = origin_of(m, other);
+    if (origin != other_origin)
+      return by.fail({"the ", what, " between ", names.view(), " hangs on two origins, ",
+                      by.both_points(origin, other_origin).view(), ", whose distance is not known"});
+    if (line_in(m).parts.empty())
+      return by.fail({"the ", what, " between ", names.view(), " has no length in any configuration"});
+    by.constant_in_motion(stiffness, "the stiffness of the spring between ", names.view());
+    by.constant_in_motion(length, "the natural length of the spring between ", names.view());
+    by.free_of_speed_rates(damping, "the damping between ", names.view());
+  }
+
+  template <class Visit>
+  constexpr void each_point(Visit&& visit) const {
+    visit(point);
+    visit(other);
+  }
+  template <class Visit>
+  constexpr void each_vector(const mechanism&, Visit&&) const {}
+
+private:
+  /// The line d in the axes in which the forces of one of its points are formed, the last of these.
+  struct stretch {
+    int axes = mechanism::inertial;
+    components d{};
+  };
+  constexpr stretch stretch_in(const skeleton& s) const {
+    const mechanism& m = *s.model;
+    stretch line;
+    int depth = 0;
+    for (int p : {point, other}) {
+      const int axes = s.working_axes[s.stations[s.station_of_point[p]].axes];
+      if (path::depth(m, axes) > depth) line.axes = axes, depth = path::depth(m, axes);
+    }
+    line.d = express(m, line_in(m), line.axes);
+    return line;
+  }
+
+  /// The vector from the second point to the first, without what both positions share.
+  constexpr vector line_in(const mechanism& m) const {
+    const vector whole = position_from_origin(m, point) - position_from_origin(m, other);
+    vector d;
+    for (const vector::part& p : whole.parts)
+      if (!p.value.is_zero()) d.parts.push(p);
+    return d;
+  }
+
+  /// The spring's force over its length, k (1 − l/|d|). Without natural length there is no root and no
+  /// division.
+  constexpr expression pull_of_spring(const components& d) const {
+    return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));
+  }
+
+  /// The rate of the length over the length, v·d / d·d with the relative velocity v of the points.
+  constexpr expression rate_of_stretch(motion& k, const stretch& line) const {
+    const skeleton& s = k.skeleton_used();
+    const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[other]);
+    return dot(line.d, express(*s.model, v, line.axes)) / dot(line.d, line.d);
+  }
+
+  static constexpr int origin_of(const mechanism& m, int p) {
+    while (m.points[p].parent != none) p = m.points[p].parent;
+    return p;
+  }
+};
+
+constexpr void add_spring(sequence<spring_damper>& to, int point, int other, expression stiffness,
+                          expression length) {
+  to.push({point, other, stiffness, length, {stiffness.owner(), graph::zero}});
+}
+
+/// Beside a spring that is there already.
+constexpr void add_damper(sequence<spring_damper>& to, int point, int other, expression damping) {
+  for (spring_damper& beside : to)
+    if (beside.damping.is_zero() && ((beside.point == point && beside.other == other) ||
+                                     (beside.point == other && beside.other == point))) {
+      beside.damping = damping;
+      return;
+    }
+  const expression nothing{damping.owner(), graph::zero};
+  to.push({point, other, nothing, nothing, damping});
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/vector.hpp>
+
+namespace kanexpr::mechanics {
+
+struct point {
+  name called{};
+  int parent = none;    ///< none: an origin, fixed in the inertial frame
+  vector offset{};      ///< from the parent
+  int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
+  int reference = none; ///< the frame that a declared velocity is measured in
+  vector velocity{};
+
+  constexpr bool moves_by_declaration() const { return reference != none; }
+};
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <kanexpr/lower/statements.hpp>
+#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/print/writer.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr {
+
+namespace runtime {
+
+/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments stand where they are used.
+class lister {
+public:
+  lister(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
+    while (is_taken()) separator_ += '_';
+    for (const lower::statement& line : code.lines) names_.push_back(name_of(line));
+  }
+
+  std::string text() const {
+    std::string all;
+    for (int i = 0; i < code_.lines.size(); ++i) {
+      using kind = lower::statement::kind;
+      const lower::statement& line = code_.lines[i];
+      if (line.is != kind::number && line.is != kind::argument) all += name(i) + " = " + value(line) + '\n';
+    }
+    return all;
+  }
+
+  const std::string& result(int place) const { return name(code_.results[place]); }
+
+private:
+  const std::string& name(int value) const { return names_[static_cast<std::size_t>(value)]; }
+
+  /// The name of a symbol as it is printed.
+  static std::string printed(const symbolic::symbol& s) {
+    using symbolic::symbol_kind;
+    const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
+    return std::string(s.called.view()) + (is_rate ? "'" : "");
+  }
+
+  /// Whether a symbol has a name that a value of the code might get.
+  bool is_taken() const {
+    for (const symbolic::symbol& s : graph_.symbols())
+      for (const char letter : {'s', 'c', 't'}) {
+        const std::string_view called = s.called.view();
+        const std::string begin = letter + separator_;
+        if (called.starts_with(begin) && called.size() > begin.size() &&
+            called.find_first_not_of("0123456789", begin.size()) == std::string_view::npos)
+          return true;
+      }
+    return false;
+  }
+
+  std::string name_of(const lower::statement& line) {
+    using kind = lower::statement::kind;
+    if (line.is == kind::number) return number(code_.numbers[line.a]);
+    if (line.is == kind::argument) return argument(code_.arguments[line.a]);
+    if (line.op != symbolic::operation::sin && line.op != symbolic::operation::cos)
+      return "t" + separator_ + std::to_string(++values_);
+    if (angles_.find(line.a) < 0) angles_.push(line.a);
+    return (line.op == symbolic::operation::sin ? "s" : "c") + separator_ +
+           std::to_string(angles_.find(line.a) + 1);
+  }
+
+  static std::string number(const symbolic::number& n) {
+    using symbolic::printing::decimal;
+    if (n.denominator <= 1) return decimal(n);
+    return decimal(symbolic::exactly(n.numerator)) + '/' + decimal(symbolic::exactly(n.denominator));
+  }
+
+  std::string argument(const lower::load& from) const {
+    for (const symbolic::symbol& s : graph_.symbols())
+      if (s.kind == from.from && s.position == from.position) return printed(s);
+    return "";
+  }
+
+  /// A sign and a quotient need parentheses beside an operator.
+  static std::string operand(const std::string& text) {
+    return text[0] == '-' || text.find('/') != std::string::npos ? '(' + text + ')' : text;
+  }
+
+  std::string value(const lower::statement& line) const {
+    using symbolic::form;
+    if (line.is == lower::statement::kind::choice)
+      return name(line.by) + " > 0 ? " + name(line.a) + " : " + name(line.b);
+    const std::string first = operand(name(line.a)), second = operand(name(line.b));
+    switch (symbolic::form_of(line.op)) {
+    case form::negate: return '-' + first;
+    case form::add: return first + " + " + second;
+    case form::subtract: return first + " - " + second;
+    case form::multiply: return first + " * " + second;
+    case form::divide: return first + " / " + second;
+    case form::power: return "pow(" + name(line.a) + ", " + name(line.b) + ')';
+    case form::atan2: return "atan2(" + name(line.a) + ", " + name(line.b) + ')';
+    case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
+    case form::constant:
+    case form::symbol: // have no line
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::singularity_measure: break; // are written out
+    }
+    return "";
+  }
+
+  const lower::statements& code_;
+  const symbolic::graph& graph_;
+  std::string separator_{};
+  std::vector<std::string> names_{};
+  symbolic::sequence<int> angles_{};
+  int values_ = 0;
+};
+
+} // namespace runtime
+
+/// The code of a result as text that a person can read, one operation a line in the order in which they are
+/// done, and then its entries by rows:
+///
+///     s1 = sin(q)
+///     t1 = g * s1
+///     udot(0) = t1
+///
+/// `a > 0 ? b : c` is b where a is positive; linear systems exchange their rows by such. The singularities
+/// that a compiled function watches besides are not in it.
+inline std::string listing(const symbolic::matrix& result, std::string_view called = "result") {
+  if (result.entries.empty()) return "";
+  const symbolic::graph& g = result.entries[0].owner();
+  const lower::statements code = lower::statements_of(lower::tape_of(g, symbolic::nodes_of(result.entries)));
+  const runtime::lister lines(code, g);
+  std::string text = lines.text();
+  for (int i = 0; i < result.entries.size(); ++i) {
+    text += called;
+    if (result.columns > 1)
+      text += '(' + std::to_string(i / result.columns) + ", " + std::to_string(i % result.columns) + ')';
+    else if (result.rows > 1)
+      text += '(' + std::to_string(i) + ')';
+    text += " = " + lines.result(i) + '\n';
+  }
+  return text;
+}
+
+/// Of a result by its name.
+inline std::string listing(model& of, mechanics::quantity wanted) {
+  return listing(of.get(wanted), mechanics::row_of(wanted).called);
+}
+
+} // namespace kanexpr

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/runtime/model.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kanexpr {
+
+namespace runtime {
+
+using compiled::symbols_of;
+
+/// What the sentences about values call a model, whose type says nothing of it.
+inline constexpr std::string_view name_of_models = {};
+
+/// A vector of a model that was derived while the program runs: an Eigen vector with access by name,
+/// `x["q1"]`. One that was not made of a model knows no names.
+class value_vector : public Eigen::VectorXd {
+public:
+  using Eigen::VectorXd::operator[];
+
+  value_vector() = default;
+  value_vector(std::shared_ptr<const deriving::survey> known, symbols_of which)
+      : known_(std::move(known)), which_(which) {
+    setConstant(range().size, which == symbols_of::state ? 0 : number_for(compiled::gap::never_set));
+  }
+  template <class Derived>
+  value_vector(const Eigen::EigenBase<Derived>& numbers) : Eigen::VectorXd(numbers) {}
+  value_vector(const value_vector&) = default;
+  value_vector(value_vector&&) = default;
+  ~value_vector() = default;
+
+  /// Takes the numbers, and names only where it had none.
+  value_vector& operator=(const value_vector& other) {
+    Eigen::VectorXd::operator=(other);
+    unknown_ = other.unknown_;
+    if (known_ == nullptr) known_ = other.known_, which_ = other.which_;
+    return *this;
+  }
+  template <class Derived>
+  value_vector& operator=(const Eigen::EigenBase<Derived>& numbers) {
+    Eigen::VectorXd::operator=(numbers);
+    return *this;
+  }
+
+  /// The value of a symbol. Where the model has none of that name it is not a number, what is assigned is
+  /// lost, and `mistake` says so.
+  double& operator[](std::string_view name) {
+    const int i = place(name);
+    return i >= 0 ? (*this)(i) : nothing_ = not_a_number;
+  }
+  double operator[](std::string_view name) const {
+    const int i = place(name);
+    return i >= 0 ? (*this)(i) : not_a_number;
+  }
+
+  bool holds(std::string_view name) const { return find(name) >= 0; }
+
+  /// The last name that was asked for and is not there, as a sentence; empty: there was none.
+  mechanics::sentence mistake() const {
+    if (unknown_.empty()) return {};
+    return mechanics::sentence({"the model has no ", range().symbol, " ", unknown_});
+  }
+
+  /// The symbols of the model; null: it was not made of one.
+  const std::shared_ptr<const deriving::survey>& known() const { return known_; }
+
+private:
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+  compiled::symbol_range range() const {
+    return known_ != nullptr ? compiled::range_of(which_, *known_)
+                             : compiled::symbol_range{0, 0, "value", "symbol"};
+  }
+
+  int find(std::string_view name) const {
+    const compiled::symbol_range among = range();
+    for (int i = 0; i < among.size && i < size(); ++i)
+      if (known_->names[among.first + i].view() == name) return i;
+    return -1;
+  }
+  int place(std::string_view name) const {
+    const int found = find(name);
+    if (found < 0) unknown_ = name;
+    return found;
+  }
+
+  std::shared_ptr<const deriving::survey> known_{};
+  symbols_of which_ = symbols_of::state;
+  mutable std::string unknown_{};
+  double nothing_ = not_a_number; ///< takes what is assigned to no symbol
+};
+
+/// Values for a vector of a model as they are given, by name or as a vector of numbers. They find their
+/// places when the model is known.
+template <symbols_of which, class Vector>
+class given_values {
+public:
+  given_values() = default;
+  given_values(std::initializer_list<named_value> list) : named_(list) {}
+  template <compiled::list_of_named_values List>
+  given_values(const List& list) {
+    for (const auto& entry : list)
+      if constexpr (requires { entry.first; })
+        named_.push_back({entry.first, static_cast<double>(entry.second)});
+      else
+        named_.push_back(entry);
+  }
+  template <class Derived>
+  given_values(const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
+
+  Vector values{};
+  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
+
+  /// Puts the values into their places among the symbols of a model.
+  void read(const std::shared_ptr<const deriving::survey>& known) {
+    const compiled::symbol_range range = compiled::range_of(which, *known);
+    static constexpr describe::system_record nothing_bound{};
+    values = Vector(value_vector(known, which));
+    compiled::values_reader reader(*known, nothing_bound, name_of_models, range, values.data());
+    if (numbers_) {
+      mistake =
+          compiled::check_size(range.vector, "the model", static_cast<int>(numbers_->size()), range.size);
+      if (mistake) return;
+      values = *numbers_;
+    } else {
+      values.setZero(); // what may be left out
+      for (const named_value& each : named_) reader.read(each.what, each.value);
+      reader.look_for_missing();
+    }
+    reader.look_for_infinite();
+    mistake = reader.mistake();
+  }
+
+private:
+  std::vector<named_value> named_{};
+  std::optional<Eigen::VectorXd> numbers_{};
+};
+
+} // namespace runtime
+
+/// The state [q; u] of a model: zero at first.
+template <>
+class state<model> : public runtime::value_vector {
+public:
+  state() = default;
+  explicit state(const model& of) : value_vector(of.known(), compiled::symbols_of::state) {}
+  explicit state(runtime::value_vector&& values) : value_vector(std::move(values)) {}
+  template <class Derived>
+  state(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
+  using value_vector::operator=;
+
+  auto q() { return head(known()->coordinates); }
+  auto q() const { return head(known()->coordinates); }
+  auto u() { return tail(known()->speeds); }
+  auto u() const { return tail(known()->speeds); }
+};
+
+/// The parameters of a model: not numbers until they are set.
+template <>
+class parameter_values<model> : public runtime::value_vector {
+public:
+  parameter_values() = default;
+  explicit parameter_values(const model& of) : value_vector(of.known(), compiled::symbols_of::parameters) {}
+  explicit parameter_values(runtime::value_vector&& values) : value_vector(std::move(values)) {}
+  template <class Derived>
+  parameter_values(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
+  using value_vector::operator=;
+};
+
+/// The inputs of a model, with "theta'" for the rate of a prescribed quantity: not numbers until they are
+/// set.
+template <>
+class input_values<model> : public runtime::value_vector {
+public:
+  input_values() = default;
+  explicit input_values(const model& of) : value_vector(of.known(), compiled::symbols_of::inputs) {}
+  explicit input_values(runtime::value_vector&& values) : value_vector(std::move(values)) {}
+  template <class Derived>
+  input_values(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
+  using value_vector::operator=;
+};
+
+template <>
+struct given_state<model> : runtime::given_values<compiled::symbols_of::state, state<model>> {
+  using given_values::given_values;
+};
+template <>
+struct given_parameters<model>
+    : runtime::given_values<compiled::symbols_of::parameters, parameter_values<model>> {
+  using given_values::given_values;
+};
+template <>
+struct given_inputs<model> : runtime::given_values<compiled::symbols_of::inputs, input_values<model>> {
+  using given_values::given_values;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,273 @@
+#pragma once
+
+#include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/runtime/values.hpp>
+#include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/misnamed.hpp>
+#include <kanexpr/simulate/model_trajectory.hpp>
+#include <kanexpr/simulate/simulation_options.hpp>
+#include <kanexpr/simulate/system.hpp>
+
+#include <algorithm>
+#include <complex>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::simulated {
+
+/// Why a model cannot be simulated, as a sentence; empty: it can.
+inline std::string check_model(model& m) {
+  if (m.mistake().empty()) m.rhs(); // which may be a mistake
+  if (!m.mistake().empty()) return m.mistake();
+  const mechanics::mechanism& of = m.mechanism();
+  const int symbols = of.coordinates.size() + of.speeds.size() + of.parameters.size() + of.inputs.size();
+  if (symbols <= deriving::survey::room) return {};
+  return "the model has " + std::to_string(symbols) + " symbols; a simulation has room for " +
+         std::to_string(deriving::survey::room);
+}
+
+/// Some results of a model, interpreted together as their compiled function evaluates them.
+template <class T>
+class interpreted_results {
+public:
+  interpreted_results(model& m, std::initializer_list<mechanics::quantity> wanted)
+      : function_(m.function<T>(entries(m, wanted, parts_))) {}
+
+  template <class... Arguments>
+  status evaluate(const Arguments&... arguments) {
+    found_ = function_(arguments...).data();
+    return function_.status();
+  }
+  /// Writes one of them by columns.
+  void tell(std::size_t which, T* out) const {
+    const part& p = parts_[which];
+    for (int j = 0; j < p.columns; ++j)
+      for (int i = 0; i < p.rows; ++i) *out++ = found_[p.first + i * p.columns + j];
+  }
+
+private:
+  struct part {
+    int first, rows, columns;
+  };
+
+  static symbolic::matrix entries(model& m, std::initializer_list<mechanics::quantity> wanted,
+                                  std::vector<part>& parts) {
+    symbolic::matrix all(m.graph(), 0, 1);
+    for (const mechanics::quantity each : wanted) {
+      const symbolic::matrix result = m.get(each);
+      parts.push_back({all.entries.size(), result.rows, result.columns});
+      for (const symbolic::expression& e : result.entries) all.entries.push(e);
+    }
+    all.rows = all.entries.size();
+    return all;
+  }
+
+  std::vector<part> parts_{};
+  runtime::interpreted<T> function_;
+  const T* found_ = nullptr;
+};
+
+/// A model that was derived while the program runs, with the parameters and options of a simulation. Only
+/// what the method asks for is derived.
+class interpreted_system final : public system {
+  using quantity = mechanics::quantity;
+  template <class T>
+  using vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+  template <class T>
+  using argument = Eigen::Map<const vector<T>>;
+
+public:
+  interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
+                     const input_source<model>& inputs, const simulation_options<model>& options,
+                     trajectory<model>& kept)
+      : system(of, nothing_bound(), runtime::name_of_models, maker_of_manifold(of)), p_(p), inputs_(inputs),
+        options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
+    if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
+    if (of.constraints != 0) {
+      velocities_.emplace(m, velocities_and_derivatives);
+      dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
+    }
+    if (by == integrator::bdf || by == integrator::implicit_runge_kutta)
+      jacobian_.emplace(m,
+                        std::initializer_list<quantity>{quantity::state_jacobian, quantity::input_jacobian});
+    if (by == integrator::differential_algebraic) {
+      if (of.constraints != 0)
+        multipliers_.emplace(m, std::initializer_list<quantity>{quantity::multipliers});
+      real_.emplace(m, of, p);
+      complex_.emplace(m, of, p);
+    }
+  }
+
+  status rates(double t, const double* x, const double* r, double* xdot) const override {
+    const status s = call(rhs_, t, x, r);
+    rhs_.tell(0, xdot);
+    return s;
+  }
+  status jacobian(double t, const double* x, const double* r, double* by_state,
+                  double* by_inputs) const override {
+    if (!jacobian_) return {};
+    const status s = call(*jacobian_, t, x, r);
+    jacobian_->tell(0, by_state), jacobian_->tell(1, by_inputs);
+    return s;
+  }
+  void configuration(double t, const double* x, const double* r, double* left,
+                     double* by_coordinates) const override {
+    tell(configuration_, t, x, r, left, by_coordinates);
+  }
+  void velocities(double t, const double* x, const double* r, double* left,
+                  double* by_speeds) const override {
+    tell(velocities_, t, x, r, left, by_speeds);
+  }
+  status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
+    if (!dependent_speeds_) return {};
+    const status s = call(*dependent_speeds_, t, x, r);
+    dependent_speeds_->tell(0, u);
+    return s;
+  }
+
+  void multipliers(double t, const double* x, const double* r, double* lambda) const override {
+    if (!multipliers_) return;
+    call(*multipliers_, t, x, r);
+    multipliers_->tell(0, lambda);
+  }
+  status implicit(double t, const double* y, const double* ydot, const double* r,
+                  double* left) const override {
+    return real_ ? real_->residual(known, t, y, ydot, r, left) : status();
+  }
+  status implicit(double t, const std::complex<double>* y, const std::complex<double>* ydot,
+                  const std::complex<double>* r, std::complex<double>* left) const override {
+    return complex_ ? complex_->residual(known, t, y, ydot, r, left) : status();
+  }
+
+  void give_inputs(double t, const double* x, double* r) const override {
+    std::copy_n(x, x_.size(), x_.data());
+    input_values<model> given = no_inputs_;
+    inputs_.give(t, x_, given);
+    check(given, compiled::symbols_of::inputs);
+    std::copy(given.begin(), given.end(), r);
+  }
+  double event(std::size_t which, double t, const double* x, const double* r) const override {
+    take(x, r);
+    const double value = options_.events[which].value(t, x_, p_, r_);
+    check(x_, compiled::symbols_of::state);
+    return value;
+  }
+  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
+    take(x, r);
+    state<model> at = x_;
+    moment<model> now{t, at, p_, r_};
+    const after_event what = options_.events[which].handler(now);
+    check(at, compiled::symbols_of::state);
+    std::copy(at.begin(), at.end(), x);
+    return what;
+  }
+  void show(double t, const double* x, const double* r) const override {
+    take(x, r);
+    options_.each_sample(sample<model>{t, x_, r_});
+  }
+  void keep(double t, const double* x, const double* r) override {
+    take(x, r);
+    kept_.add(sample<model>{t, x_, r_});
+  }
+  void keep(piece p) override { kept_.add(std::move(p)); }
+
+private:
+  static manifold_maker maker_of_manifold(const deriving::survey& of) {
+    const bool has_one = of.constraints + of.configuration_constraints + of.quaternions != 0;
+    return has_one ? manifold_of<system> : nullptr;
+  }
+  static const describe::system_record& nothing_bound() {
+    static constexpr describe::system_record none{};
+    return none;
+  }
+  static constexpr std::initializer_list<quantity> configuration_and_derivatives{
+      quantity::configuration_residual, quantity::configuration_jacobian_by_all};
+  static constexpr std::initializer_list<quantity> velocities_and_derivatives{quantity::velocity_residual,
+                                                                              quantity::constraint_jacobian};
+
+  /// F of the method with multipliers, of real numbers or of complex ones.
+  template <class T>
+  class multiplier_equations {
+  public:
+    multiplier_equations(model& m, const deriving::survey& of, const parameter_values<model>& p)
+        : p_(p.template cast<T>()), qdot_(m, {quantity::qdot}), forces_(m, {quantity::unreduced_forces}) {
+      if (of.constraints != 0) velocities_.emplace(m, velocities_and_derivatives);
+      if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
+    }
+
+    status residual(const deriving::survey& of, double time, const T* y, const T* ydot, const T* inputs_at,
+                    T* out) {
+      const int n = of.coordinates, o = of.speeds, m = of.constraints, l = of.configuration_constraints;
+      const T t = lower::scalar_math<T>::from(time);
+      const argument<T> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
+      const status s = qdot_.evaluate(t, x, p_, r);
+      qdot_.tell(0, out);
+      Eigen::Map<vector<T>> left(out, n + o + m + l);
+      left.head(n) = argument<T>(ydot, n) - left.head(n);
+      forces_.evaluate(t, x, p_, r, udot);
+      forces_.tell(0, out + n);
+      if (m != 0) {
+        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
+        velocities_->evaluate(t, x, p_, r);
+        velocities_->tell(0, out + n + o), velocities_->tell(1, by_speeds.data());
+        left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<T>(y + n + o, m));
+      }
+      if (l != 0) {
+        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
+        configuration_->evaluate(t, x, p_, r);
+        configuration_->tell(0, out + n + o + m), configuration_->tell(1, by_coordinates.data());
+        left.head(n) -= by_coordinates.transpose().lazyProduct(argument<T>(y + n + o + m, l));
+      }
+      return s;
+    }
+
+  private:
+    vector<T> p_;
+    interpreted_results<T> qdot_, forces_;
+    std::optional<interpreted_results<T>> velocities_{}, configuration_{};
+  };
+
+  status call(interpreted_results<double>& f, double t, const double* x, const double* r) const {
+    return f.evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
+  }
+  void tell(std::optional<interpreted_results<double>>& f, double t, const double* x, const double* r,
+            double* first, double* second) const {
+    if (!f) return;
+    call(*f, t, x, r);
+    f->tell(0, first), f->tell(1, second);
+  }
+
+  void take(const double* x, const double* r) const {
+    std::copy_n(x, x_.size(), x_.data());
+    std::copy_n(r, r_.size(), r_.data());
+  }
+  /// What a function of the user named in the vectors, and what it left of one.
+  void check(const runtime::value_vector& left, compiled::symbols_of which) const {
+    const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
+    for (const runtime::value_vector* each : all)
+      if (const mechanics::sentence found = each->mistake()) throw misnamed(found);
+    const compiled::symbol_range range = compiled::range_of(which, known);
+    if (const mechanics::sentence found =
+            compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))
+      throw misnamed(found);
+  }
+
+  const parameter_values<model> p_;
+  const input_source<model>& inputs_;
+  const simulation_options<model>& options_;
+  trajectory<model>& kept_;
+  // filled at each call
+  mutable state<model> x_;
+  mutable input_values<model> r_;
+  const input_values<model> no_inputs_;
+  mutable interpreted_results<double> rhs_;
+  mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, velocities_{},
+      dependent_speeds_{}, multipliers_{};
+  mutable std::optional<multiplier_equations<double>> real_{};
+  mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
+};
+
+} // namespace kanexpr::simulated

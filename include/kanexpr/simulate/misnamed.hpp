@@ -1,0 +1,20 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+
+#include <exception>
+
+namespace kanexpr::simulated {
+
+/// A function of the user named something that the model does not have. It ends the simulation, not the
+/// program.
+class misnamed : public std::exception {
+public:
+  explicit misnamed(const mechanics::sentence& why) : why_(why) {}
+  const char* what() const noexcept override { return why_.letters; }
+
+private:
+  mechanics::sentence why_;
+};
+
+} // namespace kanexpr::simulated

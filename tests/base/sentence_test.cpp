@@ -1,0 +1,41 @@
+#include <kanexpr/base/sentence.hpp>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace {
+
+using kanexpr::mechanics::sentence;
+
+TEST(sentence, is_nothing_or_says_something) {
+  EXPECT_FALSE(sentence());
+  const sentence told({"point ", "P", " is offset from itself"});
+  EXPECT_TRUE(told);
+  EXPECT_EQ(told.view(), "point P is offset from itself");
+  EXPECT_EQ(told.cause(), told.view());
+  std::ostringstream out;
+  out << told;
+  EXPECT_EQ(out.str(), told.view());
+}
+
+TEST(sentence, leaves_out_the_middle_of_long_names) {
+  const std::string one = "A" + std::string(200, 'x') + "1", other = "A" + std::string(200, 'x') + "2";
+  const sentence told({one, " is not ", other});
+  EXPECT_GT(told.length, sentence::capacity - 3);
+  EXPECT_EQ(told.view().substr(0, 5), "Axxxx");
+  EXPECT_NE(told.view().find("...x"), std::string_view::npos);
+  EXPECT_NE(told.view().find("x1 is not Ax"), std::string_view::npos);
+  EXPECT_TRUE(told.view().ends_with("x2")) << told;
+}
+
+TEST(sentence, says_that_there_is_more_than_it_has_room_for) {
+  const std::string_view n = "name, ";
+  const sentence full({n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n,
+                       n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n});
+  EXPECT_EQ(full.length, sentence::capacity);
+  EXPECT_TRUE(full.view().ends_with("name, ...")) << full;
+}
+
+} // namespace

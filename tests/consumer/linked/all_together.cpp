@@ -1,0 +1,7 @@
+// More results together than the library holds.
+#include <linked_models.hpp>
+
+int main() {
+  using eom = kanexpr::equations_of_motion<models::Turning>;
+  eom::together(eom::mass_matrix, eom::forcing, eom::udot);
+}

@@ -1,0 +1,7 @@
+// Results together that the library does not hold so.
+#include <linked_models.hpp>
+
+int main() {
+  using eom = kanexpr::equations_of_motion<models::Turning>;
+  eom::together(eom::udot, eom::forcing)(eom::state(), eom::parameters(), eom::inputs());
+}
