@@ -3,8 +3,8 @@
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
-#include <kanexpr/simulate/trim_values.hpp>
 #include <kanexpr/simulate/trim_sizes.hpp>
+#include <kanexpr/simulate/trim_values.hpp>
 
 #include <algorithm>
 #include <cmath>
