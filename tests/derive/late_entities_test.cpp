@@ -89,6 +89,7 @@ TEST(late_entities, change_no_result) {
       for (int s = 0; s <= static_cast<int>(first); ++s)
         kanexpr::deriving::go_on(*each, static_cast<stage>(s));
     constexpr request more = requested<camera::of_lens>::value;
+    kanexpr::deriving::visit({&more, 1}, extended.reader());
     kanexpr::deriving::form(more, extended.reader(), extended.equations());
     ASSERT_FALSE(extended.mistake()) << extended.mistake().view();
     ASSERT_GT(extended.mechanism().points.size(), plain.mechanism().points.size());

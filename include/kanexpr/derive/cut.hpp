@@ -104,6 +104,7 @@ template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
   derived_system system(from, aside);
+  visit(all, system.reader());
   cut_code code = cut(system, called, of_system, all);
   code.follows_from_unparsed = system.reader().follows_from_unparsed();
   return code;

@@ -69,11 +69,14 @@ constexpr mechanics::stage stage_for(const request& r) {
   return mechanics::stage::constrained;
 }
 
-/// Reads the entities that a request mentions.
-constexpr void visit(const request& wanted, reader& r) {
-  if (wanted.what == request::kind::foreign)
-    r.refuse("what a function is asked for is not an expression of a model");
-  for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
+/// Reads the entities that requests mention, for what is formed of them.
+constexpr void visit(std::span<const request> all, reader& r) {
+  for (const request& wanted : all) {
+    if (wanted.what == request::kind::foreign)
+      r.refuse("what a function is asked for is not an expression of a model");
+    for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
+  }
+  r.take_up();
 }
 
 namespace detail {
@@ -113,10 +116,9 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, cons
 
 } // namespace detail
 
-/// The result with the symbols q̇ and u̇, where it has them.
+/// The result with the symbols q̇ and u̇, where it has them, of a request that was visited.
 constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mechanics::equations& e) {
   const mechanism& m = *e.skeleton_used().model;
-  visit(wanted, r);
   if (r.mistake()) return {};
   switch (wanted.what) {
   case request::kind::foreign: break;

@@ -14,12 +14,10 @@ public:
   constexpr entity_reader(reading& all, phrase_reader& phrases)
       : reading_(all), m_(all.into.mechanism), phrases_(phrases) {}
 
-  /// Reads the entities that a phrase mentions. A system that is derived takes up those that it does not use
-  /// itself.
+  /// Reads the entities that a phrase mentions.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
     phrases_.check_written({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
-    const known_entities before{frames_.size(), m_.frames.size(), points_.size()};
     if (reading_.from.inertial != nullptr)
       reading_.known = nullptr; // only a system of words has words for more
     for (int i = 0; i < size && !reading_.mistake; ++i) {
@@ -27,13 +25,19 @@ public:
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
     }
     reading_.known = known;
+  }
+
+  /// Lets a system that is derived take up what phrases mentioned and it does not use itself; with a mistake,
+  /// forgets that, for the system is sound without it.
+  constexpr void take_up() {
     if (reading_.known == nullptr) return;
-    const bool lacks_any = reading_.known->lacks_any();
-    if (!reading_.mistake && lacks_any) reading_.mistake = mechanics::check_system(reading_.into);
-    if (reading_.mistake)
-      forget_all_but(before); // the system is sound without them
-    else if (lacks_any)
-      reading_.known->extend();
+    const mechanics::skeleton& s = reading_.known->skeleton_used();
+    const int frames = s.rigid_with.size(), points = s.station_of_point.size();
+    if (!reading_.mistake && reading_.known->lacks_any()) {
+      reading_.mistake = mechanics::check_late_entities(reading_.into, frames, points);
+      if (!reading_.mistake) reading_.known->extend();
+    }
+    if (reading_.mistake) forget_after(frames, points);
   }
 
   /// What is known of entities, where there is no mistake and nothing is being read.
@@ -101,17 +105,11 @@ public:
   }
 
 private:
-  struct known_entities {
-    int frames;
-    int frames_with_steps; ///< of turns about several axes
-    int points;
-  };
-
-  constexpr void forget_all_but(const known_entities& known) {
-    for (; frames_.size() > known.frames; frames_.pop()) places_of_frames_.pop();
-    while (m_.frames.size() > known.frames_with_steps) m_.frames.pop();
-    for (; m_.points.size() > known.points; m_.points.pop())
-      if (points_.size() > known.points) points_.pop();
+  constexpr void forget_after(int frames, int points) {
+    for (; !frames_.empty() && places_of_frames_.back() >= frames; frames_.pop()) places_of_frames_.pop();
+    while (m_.frames.size() > frames) m_.frames.pop();
+    while (points_.size() > points) points_.pop();
+    while (m_.points.size() > points) m_.points.pop();
     open_frames_.clear();
     open_points_.clear();
   }

@@ -55,9 +55,9 @@ public:
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
-  /// Reads the entities that a phrase mentions. A system that is derived takes up those that it does not use
-  /// itself.
+  /// Reads the entities that a phrase mentions, for `take_up` to make known to a system that is derived.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
+  constexpr void take_up() { entities_.take_up(); }
   /// What a phrase of `whom` stands for.
   constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {

@@ -39,6 +39,19 @@ public:
     return found_;
   }
 
+  /// Of frames and points that came after the first ones.
+  constexpr sentence run_on_late(int frames, int points) {
+    bool is_any_declared = false;
+    for (int f = frames; f < m_.frames.size() && !found_; ++f) {
+      check_frame(f);
+      is_any_declared = is_any_declared || m_.frames[f].turns_by_declaration();
+    }
+    for (int p = points; p < m_.points.size(); ++p) look_at(m_.points[p]);
+    if (!found_ && is_any_declared && m_.derived_by == method::kane)
+      found_ = checking_angular_velocity(m_, held_).run();
+    return found_;
+  }
+
 private:
   using kind = symbolic::symbol_kind;
 
@@ -164,6 +177,11 @@ private:
 
 /// The first mistake of a system, or nothing; constraints are looked at when velocities are known.
 constexpr sentence check_system(const multibody_system& of) { return detail::checking(of).run(); }
+
+/// The same of frames and points which a system was given after the first ones, when it was derived already.
+constexpr sentence check_late_entities(const multibody_system& of, int frames, int points) {
+  return detail::checking(of).run_on_late(frames, points);
+}
 
 /// A mistake that shows only in the mass matrix.
 constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,

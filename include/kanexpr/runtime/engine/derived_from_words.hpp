@@ -14,7 +14,7 @@ public:
   derived_from_words(const describe::system_record& from, std::span<const deriving::request> also)
       : system_(from) {
     deriving::go_on(system_, deriving::stage::constrained);
-    for (const deriving::request& each : also) deriving::visit(each, system_.reader());
+    deriving::visit(also, system_.reader());
   }
 
   const mechanics::sentence& mistake() const override { return system_.mistake(); }

@@ -41,6 +41,7 @@ inline symbolic::matrix result_of(derived& system, const deriving::request& want
   for (const deriving::stage next : {deriving::stage::equations, deriving::stage::linearized})
     if (deriving::stage_for(wanted) >= next && !system.equations()->mistake())
       deriving::go_on(*system.equations(), next);
+  deriving::visit({&wanted, 1}, system.reader());
   return deriving::form(wanted, system.reader(), *system.equations());
 }
 
@@ -70,6 +71,7 @@ KANEXPR_ENGINE symbolic::matrix model::get(const deriving::request& wanted) {
 
 KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::request> measured) {
   return runtime::asked_of(*system_, [&] {
+    deriving::visit(measured, system_->reader());
     symbolic::matrix all(graph(), 0, 1);
     for (const deriving::request& each : measured)
       for (const symbolic::expression& e :
@@ -83,6 +85,7 @@ KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::req
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
   return runtime::asked_of(*system_, [&] {
     system_->reader().visit(words.tokens, words.size);
+    system_->reader().take_up();
     return system_->reader().evaluate(words, "an expression").vector;
   });
 }
