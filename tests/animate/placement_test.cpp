@@ -1,4 +1,4 @@
-#include <kanexpr/animate/placement.hpp>
+#include <kanexpr/animate/placed.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <kanexpr/animate/scene.hpp>
-#include <kanexpr/compiled/out_of_line.hpp>
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
+#include <utility>
 
 #ifndef KANEXPR_COMPILED_PAGES
 #include <kanexpr/animate/camera.hpp>
@@ -22,35 +23,41 @@ class compiled_scene final : public scene {
 
 public:
   explicit compiled_scene(const Trajectory& trajectory)
-      : scene(compiled::survey_of<System>, records_of<Picture>::list, numbers_in::count,
+      : scene(compiled::survey_of<System>, records_of<Picture>::list, code(), numbers_in::count,
               numbers_in::first_rate, numbers_in::rate_count),
         trajectory_(trajectory) {}
 
   std::size_t samples() const override {
     return static_cast<std::size_t>(std::distance(trajectory_.begin(), trajectory_.end()));
   }
-  status take(std::size_t sample, double& t, double* x, double* all) const override {
-    const auto& s = *std::next(trajectory_.begin(), static_cast<std::ptrdiff_t>(sample));
+  void parameters(double* p) const override { copy(trajectory_.parameters(), p); }
+  void sample(std::size_t which, double& t, double* x, double* r) const override {
+    const auto& s = *std::next(trajectory_.begin(), static_cast<std::ptrdiff_t>(which));
     t = s.t;
-    std::copy_n(s.x.data(), s.x.size(), x);
-    return evaluate(s, all);
+    copy(s.x, x), copy(s.r, r);
   }
-  bool take_between(double t, double* all) const override {
+  bool between(double t, double* x, double* r) const override {
     if constexpr (numbers_in::rate_count != 0 && requires { *trajectory_.at(t); })
-      if (const auto between = trajectory_.at(t)) {
-        evaluate(*between, all);
+      if (const auto found = trajectory_.at(t)) {
+        copy(found->x, x), copy(found->r, r);
         return true;
       }
-    static_cast<void>(t), static_cast<void>(all);
+    static_cast<void>(t), static_cast<void>(x), static_cast<void>(r);
     return false;
   }
 
 private:
-  template <class Sample>
-  status evaluate(const Sample& s, double* all) const {
-    const auto found = out_of_line<function<System, numbers_in{}>>{}(s.t, s.x, trajectory_.parameters(), s.r);
-    std::copy_n(found.data(), found.size(), all);
-    return compiled::status_of(found);
+  template <class Values>
+  static void copy(const Values& from, double* to) {
+    std::copy_n(from.data(), from.size(), to);
+  }
+
+  /// The numbers are interpreted: a page shows a few hundred samples.
+  static const compiled::code_table& code() {
+    using sample = std::remove_cvref_t<decltype(*std::declval<const Trajectory&>().begin())>;
+    using parameters = std::remove_cvref_t<decltype(std::declval<const Trajectory&>().parameters())>;
+    return compiled::table_for<System, double, decltype(sample::x), parameters, decltype(sample::r),
+                               numbers_in{}>();
   }
 
   const Trajectory& trajectory_;

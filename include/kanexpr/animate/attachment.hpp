@@ -6,19 +6,12 @@
 /// The ways in which a shape hangs on a model. `moving` are the numbers that place it at each time.
 namespace kanexpr::animate {
 
-inline Eigen::Vector3d triple(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
-
 /// At a point.
 template <class Point>
 struct at {
   static constexpr phrases<1> moving{place<Point>};
   static constexpr placing placed_by = placing::place;
   static constexpr const describe::point_record* points[]{&describe::point_of<Point>};
-  static placement placed(const double* numbers) {
-    placement here;
-    here.position = triple(numbers);
-    return here;
-  }
 };
 
 /// At a point, turning with a frame.
@@ -26,13 +19,6 @@ template <class Frame, class Point>
 struct attached : at<Point> {
   static constexpr phrases<3> moving{place<Point>, x_of<Frame>, y_of<Frame>};
   static constexpr placing placed_by = placing::pose;
-  static placement placed(const double* numbers) {
-    placement here = at<Point>::placed(numbers);
-    here.orientation.col(0) = triple(numbers + 3);
-    here.orientation.col(1) = triple(numbers + 6);
-    here.orientation.col(2) = here.orientation.col(0).cross(here.orientation.col(1));
-    return here;
-  }
 };
 
 /// At a point, turning with a frame, with an axis that lies along a vector of the model.
@@ -41,11 +27,6 @@ struct attached_along : at<Point> {
   static constexpr placing placed_by = placing::pose;
   static constexpr phrase axis = describe::phrase_of<vector>;
   static constexpr phrases<4> moving{place<Point>, axis, x_of<Frame>, y_of<Frame>};
-  static placement placed(const double* numbers) {
-    placement here = at<Point>::placed(numbers);
-    here.orientation = about_axis(triple(numbers + 3), triple(numbers + 6), triple(numbers + 9));
-    return here;
-  }
 };
 
 /// Between two points, whose distance may change.
@@ -54,12 +35,6 @@ struct between {
   static constexpr phrases<2> moving{place<From>, place<To>};
   static constexpr placing placed_by = placing::ends;
   static constexpr const describe::point_record* points[]{&describe::point_of<From>, &describe::point_of<To>};
-  static placement placed(const double* numbers) {
-    placement here;
-    here.position = triple(numbers);
-    here.end = triple(numbers + 3);
-    return here;
-  }
 };
 
 } // namespace kanexpr::animate

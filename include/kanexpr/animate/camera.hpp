@@ -2,6 +2,7 @@
 
 #include <kanexpr/animate/filming.hpp>
 #include <kanexpr/animate/scene.hpp>
+#include <kanexpr/runtime/table_interpreter.hpp>
 
 namespace kanexpr::animate {
 
@@ -9,7 +10,12 @@ namespace kanexpr::animate {
 class camera {
 public:
   explicit camera(const scene& shown)
-      : scene_(shown), x_(static_cast<std::size_t>(shown.known.coordinates + shown.known.speeds)) {}
+      : scene_(shown), numbers_(shown.table, shown.known),
+        x_(static_cast<std::size_t>(shown.known.coordinates + shown.known.speeds)),
+        p_(static_cast<std::size_t>(shown.known.parameters)),
+        r_(static_cast<std::size_t>(shown.known.inputs)) {
+    scene_.parameters(p_.data());
+  }
 
   animation film() {
     name_columns();
@@ -36,7 +42,8 @@ private:
 
   void take(std::size_t sample) {
     double t = 0;
-    const status s = scene_.take(sample, t, x_.data(), column(film_.numbers, sample));
+    scene_.sample(sample, t, x_.data(), r_.data());
+    const status s = evaluate(t, column(film_.numbers, sample));
     if (!s) made_.failure = std::string(s.cause()) + at_time(t);
     for (const double entry : x_)
       if (!std::isfinite(entry))
@@ -46,6 +53,15 @@ private:
       made_.failure = "the samples are not in the order of time" + at_time(t);
     made_.times.push_back(t);
     for (std::size_t i = 0; i < made_.columns.size(); ++i) made_.columns[i].values.push_back(x_[i]);
+  }
+
+  status evaluate(double t, double* all) {
+    return numbers_.evaluate(t, x_.data(), p_.data(), r_.data(), all);
+  }
+  bool take_between(double t, double* all) {
+    if (!scene_.between(t, x_.data(), r_.data())) return false;
+    evaluate(t, all);
+    return true;
   }
 
   static double* column(Eigen::MatrixXd& m, std::size_t k) {
@@ -60,7 +76,7 @@ private:
     std::vector<double> halfway(static_cast<std::size_t>(scene_.numbers));
     for (std::size_t k = 0; k + 1 < count; ++k) {
       const double before = made_.times[k], after = made_.times[k + 1];
-      const bool is_between = before < after && scene_.take_between((before + after) / 2, halfway.data());
+      const bool is_between = before < after && take_between((before + after) / 2, halfway.data());
       const double *here = column(film_.numbers, k) + scene_.first_rate, *there = here + scene_.numbers;
       const double* between = halfway.data() + scene_.first_rate;
       const double* was = column(film_.integrals, k);
@@ -73,7 +89,8 @@ private:
   }
 
   const scene& scene_;
-  std::vector<double> x_;
+  runtime::table_interpreter<double> numbers_;
+  std::vector<double> x_, p_, r_;
   animation made_{};
   footage film_{};
 };

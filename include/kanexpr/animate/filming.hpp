@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
-#include <kanexpr/animate/word_record.hpp>
+#include <kanexpr/animate/placed.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -28,7 +28,7 @@ inline animation::shape shape_of(const word_record& r, const footage& f) {
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.still; ++i) s.sizes.push_back(f.numbers(r.first_still + i, 0));
   for (Eigen::Index k = 0; k < f.numbers.cols(); ++k) {
-    placement here = r.placed(f.numbers.col(k).data() + r.first_moving);
+    placement here = placed(r, f.numbers.col(k).data() + r.first_moving);
     if (r.rates == 1)
       here.orientation *= Eigen::AngleAxisd(f.integrals(r.first_rate, k), Eigen::Vector3d::UnitZ()).matrix();
     s.placements.push_back(here);

@@ -3,7 +3,7 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/animate/word_record.hpp>
-#include <kanexpr/base/status.hpp>
+#include <kanexpr/compiled/code_table.hpp>
 
 #include <span>
 
@@ -16,17 +16,20 @@ public:
 
   const deriving::survey& known;
   std::span<const word_record> words;
-  int numbers, first_rate, rates; ///< all numbers of the picture, and which of them are integrated
+  const compiled::code_table& table; ///< gives all numbers of the picture
+  int numbers, first_rate, rates;    ///< how many they are, and which of them are integrated
 
   virtual std::size_t samples() const = 0;
-  /// The time and the state of a sample, and the numbers there.
-  virtual status take(std::size_t sample, double& t, double* x, double* all) const = 0;
-  /// The numbers at another time; false where the motion does not tell.
-  virtual bool take_between(double t, double* all) const = 0;
+  virtual void parameters(double* p) const = 0;
+  /// The time, the state and the inputs of a sample.
+  virtual void sample(std::size_t which, double& t, double* x, double* r) const = 0;
+  /// The state and the inputs at another time; false where the motion does not tell.
+  virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:
-  scene(const deriving::survey& of, std::span<const word_record> shown, int all, int first, int integrated)
-      : known(of), words(shown), numbers(all), first_rate(first), rates(integrated) {}
+  scene(const deriving::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
+        int all, int first, int integrated)
+      : known(of), words(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
 };
 
 KANEXPR_PAGES animation film(const scene& shown);

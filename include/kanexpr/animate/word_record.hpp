@@ -11,8 +11,8 @@ struct word_record {
   std::string_view shape{}; ///< "sphere"; empty: it shows none
   look looks{};
   placing placed_by = placing::place;
-  placement (*placed)(const double* moving) = nullptr;
-  int first_moving = 0; ///< where its numbers begin among all of them
+  bool has_axis = false; ///< of its own, before those of a frame
+  int first_moving = 0;  ///< where its numbers begin among all of them
   int first_still = 0;
   int still = 0;
   int first_rate = 0; ///< among the rates
@@ -31,7 +31,7 @@ constexpr word_record record_of_word() {
     r.shape = kind_of<Word>();
     r.looks = Word::look;
     r.placed_by = attachment::placed_by;
-    r.placed = &attachment::placed;
+    r.has_axis = requires { attachment::axis; };
   }
   return r;
 }

@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <initializer_list>
 #include <iterator>
@@ -72,7 +73,7 @@ private:
 
   template <class List>
   void read(const List& list) {
-    values.setZero(); // what may be left out
+    std::fill_n(values.data(), range.size, 0.0); // what may be left out
     values_reader reader = reads();
     for (const auto& entry : list)
       if constexpr (requires { entry.first; })

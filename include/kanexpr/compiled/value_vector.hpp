@@ -25,7 +25,7 @@ public:
   /// A state is zero; parameters and inputs are not numbers until they are set.
   value_vector() {
     deriving::tell_in_code<surveyed<System>>();
-    this->setConstant(which == symbols_of::state ? from(0) : from(number_for(gap::never_set)));
+    fill(from(which == symbols_of::state ? 0 : number_for(gap::never_set)));
   }
 
   value_vector(std::initializer_list<entry<System, which, Scalar>> named) { read(named); }
@@ -58,7 +58,7 @@ public:
     if constexpr (fitting<System, which, static_cast<int>(given)>::possible)
       std::copy_n(column, given, this->data());
   }
-  explicit value_vector(const Scalar* entries) : base(entries) {}
+  explicit value_vector(const Scalar* entries) { std::copy_n(entries, range.size, this->data()); }
 
   template <describe::expression_of_a_model Symbol>
   Scalar& operator[](const Symbol&) {
@@ -79,6 +79,10 @@ private:
   static_assert(sizeof(holding<System, Scalar>) != 0);
 
   static Scalar from(double value) { return lower::scalar_math<Scalar>::from(value); }
+
+  /// In plain loops, as everywhere here: Eigen's functions of vectors are new to the compiler for each
+  /// system.
+  void fill(const Scalar& value) { std::fill_n(this->data(), range.size, value); }
 
   template <class Derived>
   static constexpr bool fits() {
@@ -109,7 +113,7 @@ private:
       (*this)(given.place) = again ? from(number_for(gap::set_twice)) : given.value;
       again = true;
     }
-    if (unknown != nullptr) this->setConstant(from(number_for_unknown(unknown->name)));
+    if (unknown != nullptr) fill(from(number_for_unknown(unknown->name)));
   }
 };
 

@@ -9,16 +9,20 @@ namespace kanexpr::deriving {
 
 using mechanics::stage;
 
-/// Forms what belongs to a stage, of a system that has come through the one before it.
-constexpr void go_on(derived_system& system, stage to) {
+/// Forms what belongs to a stage, of equations that have come through the one before it.
+constexpr void go_on(mechanics::equations& e, stage to) {
   switch (to) {
-  case stage::constrained:
-    system.check_model();
-    system.derive();
-    break;
-  case stage::equations: system.equations().get(mechanics::quantity::udot); break;
-  case stage::linearized: system.equations().linearized().explicit_form(); break;
+  case stage::constrained: e.constrain(); break;
+  case stage::equations: e.get(mechanics::quantity::udot); break;
+  case stage::linearized: e.linearized().explicit_form(); break;
   }
+}
+
+/// The same of a system, whose first stage begins with what was read.
+constexpr void go_on(derived_system& system, stage to) {
+  if (to != stage::constrained) return go_on(system.equations(), to);
+  system.check_model();
+  system.derive();
 }
 
 /// Where a stage ended: at a mistake, or set aside. It has room for any model, so a program must not hold it.

@@ -4,18 +4,19 @@
 #include <kanexpr/lower/unrolled_elimination.hpp>
 
 /// What the steps of a tape do to values, whatever these are: numbers of a program, or lines of code that is
-/// written. A type of values has arithmetic and a `scalar_math`.
+/// written. A type of values has arithmetic and a `scalar_math`. `Code` is a tape or the view of one.
 namespace kanexpr::lower {
 
 /// Room for what `evaluate_steps` needs beside the slots.
-constexpr int aside_of(const tape& code) {
+template <class Code>
+constexpr int aside_of(const Code& code) {
   int most = 0;
   for (const linear_step& e : code.linear_steps) most = e.inputs() > most ? e.inputs() : most;
   return most;
 }
 
-template <class T>
-void evaluate_linear_step(const tape& code, const linear_step& e, T* slots, T* aside) {
+template <class Code, class T>
+void evaluate_linear_step(const Code& code, const linear_step& e, T* slots, T* aside) {
   using math = elimination_math<T>;
   T* const out = slots + code.first_step() + e.step;
   T* const into = e.op == operation::singularity_measure ? aside : out;
@@ -62,15 +63,15 @@ void evaluate_step(const instruction& step, const T* slots, T* out) {
   }
 }
 
-template <class T>
-void evaluate_steps(const tape& code, int begin, int end, T* slots) {
+template <class Code, class T>
+void evaluate_steps(const Code& code, int begin, int end, T* slots) {
   T* out = slots + code.first_step() + begin;
   for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], slots, out++);
 }
 
 /// Fills the slots of all steps, in their order; those of the numbers and of the arguments are filled.
-template <class T>
-void evaluate_steps(const tape& code, T* slots, T* aside) {
+template <class Code, class T>
+void evaluate_steps(const Code& code, T* slots, T* aside) {
   int next = 0;
   for (const linear_step& e : code.linear_steps) {
     evaluate_steps(code, next, e.step, slots);

@@ -28,12 +28,8 @@ class compiled_system final : public system {
 public:
   compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
                   trajectory<System>& kept)
-      : system(of, System::record, type_name<System>()), p_(p), options_(options), kept_(kept) {}
-
-  std::unique_ptr<manifold> own_manifold() const override {
-    if constexpr (m + l + of.quaternions != 0) return manifold_of<system>(*this);
-    return nullptr;
-  }
+      : system(of, System::record, type_name<System>(), maker_of_manifold()), p_(p), options_(options),
+        kept_(kept) {}
 
   status rates(double t, const double* x, const double* r, double* xdot) const override {
     return told(call<quantity::rhs>(t, x, r), xdot);
@@ -43,7 +39,7 @@ public:
     if constexpr (has_newton) {
       const auto [state_columns, input_columns] =
           out_of_line<finite_function<System, quantity::state_jacobian, quantity::input_jacobian>>{}(
-              t, vector<double, n + o>(x), p_, vector<double, of.inputs>(r));
+              t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
       std::copy_n(input_columns.data(), input_columns.size(), by_inputs);
       return told(state_columns, by_state);
     }
@@ -80,7 +76,7 @@ public:
   void give_inputs(double t, const double* x, double* r) const override {
     inputs given;
     options_.inputs.give(t, state(x), given);
-    std::copy(given.begin(), given.end(), r);
+    std::copy_n(given.data(), given.size(), r);
   }
   double event(std::size_t which, double t, const double* x, const double* r) const override {
     return options_.events[which].value(t, state(x), p_, inputs(r));
@@ -90,7 +86,7 @@ public:
     const inputs given(r);
     moment<System> now{t, at, p_, given};
     const after_event what = options_.events[which].handler(now);
-    std::copy(at.begin(), at.end(), x);
+    std::copy_n(at.data(), at.size(), x);
     return what;
   }
   void show(double t, const double* x, const double* r) const override {
@@ -102,10 +98,21 @@ public:
   void keep(piece p) override { kept_.add(std::move(p)); }
 
 private:
+  static constexpr manifold_maker maker_of_manifold() {
+    if constexpr (m + l + of.quaternions != 0) return manifold_of<system>;
+    return nullptr;
+  }
+
+  template <int size, class T = double>
+  static vector<T, size> vector_of(const T* entries) {
+    vector<T, size> v;
+    std::copy_n(entries, size, v.data());
+    return v;
+  }
+
   template <quantity... wanted>
   auto call(double t, const double* x, const double* r) const {
-    return out_of_line<function<System, wanted...>>{}(t, vector<double, n + o>(x), p_,
-                                                      vector<double, of.inputs>(r));
+    return out_of_line<function<System, wanted...>>{}(t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
   }
   template <class Found>
   static status told(const Found& found, double* out) {
@@ -122,10 +129,10 @@ private:
   status residual(double t, const T* y, const T* ydot, const T* inputs_at, T* out) const {
     status s;
     if constexpr (is_implicit) {
-      const vector<T, n + o> x(y);
-      const vector<T, o> udot(ydot + n);
+      const auto x = vector_of<n + o>(y);
+      const auto udot = vector_of<o>(ydot + n);
       const vector<T, of.parameters> p = p_.template cast<T>();
-      const vector<T, of.inputs> r(inputs_at);
+      const auto r = vector_of<of.inputs>(inputs_at);
       Eigen::Map<vector<T, n + o + m + l>> left(out);
       const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
       s = compiled::status_of(qdot);

@@ -4,35 +4,69 @@
 /// quotes where they need them (RFC 4180). Numbers are the shortest that give the same bits again; nan and
 /// inf are numbers. No locale matters.
 
-#include <kanexpr/simulate/csv_reader.hpp>
-#include <kanexpr/simulate/csv_writer.hpp>
+#include <kanexpr/simulate/compiled_simulations.hpp>
+#include <kanexpr/simulate/file_path.hpp>
+#include <kanexpr/simulate/table.hpp>
 
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <initializer_list>
+#include <iosfwd>
 
 namespace kanexpr {
 
-namespace simulated {
+/// Writes a table row by row, for runs that are too large to keep:
+///
+///     csv_writer out(file, {"t", "q1", "u1"});
+///     while (…) out.row({t, x[q1], x[u1]});
+///     if (!out.finish()) std::cerr << out.cause();
+///
+/// After a failure, as of a full disk, nothing more is written.
+class csv_writer {
+public:
+  /// `called` is the stream's name in sentences.
+  csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream");
+  csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
+      : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
 
-/// "run.csv cannot be opened: No such file or directory".
-inline outcome not_opened(const std::filesystem::path& path) {
-  return outcome(path.string() + " cannot be opened: " + std::generic_category().message(errno));
-}
+  /// Whether the row could be written.
+  bool row(std::span<const double> numbers);
+  bool row(std::initializer_list<double> numbers) { return row(std::span(numbers.begin(), numbers.size())); }
 
-} // namespace simulated
+  /// Hands over what the stream still holds, and says whether all has been written.
+  bool finish();
 
-inline outcome write_csv(const table& all, const std::filesystem::path& path) {
-  std::ofstream out(path, std::ios::binary);
-  if (!out) return simulated::not_opened(path);
-  return write_csv(all, out, path.string());
-}
+  explicit operator bool() const { return static_cast<bool>(done_); }
+  const std::string& cause() const { return done_.cause(); }
 
-inline csv_table read_csv(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return csv_table(simulated::not_opened(path));
-  return read_csv(in, path.string());
-}
+private:
+  bool write();
+  void fail(const std::string& where);
+
+  std::ostream* out_; // so that writers can be assigned
+  std::string called_;
+  std::size_t columns_;
+  std::size_t rows_ = 0;
+  std::string line_{};
+  outcome done_{};
+};
+
+/// Writes a whole table; `called` is the stream's name in sentences.
+KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out,
+                                      const std::string& called = "the stream");
+KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path);
+
+/// A table that was read; if it could not be, an empty one with the cause.
+struct csv_table : table, outcome {
+  csv_table() = default;
+  explicit csv_table(outcome failed) : outcome(std::move(failed)) {}
+};
+
+/// Reads a table as `write_csv` writes it, or as other programs do. `called` is the name of the text in
+/// sentences.
+KANEXPR_SIMULATIONS csv_table read_csv(std::istream& in, const std::string& called = {});
+KANEXPR_SIMULATIONS csv_table read_csv(const file_path& path);
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_SIMULATIONS
+#include <kanexpr/simulate/engine/csv.hpp>
+#endif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/simulate/input_sensitivity.hpp>
+#include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 
 namespace kanexpr::simulated {
@@ -10,7 +11,7 @@ template <bool with_jacobian>
 class explicit_motion final : public solvers::explicit_problem {
 public:
   explicit explicit_motion(surroundings& around)
-      : around_(around), manifold_(around.system().own_manifold()) {}
+      : around_(around), manifold_(own_manifold(around.system())) {}
 
   long rate_evaluations() const { return rate_evaluations_; }
   long projections() const { return projections_; }

@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/named_values.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -66,7 +67,7 @@ public:
       r = constants_->values;
       return;
     }
-    r.setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(r.data(), r.size(), std::numeric_limits<double>::quiet_NaN());
     give_(t, x, r);
   }
 

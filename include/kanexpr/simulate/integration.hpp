@@ -22,13 +22,14 @@ public:
       : options_(options), span_(span), around_(of, span, options), moving_(around_),
         sampling_(options, span, around_) {}
 
-  ending run(const Eigen::VectorXd& x) {
+  ending run(const double* x) {
     result_.time = span_.from;
-    result_.state = x;
+    state_ = Eigen::Map<const state>(x, around_.system().states());
     if (begin()) {
       go();
       end();
     }
+    result_.state.assign(state_.data(), state_.data() + state_.size());
     return std::move(result_);
   }
 
@@ -46,10 +47,10 @@ private:
   /// Ends the simulation where it stands.
   bool fail_here(const std::string& why) {
     const std::string because = around_.last_refusal();
-    if (has_begun_) sampling_.end(result_.time, result_.state);
+    if (has_begun_) sampling_.end(result_.time, state_);
     std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
     for (int i = 0; i < around_.system().states(); ++i)
-      where += (i == 0 ? "" : ", ") + around_.name_of_state(i) + " = " + digits(result_.state(i));
+      where += (i == 0 ? "" : ", ") + around_.name_of_state(i) + " = " + digits(state_(i));
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
@@ -57,9 +58,9 @@ private:
     solvers::stepper_options o = stepper_options();
     if (std::string mistake = check_options(options_, span_); !mistake.empty())
       return fail(std::move(mistake));
-    state first = result_.state;
+    state first = state_;
     if (!assemble_at(span_.from, first)) return false;
-    result_.state = first;
+    state_ = first;
     const state_sizes found(around_, span_.from, first, around_.length());
     around_.set_sizes(found.sizes());
     if (std::string mistake =
@@ -68,10 +69,10 @@ private:
       return fail(std::move(mistake));
     const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
-    if (moving_.start(result_.state, o) != answer::given) return fail_here("");
+    if (moving_.start(state_, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
     has_begun_ = true;
-    return sampling_.begin(span_.from, result_.state) || fail_here("");
+    return sampling_.begin(span_.from, state_) || fail_here("");
   }
 
   static tolerances tolerances_of(const solvers::stepper_options& o) {
@@ -93,7 +94,7 @@ private:
   /// Lets the dependent coordinates and speeds follow.
   bool assemble_at(double t, state& x) {
     if (around_.take(t, x) != answer::given) return fail_here("");
-    const auto constraints = around_.system().own_manifold();
+    const auto constraints = own_manifold(around_.system());
     if (!constraints) return true;
     const assembly built = constraints->assemble(t, x, around_.r());
     if (!built) return fail_here(std::string(built.cause()));
@@ -102,7 +103,7 @@ private:
 
   void go() {
     std::vector<int> passed;
-    bool goes_on = departures_.begin(result_.time, result_.state, around_.length(), passed) ||
+    bool goes_on = departures_.begin(result_.time, state_, around_.length(), passed) ||
                    fail_here("an event could not be evaluated");
     if (goes_on && is_any(passed)) goes_on = pass_event(passed);
     while (goes_on && elapsed_ < around_.length()) goes_on = step();
@@ -117,7 +118,7 @@ private:
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
     double elapsed = stepper().time(), t = around_.time(elapsed);
-    state x = Eigen::Map<const state>(stepper().state(), result_.state.size());
+    state x = Eigen::Map<const state>(stepper().state(), state_.size());
     if (!is_finite(x)) return fail_here(too_large(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
@@ -127,9 +128,9 @@ private:
       find_departure(left, elapsed, x);
       t = around_.time(elapsed);
     }
-    elapsed_ = elapsed, result_.time = t, result_.state = x;
+    elapsed_ = elapsed, result_.time = t, state_ = x;
     if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);
-    if (!sampling_.go_on(stepper(), elapsed, result_.state)) return fail_here("");
+    if (!sampling_.go_on(stepper(), elapsed, state_)) return fail_here("");
     if (is_any(left)) return pass_event(left) && restart();
     if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
     return !options_.progress ||
@@ -143,7 +144,7 @@ private:
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * elapsed;
     double before = elapsed_;
     state middle = x;
-    if (departures_.is_beyond(result_.time, result_.state, left)) elapsed = before;
+    if (departures_.is_beyond(result_.time, state_, left)) elapsed = before;
     while (elapsed - before > rounding) {
       const double half = before + (elapsed - before) / 2;
       if (!sampling_.state_at(stepper(), half, middle)) break;
@@ -153,7 +154,7 @@ private:
         before = half;
     }
     around_.forget();
-    if (elapsed - elapsed_ <= 2 * rounding) elapsed = elapsed_, x = result_.state;
+    if (elapsed - elapsed_ <= 2 * rounding) elapsed = elapsed_, x = state_;
   }
 
   std::string too_large(const state& x) const {
@@ -164,7 +165,7 @@ private:
 
   /// Of a function that stays at zero, integrators find any time at which it is there.
   bool is_passing(const std::vector<int>& passed) {
-    const int resting = departures_.resting(result_.time, result_.state, passed);
+    const int resting = departures_.resting(result_.time, state_, passed);
     return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +
                                     " stays at zero; it must pass it");
   }
@@ -178,7 +179,7 @@ private:
     const double t = result_.time;
     if (is_endless(passed)) return fail_here(ever_faster);
     const auto& events = options_.events;
-    state x = result_.state;
+    state x = state_;
     if (around_.take(t, x) != answer::given) return fail_here("");
     bool stops = false, handled = false;
     for (std::size_t i = 0; i < events.size(); ++i) {
@@ -192,11 +193,11 @@ private:
       if (a != answer::given) return fail_here("");
     }
     if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
-    const bool changed = x != result_.state;
+    const bool changed = x != state_;
     if (changed && !is_finite(x)) return fail_here("the handler of an event left a state that is not finite");
     if (changed && !assemble_at(t, x)) return false;
-    departures_.note(t, result_.state, x, passed);
-    result_.state = x;
+    departures_.note(t, state_, x, passed);
+    state_ = x;
     if (changed && sampling_.takes_each_step() && !sampling_.record(t, x)) return fail_here("");
     result_.stopped_by_event = stops;
     return !stops && restart();
@@ -205,7 +206,7 @@ private:
   /// Goes on anew from where the simulation stands.
   bool restart() {
     begun_ = elapsed_;
-    return moving_.restart(elapsed_, result_.state) || fail_here(stepper().failed().sentence);
+    return moving_.restart(elapsed_, state_) || fail_here(stepper().failed().sentence);
   }
 
   /// Whether a function of a late time may stay at zero for longer than integrators let it.
@@ -223,7 +224,7 @@ private:
       r.last = t;
       if (r.times > 20) return true;
     }
-    return is_soon && departures_.contradict(result_.time, result_.state, passed);
+    return is_soon && departures_.contradict(result_.time, state_, passed);
   }
 
   void end() {
@@ -240,6 +241,7 @@ private:
   surroundings around_;
   moving_system<by> moving_;
   ending result_{};
+  state state_{}; ///< where the simulation stands
   sampling sampling_;
   departures departures_{around_};
   double elapsed_ = 0; ///< where the simulation stands, since the start
@@ -254,7 +256,7 @@ private:
 };
 
 template <integrator by>
-ending run(system& moved, const Eigen::VectorXd& from, const time_span& span, const settings& options) {
+ending run(system& moved, const double* from, const time_span& span, const settings& options) {
   return integration<by>(moved, span, options).run(from);
 }
 

@@ -83,8 +83,8 @@ public:
   interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
                      const input_source<model>& inputs, const simulation_options<model>& options,
                      trajectory<model>& kept)
-      : system(of, nothing_bound(), runtime::name_of_models), p_(p), inputs_(inputs), options_(options),
-        kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
+      : system(of, nothing_bound(), runtime::name_of_models, maker_of_manifold(of)), p_(p), inputs_(inputs),
+        options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
     if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
     if (of.constraints != 0) {
       velocities_.emplace(m, velocities_and_derivatives);
@@ -99,11 +99,6 @@ public:
       real_.emplace(m, of, p);
       complex_.emplace(m, of, p);
     }
-  }
-
-  std::unique_ptr<manifold> own_manifold() const override {
-    if (known.constraints + known.configuration_constraints + known.quaternions == 0) return nullptr;
-    return manifold_of<system>(*this);
   }
 
   status rates(double t, const double* x, const double* r, double* xdot) const override {
@@ -180,6 +175,10 @@ public:
   void keep(piece p) override { kept_.add(std::move(p)); }
 
 private:
+  static manifold_maker maker_of_manifold(const deriving::survey& of) {
+    const bool has_one = of.constraints + of.configuration_constraints + of.quaternions != 0;
+    return has_one ? manifold_of<system> : nullptr;
+  }
   static const describe::system_record& nothing_bound() {
     static constexpr describe::system_record none{};
     return none;

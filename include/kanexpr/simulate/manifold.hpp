@@ -3,6 +3,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/simulate/system.hpp>
 
 #include <Eigen/Core>
 
@@ -30,8 +31,9 @@ public:
   virtual void project_error(double* error) const = 0;
 };
 
-/// Of a system with constraints or quaternions.
-template <class System>
-std::unique_ptr<manifold> manifold_of(const System& of);
+/// Of a system; null: it has no constraints, and no quaternions.
+inline std::unique_ptr<manifold> own_manifold(const system& of) {
+  return of.make_manifold == nullptr ? nullptr : of.make_manifold(of);
+}
 
 } // namespace kanexpr::simulated

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/simulate/input_sensitivity.hpp>
+#include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 
 #include <complex>
@@ -21,7 +22,7 @@ public:
   using vector = Eigen::VectorXd;
 
   explicit multiplier_motion(Surroundings& around)
-      : around_(around), sensitivity_(around), manifold_(around.system().own_manifold()),
+      : around_(around), sensitivity_(around), manifold_(own_manifold(around.system())),
         states_(around.system().states()),
         entries_(states_ + around.known().constraints + around.known().configuration_constraints) {}
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim.hpp>
-#include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ private:
 
   void find(const operating_point_options<System>& o) {
     trim::finding found =
-        trim::find({known, System::record, type_name<System>(), evaluate},
+        trim::find({known, System::record, type_name<System>(), constraints(), rates(), library()},
                    {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
     const double* values = found.values.data();
     std::copy_n(values, states, x.data());
@@ -104,9 +104,37 @@ private:
     residuals_ = std::move(found.residuals);
   }
 
+  static constexpr bool is_constrained = known.constraints + known.configuration_constraints != 0;
+
   using number = std::complex<double>;
   template <int size>
   using vector = Eigen::Matrix<number, size, 1>;
+
+  /// Interpreted, since a search evaluates it a few hundred times, and in complex numbers, whose code is
+  /// long.
+  static const compiled::code_table* constraints() {
+    if constexpr (is_constrained && !compiled::is_linked<System>)
+      return &table_for<mechanics::quantity::constraint_residual>();
+    else
+      return nullptr;
+  }
+  static const compiled::code_table* rates() {
+    if constexpr (compiled::is_linked<System>)
+      return nullptr;
+    else
+      return &table_for<mechanics::quantity::rhs>();
+  }
+  template <mechanics::quantity wanted>
+  static const compiled::code_table& table_for() {
+    return compiled::table_for<System, number, vector<states>, vector<known.parameters>, vector<known.inputs>,
+                               wanted>();
+  }
+  static constexpr trim::subject::library library() {
+    if constexpr (compiled::is_linked<System>)
+      return evaluate;
+    else
+      return nullptr;
+  }
 
   static std::string_view evaluate(double t, const number* at, number* result) {
     using mechanics::quantity;
@@ -114,15 +142,14 @@ private:
     const vector<known.parameters> p_at(at + states);
     const vector<known.inputs> r_at(at + states + known.parameters);
     const auto put = [&result](const auto& part) { result = std::copy_n(part.data(), part.size(), result); };
-    put(compiled::unit_quaternions<System>::residual(x_at));
-    if constexpr (known.constraints + known.configuration_constraints == 0) {
-      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
-      put(rates);
-      return rates.status.cause();
-    } else {
+    if constexpr (is_constrained) {
       const auto [left, rates] =
           out_of_line<function<System, quantity::constraint_residual, quantity::rhs>>{}(t, x_at, p_at, r_at);
       put(left), put(rates);
+      return rates.status.cause();
+    } else {
+      const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
+      put(rates);
       return rates.status.cause();
     }
   }

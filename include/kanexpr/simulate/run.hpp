@@ -8,6 +8,6 @@ namespace kanexpr::simulated {
 
 /// Moves a system from a state over a time span.
 template <integrator by>
-ending run(system& moved, const Eigen::VectorXd& from, const time_span& span, const settings& options);
+ending run(system& moved, const double* from, const time_span& span, const settings& options);
 
 } // namespace kanexpr::simulated

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -71,15 +72,17 @@ protected:
   template <class Rates>
   std::optional<sample> between(double t, const Rates& rates) const {
     if (empty() || !(t >= front().t && t <= back().t)) return std::nullopt;
-    const auto after = std::ranges::upper_bound(samples_, t, {}, &sample::t);
+    const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
+                                        [](double time, const sample& s) { return time < s.t; });
     const sample& a = *std::prev(after);
     if (numeric::equal(a.t, t) || after == samples_.end()) return a;
     const sample& b = *after;
     const double part = (t - a.t) / (b.t - a.t);
     sample found{t, a.x, a.r};
-    found.r += part * (b.r - a.r);
+    for (Eigen::Index i = 0; i < found.r.size(); ++i) found.r(i) += part * (b.r(i) - a.r(i));
     if (!pieces_.evaluate(t, found.x.data(), static_cast<std::size_t>(found.x.size())))
-      found.x = cubic(part, b.t - a.t, a.x, rates(a), b.x, rates(b));
+      cubic(part, b.t - a.t, std::span(a.x.data(), static_cast<std::size_t>(a.x.size())), rates(a).data(),
+            b.x.data(), rates(b).data(), found.x.data());
     return found;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
@@ -22,7 +23,7 @@ public:
 
   sampling(const settings& options, const time_span& span, surroundings& around)
       : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
-        manifold_(around.system().own_manifold()) {}
+        manifold_(own_manifold(around.system())) {}
 
   /// What corrections are measured by.
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }

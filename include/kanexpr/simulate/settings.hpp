@@ -4,8 +4,6 @@
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/simulate/time_span.hpp>
 
-#include <Eigen/Core>
-
 #include <functional>
 #include <optional>
 #include <string>
@@ -53,7 +51,7 @@ struct settings {
 /// How a simulation went, beside the samples that were kept.
 struct ending {
   double time = 0;
-  Eigen::VectorXd state{};
+  std::vector<double> state{};
   std::vector<occurrence> events{};
   integration_statistics statistics{};
   bool stopped_by_event = false;

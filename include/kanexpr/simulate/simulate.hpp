@@ -42,9 +42,9 @@ settings settings_of(const simulation_options<System>& o) {
 /// Runs from the state of the result, and tells there how it went.
 template <integrator by, class System>
 void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
-  ending end = run<by>(moved, result.state, span, options);
+  ending end = run<by>(moved, result.state.data(), span, options);
   result.time = end.time;
-  result.state = end.state;
+  std::copy_n(end.state.data(), end.state.size(), result.state.data());
   result.events = std::move(end.events);
   result.statistics = end.statistics;
   result.stopped_by_event = end.stopped_by_event;

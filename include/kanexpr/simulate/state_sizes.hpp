@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/numeric/angle.hpp>
+#include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/trial_steps.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
@@ -27,7 +28,7 @@ public:
 
 private:
   state_sizes(surroundings& around, double t, const state& x, const trial_steps& ahead)
-      : manifold_(around.system().own_manifold()), coordinates(around.known().coordinates),
+      : manifold_(own_manifold(around.system())), coordinates(around.known().coordinates),
         speeds(around.known().speeds), sizes_(ahead.sizes()), time_(ahead.time()),
         least_share_(ahead.has_own_time() ? 0.1 : 1e-4) {
     fill_coordinates(around, t, x);

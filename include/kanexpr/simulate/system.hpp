@@ -4,7 +4,6 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
-#include <kanexpr/simulate/manifold.hpp>
 
 #include <complex>
 #include <cstddef>
@@ -17,23 +16,30 @@ enum class after_event { go_on, stop };
 
 namespace simulated {
 
+class manifold;
+class system;
+
+using manifold_maker = std::unique_ptr<manifold> (*)(const system&);
+/// The manifold of a system with constraints or quaternions.
+template <class System>
+std::unique_ptr<manifold> manifold_of(const System& of);
+
 /// A system as a simulation sees it: its survey, functions over plain arrays in the order of its vectors, and
 /// behind them its parameters and what its user wants. Whatever works through this face alone knows no model,
 /// and is compiled without one.
 class system {
 public:
-  system(const deriving::survey& of, const describe::system_record& record, std::string_view called)
-      : known(of), told(record), name(called) {}
+  system(const deriving::survey& of, const describe::system_record& record, std::string_view called,
+         manifold_maker maker)
+      : known(of), told(record), name(called), make_manifold(maker) {}
   virtual ~system() = default;
 
   const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
+  manifold_maker make_manifold; ///< null: there are no constraints, and no quaternions
 
   int states() const { return known.coordinates + known.speeds; }
-
-  /// Where the constraints hold; null: there are none, and no quaternions.
-  virtual std::unique_ptr<manifold> own_manifold() const = 0;
 
   /// ẋ.
   virtual status rates(double t, const double* x, const double* r, double* xdot) const = 0;

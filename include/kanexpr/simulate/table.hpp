@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/outcome.hpp>
+#include <kanexpr/simulate/compiled_simulations.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -29,24 +29,9 @@ public:
     outcome found_{};
   };
 
-  outcome add(std::string name, std::vector<double> values) {
-    if (name.empty()) return outcome("a column has no name");
-    if (name.find('\0') != std::string::npos) return outcome("the name of a column holds a zero byte");
-    if (place_of(name) < columns()) return outcome("there is a column " + name + " already");
-    if (columns() != 0 && values.size() != rows())
-      return outcome("column " + name + " has " + std::to_string(values.size()) +
-                     (values.size() == 1 ? " number" : " numbers") + ", the columns before it " +
-                     std::to_string(rows()));
-    names_.push_back(std::move(name));
-    values_.push_back(std::move(values));
-    return {};
-  }
+  outcome add(std::string name, std::vector<double> values);
 
-  column operator[](std::string_view name) const& {
-    const std::size_t place = place_of(name);
-    if (place < columns()) return column(values_[place]);
-    return column(outcome("the table has no column " + std::string(name) + "; it has " + enumerated_names()));
-  }
+  column operator[](std::string_view name) const&;
   column operator[](std::string_view name) const&& = delete; // which the column would outlive
 
   std::size_t rows() const { return values_.empty() ? 0 : values_.front().size(); }
@@ -56,19 +41,15 @@ public:
   const std::vector<double>& values(std::size_t place) const { return values_[place]; }
 
 private:
-  std::size_t place_of(std::string_view name) const {
-    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
-  }
-
-  std::string enumerated_names() const {
-    if (names_.empty()) return "none";
-    std::string all = names_.front();
-    for (std::size_t i = 1; i < columns(); ++i) all += (i + 1 < columns() ? ", " : " and ") + names_[i];
-    return all;
-  }
+  std::size_t place_of(std::string_view name) const;
+  std::string enumerated_names() const;
 
   std::vector<std::string> names_{};
   std::vector<std::vector<double>> values_{}; ///< by column
 };
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_SIMULATIONS
+#include <kanexpr/simulate/engine/table.hpp>
+#endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/simulate/compiled_simulations.hpp>
 
@@ -21,17 +22,16 @@ struct wishes {
   int most_iterations = 0;
 };
 
-/// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r], and what could not be
-/// solved there, as a sentence.
-using values_of_equations = std::string_view (*)(double t, const std::complex<double>* at,
-                                                 std::complex<double>* all);
-
-/// A system as the search sees it.
+/// A system as the search sees it, with [constraints; ẋ] at the time t and [x; p; r]: as tables, or in a
+/// library that has it compiled. This says what could not be solved there, as a sentence.
 struct subject {
+  using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
+
   const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
-  values_of_equations evaluate;
+  const compiled::code_table *constraints, *rates; ///< null: there are none, or a library has them
+  library compiled;
 };
 
 /// An equation with its name, "the rate of speed u2", and what it leaves.

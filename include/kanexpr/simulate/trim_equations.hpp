@@ -3,6 +3,7 @@
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
+#include <kanexpr/simulate/trim_values.hpp>
 #include <kanexpr/simulate/trim_sizes.hpp>
 
 #include <algorithm>
@@ -18,9 +19,8 @@ using complex_vector = Eigen::VectorXcd;
 /// steps.
 class trim_equations final : public solvers::nonlinear_equations {
 public:
-  trim_equations(const conditions& asked, values_of_equations evaluate, double t,
-                 const Eigen::VectorXd& guess)
-      : asked_(asked), evaluate_(evaluate), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
+  trim_equations(const conditions& asked, const subject& system, double t, const Eigen::VectorXd& guess)
+      : asked_(asked), evaluate_(system), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
 
   int equations() const override { return static_cast<int>(asked_.equations().size()); }
   int stiff_unknowns() const override {

@@ -123,7 +123,7 @@ KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, con
     found.failure = of.mistake().view();
     return found;
   }
-  trim_equations equations(of, system.evaluate, asked.t, guess);
+  trim_equations equations(of, system, asked.t, guess);
   found = search(of, equations, asked.tolerance, asked.most_iterations).find();
   Eigen::Index row = 0;
   for (const condition& c : of.equations()) found.residuals.push_back({of.name_of(c), found.left(row++)});

@@ -33,11 +33,14 @@ auto asked_of(derived& system, const Form& form) {
   return system.refused || system.mistake() ? result() : found;
 }
 
-/// A result that belongs to what the system has.
+/// A result that belongs to what the system has, formed by way of the stages that the compiler takes.
 inline symbolic::matrix result_of(derived& system, const deriving::request& wanted) {
   if (wanted.what == deriving::request::kind::result)
     system.refused = system.equations()->check_bodies(wanted.wanted);
   if (system.refused) return {};
+  for (const deriving::stage next : {deriving::stage::equations, deriving::stage::linearized})
+    if (deriving::stage_for(wanted) >= next && !system.equations()->mistake())
+      deriving::go_on(*system.equations(), next);
   return deriving::form(wanted, system.reader(), *system.equations());
 }
 

@@ -5,13 +5,13 @@ namespace kanexpr::simulated {
 
 template std::unique_ptr<manifold> manifold_of(const system&);
 
-template ending run<integrator::adams>(system&, const Eigen::VectorXd&, const time_span&, const settings&);
-template ending run<integrator::bdf>(system&, const Eigen::VectorXd&, const time_span&, const settings&);
-template ending run<integrator::explicit_runge_kutta>(system&, const Eigen::VectorXd&, const time_span&,
+template ending run<integrator::adams>(system&, const double*, const time_span&, const settings&);
+template ending run<integrator::bdf>(system&, const double*, const time_span&, const settings&);
+template ending run<integrator::explicit_runge_kutta>(system&, const double*, const time_span&,
                                                       const settings&);
-template ending run<integrator::implicit_runge_kutta>(system&, const Eigen::VectorXd&, const time_span&,
+template ending run<integrator::implicit_runge_kutta>(system&, const double*, const time_span&,
                                                       const settings&);
-template ending run<integrator::differential_algebraic>(system&, const Eigen::VectorXd&, const time_span&,
+template ending run<integrator::differential_algebraic>(system&, const double*, const time_span&,
                                                         const settings&);
 
 } // namespace kanexpr::simulated

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <kanexpr/simulate/csv_number.hpp>
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/engine/csv_number.hpp>
 
+#include <algorithm>
 #include <istream>
 
 namespace kanexpr {
-
-/// A table that was read; if it could not be, an empty one with the cause.
-struct csv_table : table, outcome {
-  csv_table() = default;
-  explicit csv_table(outcome failed) : outcome(std::move(failed)) {}
-};
 
 namespace simulated {
 
@@ -118,10 +113,10 @@ public:
   table_reader(std::istream& in, const std::string& called) : in_(in), called_(called), records_(in) {}
 
   csv_table read() {
-    if (!header()) return csv_table(failure_);
+    if (!header()) return csv_table(wrong_);
     while (records_.next())
-      if (!row()) return csv_table(failure_);
-    if (!well_formed()) return csv_table(failure_);
+      if (!row()) return csv_table(wrong_);
+    if (!well_formed()) return csv_table(wrong_);
     csv_table all;
     for (std::size_t j = 0; j < columns_.size(); ++j)
       if (outcome added = all.add(header_.names()[j], std::move(columns_[j])); !added)
@@ -175,7 +170,7 @@ private:
     return "line " + std::to_string(records_.line()) + (called_.empty() ? "" : " of " + called_);
   }
   bool refuse(std::string why) {
-    failure_ = outcome(std::move(why));
+    wrong_ = outcome(std::move(why));
     return false;
   }
 
@@ -184,14 +179,12 @@ private:
   csv_records records_;
   table header_{}; ///< the names, without rows
   std::vector<std::vector<double>> columns_{};
-  outcome failure_{};
+  outcome wrong_{};
 };
 
 } // namespace simulated
 
-/// Reads a table as `write_csv` writes it, or as other programs do. `called` is the name of the text in
-/// sentences.
-inline csv_table read_csv(std::istream& in, const std::string& called = {}) {
+KANEXPR_SIMULATIONS csv_table read_csv(std::istream& in, const std::string& called) {
   return simulated::table_reader(in, called).read();
 }
 

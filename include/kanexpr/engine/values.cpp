@@ -1,0 +1,1 @@
+#include <kanexpr/compiled/engine/values_reader.hpp>

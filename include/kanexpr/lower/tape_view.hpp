@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kanexpr/lower/fixed_tape.hpp>
+
+namespace kanexpr::lower {
+
+/// So many entries that stand elsewhere.
+template <class T>
+class view {
+public:
+  constexpr view(const T* first, int size) : first_(first), size_(size) {}
+  constexpr int size() const { return size_; }
+  constexpr const T& operator[](int i) const { return first_[i]; }
+  constexpr const T* begin() const { return first_; }
+  constexpr const T* end() const { return first_ + size_; }
+
+private:
+  const T* first_;
+  int size_;
+};
+
+/// The steps of a fixed tape.
+struct steps_view {
+  const operation* op;
+  const bool* paired;
+  const int *a, *b;
+  int count;
+
+  constexpr int size() const { return count; }
+  constexpr instruction operator[](int i) const { return {op[i], a[i], b[i], paired[i]}; }
+};
+
+/// A fixed tape whatever its sizes are, with the members of `tape`: for functions that are not compiled anew
+/// for each.
+struct tape_view {
+  steps_view steps;
+  view<symbolic::number> numbers;
+  view<load> loads;
+  view<int> results;
+  view<linear_step> linear_steps;
+  view<int> operands;
+
+  template <tape_sizes own>
+  constexpr explicit tape_view(const fixed_tape<own>& of)
+      : steps{of.op, of.paired, of.a, of.b, own.steps}, numbers(of.numbers, own.numbers),
+        loads(of.loads, own.loads), results(of.results, own.results),
+        linear_steps(of.linear_steps, own.linear_steps), operands(of.operands, own.operands) {}
+
+  constexpr int first_step() const { return numbers.size() + loads.size(); }
+  constexpr int slot_count() const { return first_step() + steps.size(); }
+};
+
+} // namespace kanexpr::lower

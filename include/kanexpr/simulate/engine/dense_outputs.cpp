@@ -1,0 +1,1 @@
+#include <kanexpr/simulate/engine/dense_output.hpp>

@@ -1,0 +1,2 @@
+#include <kanexpr/simulate/engine/csv.hpp>
+#include <kanexpr/simulate/engine/table.hpp>

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+namespace kanexpr {
+
+/// Where a file is: a text, or a `std::filesystem::path`, whose header is long.
+class file_path {
+public:
+  template <std::convertible_to<std::string_view> Text>
+  file_path(const Text& path) : text_(std::string_view(path)) {}
+  template <class Path>
+    requires requires(const Path& path) {
+      { path.string() } -> std::same_as<std::string>;
+    }
+  file_path(const Path& path) : text_(path.string()) {}
+
+  const std::string& text() const { return text_; }
+
+private:
+  std::string text_;
+};
+
+} // namespace kanexpr
