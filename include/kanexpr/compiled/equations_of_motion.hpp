@@ -5,20 +5,10 @@
 
 namespace kanexpr {
 
-namespace compiled {
-
-template <class System>
-struct inline_functions {
-  template <auto... wanted>
-  using of = function<System, wanted...>;
-};
-
-} // namespace compiled
-
 /// The equations of motion of a system as compiled functions: `equations_of_motion<System>::mass_matrix(x,
 /// p)`.
 template <class System>
-struct equations_of_motion : compiled::named_results<compiled::inline_functions<System>> {
+struct equations_of_motion : compiled::named_results<function, System> {
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;

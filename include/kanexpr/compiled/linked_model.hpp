@@ -169,15 +169,12 @@ private:
   }
 };
 
-template <class System>
-struct functions_of_library {
-  template <auto... wanted>
-  using of = linked<function<System, wanted...>>;
-};
+template <class System, auto... wanted>
+using linked_result = linked<function<System, wanted...>>;
 
 /// `equations_of_motion` of a linked model.
 template <class System>
-struct linked_equations : named_results<functions_of_library<System>> {
+struct linked_equations : named_results<linked_result, System> {
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;

@@ -4,13 +4,13 @@
 
 namespace kanexpr::compiled {
 
-/// The results of a system by their names, for all that offers them as functions: `Functions::of<quantity>`
-/// is the function of one.
-template <class Functions>
+/// The results of a system by their names, for all that offers them as functions: `Function<System,
+/// quantity>` is that of one.
+template <template <class, auto...> class Function, class System>
 struct named_results {
   using quantity = mechanics::quantity;
   template <quantity wanted>
-  using of = typename Functions::template of<wanted>;
+  using of = Function<System, wanted>;
 
   /// M in M u̇ = f of the independent speeds.
   static constexpr of<quantity::mass_matrix> mass_matrix{};
