@@ -653,6 +653,15 @@ TEST(builder_mistakes, looks_at_what_vanishes) {
             "a dot product has an expression that belongs to another mechanism or to none");
 }
 
+TEST(builder_mistakes, looks_at_expressions_made_of_two_mechanisms_or_none) {
+  constexpr const char* mixed =
+      "a potential energy has an expression that belongs to another mechanism or to none";
+  pendulum_on_cart other;
+  EXPECT_EQ(told([&](auto& b) { b.potential_energy(b.x + other.x); }), mixed);
+  EXPECT_EQ(told([&](auto& b) { b.potential_energy(sin(2 * (b.x * other.x)) - b.x); }), mixed);
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x + kanexpr::symbolic::expression()); }), mixed);
+}
+
 TEST(builder_mistakes, tells_the_first_one) {
   EXPECT_EQ(told([](auto& b) {
               b.origin("P");

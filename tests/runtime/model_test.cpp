@@ -59,6 +59,33 @@ TEST(model, goes_on_after_a_request_that_makes_no_sense) {
   EXPECT_EQ(derived.mistake(), "");
 }
 
+struct Late : offset<Late, Dmc, parameter<"late">{} * u1 * L::x> {};
+
+TEST(model, keeps_nothing_of_what_it_refuses) {
+  auto derived = derive<System>();
+  EXPECT_EQ(derived.get<velocity_of<Late>>().entries.size(), 0);
+  EXPECT_NE(derived.mistake(), "");
+  EXPECT_EQ(derived.mechanism().parameters.size(), 3);
+  EXPECT_EQ(derived.get<velocity_of<Dmc>>().entries.size(), 3);
+  EXPECT_EQ(derived.mistake(), "");
+}
+
+TEST(model, says_what_is_no_scalar_and_no_vector) {
+  auto derived = derive<System>();
+  EXPECT_EQ(derived.get<outer(L::x, L::y)>().entries.size(), 0);
+  EXPECT_EQ(derived.mistake(), "what a function is asked for is a dyadic; it must be a scalar or a vector");
+  EXPECT_TRUE(derived.vector<q1 * u1>().parts.empty());
+  EXPECT_EQ(derived.mistake(), "what is asked for as a vector is another expression");
+}
+
+TEST(model, evaluates_no_expression_of_another) {
+  auto derived = derive<System>(), other = derive<System>();
+  EXPECT_EQ(
+      derived.function(other.mass_matrix())(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1))
+          .size(),
+      0);
+}
+
 constexpr parameter<"kappa"> pull;
 struct ByLagrangian
     : lagrange_system<inertial<N>, coordinates<q1>, lagrangian<pow(dot(q1), 2) / 2 - pull * q1>> {};

@@ -127,6 +127,10 @@ TEST(simulated_model, keeps_a_trajectory_like_that_of_the_system) {
   const std::vector<double> bent = path.along(b.dot(b.u));
   EXPECT_NEAR(bent[0], 0.2 - 9.81 * std::sin(0.3), 1e-14);
   EXPECT_EQ(path.along(m.mass_matrix())[3](0, 0), 1);
+  pendulum other;
+  EXPECT_TRUE(path.along(other.q).empty());
+  EXPECT_TRUE(path.along(expression()).empty());
+  EXPECT_TRUE(path.along(derive(other).mass_matrix()).empty());
 }
 
 TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
@@ -181,6 +185,13 @@ TEST(simulated_model, has_the_mistake_of_its_model) {
   EXPECT_EQ(run.cause(), "the name q is used twice");
   EXPECT_TRUE(run.trajectory.empty());
   EXPECT_TRUE(run.trajectory.energies().total.empty());
+}
+
+TEST(simulated_model, moves_after_a_request_that_was_refused) {
+  model m = derive<System>();
+  EXPECT_EQ(m.get<speed<"w">{} * simple_pendulum::u>().entries.size(), 0);
+  EXPECT_NE(m.mistake(), "");
+  EXPECT_TRUE(simulate(m, start, numbers, {0, 1}, {.inputs = {{"T", 0}}}));
 }
 
 TEST(simulated_model, begins_with_the_inputs_of_a_function_of_time) {

@@ -157,11 +157,20 @@ private:
       deriving::tell_in_code<code>();
       return no_results<T>();
     } else {
+      assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
       return collect_from<T>(
           lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
+  }
+
+  /// Of a size that is known only when the program runs.
+  template <class Vector>
+  [[gnu::always_inline]] static void assert_size([[maybe_unused]] const Vector& v,
+                                                 [[maybe_unused]] std::size_t size) noexcept {
+    if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic)
+      eigen_assert(static_cast<std::size_t>(v.size()) == size && "a vector is not of the system's size");
   }
 
   template <class T>

@@ -4,16 +4,43 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 
+#include <cmath>
+#include <tuple>
+
 /// The code behind the header of a linked model, for the one file that compiles it:
 /// `template struct kanexpr::compiled::library_of<System>;`
 namespace kanexpr::compiled {
+
+/// An argument that was left out is not a number, and neither is what depends on it.
+template <class T>
+void tell_if_not_finite(with_status<T>& result) {
+  bool is_finite = true;
+  if constexpr (requires { result.value; })
+    is_finite = std::isfinite(result.value);
+  else
+    is_finite = result.allFinite();
+  if (result.status && !is_finite)
+    result.status = status(
+        "the result is not finite; look for an argument that was left out or a value that was not set");
+}
+template <class... T>
+void tell_if_not_finite(std::tuple<T...>& results) {
+  std::apply([](auto&... each) { (tell_if_not_finite(each), ...); }, results);
+}
+
+/// What the library of a model gives.
+template <class T, class Results>
+Results told(Results results) {
+  if constexpr (std::is_same_v<T, double>) tell_if_not_finite(results); // others look at differences
+  return results;
+}
 
 template <class T, class Function, int alignment>
 typename linked_instance<T, Function, alignment>::results
 linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
                                                   const typename vectors::parameters& p,
                                                   const typename vectors::inputs& r) noexcept {
-  return results_of<results, Function>(t, x, p, r);
+  return told<T>(results_of<results, Function>(t, x, p, r));
 }
 template <class T, class Function, int alignment>
 typename linked_instance_at_rates<T, Function, alignment>::results
@@ -21,7 +48,7 @@ linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typ
                                                            const typename vectors::parameters& p,
                                                            const typename vectors::inputs& r,
                                                            const typename vectors::rates& a) noexcept {
-  return results_of<results, Function>(t, x, p, r, a);
+  return told<T>(results_of<results, Function>(t, x, p, r, a));
 }
 
 /// Whether the survey that was written out is that of the system.

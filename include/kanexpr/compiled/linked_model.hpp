@@ -166,7 +166,14 @@ private:
     static_assert(fitting<System, symbols_of::state, entries_of<X>()>::possible);
     static_assert(fitting<System, symbols_of::parameters, entries_of<P>()>::possible);
     static_assert(fitting<System, symbols_of::inputs, entries_of<R>()>::possible);
+    static_assert(belongs<X, symbols_of::state> && belongs<P, symbols_of::parameters> &&
+                      belongs<R, symbols_of::inputs>,
+                  "a function of this model is given one vector in the place of another, or that of another "
+                  "system; call it as f(x, p, r)");
   }
+  template <class Given, symbols_of which>
+  static constexpr bool belongs =
+      decltype(belonging_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;
 };
 
 template <class System, auto... wanted>

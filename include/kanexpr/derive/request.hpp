@@ -87,6 +87,10 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
   symbolic::matrix column(*m.g, 0, 1);
   for (const phrase& p : wanted.phrases) {
     const value v = r.evaluate(p, wanted.whom);
+    if (v.kind == shape::dyadic) {
+      r.refuse("what a function is asked for is a dyadic; it must be a scalar or a vector");
+      return column;
+    }
     if (p.kind != shape::vector || v.kind != shape::vector) {
       column.entries.push(v.scalar);
       continue;

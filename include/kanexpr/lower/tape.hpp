@@ -68,7 +68,7 @@ public:
   constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
       : g_(g), live_(static_cast<sequence<char>&&>(live)), slots_(g.size(), none), outputs_(outputs),
         nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()) {
-    if (list_live(g.size())) list_live(g.size());
+    list_live(g.size());
   }
   scheduling(const scheduling&) = delete;
   scheduling& operator=(const scheduling&) = delete;
@@ -98,21 +98,22 @@ public:
 private:
   static constexpr int none = -1;
 
-  /// Lists what is live, and whether tangents made more so.
-  constexpr bool list_live(int end) {
-    bool adds = false;
+  /// Lists what is live, with the sines and cosines that tangents are made of.
+  constexpr void list_live(int end) {
     int count = 0;
-    for (int id = 0; id < end; ++id) count += is_live_[id];
-    nodes_in_order_.resize(count);
-    int* next = nodes_in_order_.begin();
     for (int id = 0; id < end; ++id) {
       if (is_live_[id] == 0) continue;
-      *next++ = id;
-      if (nodes_[id].op != operation::tan || !has_either(id) || has_both(id)) continue;
-      is_live_[sine_of(id)] = is_live_[cosine_of(id)] = 1;
-      adds = true;
+      ++count;
+      if (nodes_[id].op != operation::tan || !has_either(id)) continue;
+      for (int part : {sine_of(id), cosine_of(id)}) {
+        if (is_live_[part] == 0 && part < id) ++count; // the others are met later
+        is_live_[part] = 1;
+      }
     }
-    return adds;
+    nodes_in_order_.resize(count);
+    int* next = nodes_in_order_.begin();
+    for (int id = 0; id < end; ++id)
+      if (is_live_[id] != 0) *next++ = id;
   }
 
   constexpr int sine_of(int id) const { return g_.find({operation::sin, nodes_[id].a, 0}); }

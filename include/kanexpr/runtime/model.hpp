@@ -103,10 +103,14 @@ public:
   /// Interpreted evaluation of a result: the steps of the compiled function, so a result that is the first to
   /// be asked for agrees with that to the last bit. Results share expressions with those that were formed
   /// before them, which may change the order of operations, and so the last bits.
+  /// Of expressions that are not this model's it has no entries.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
+    if (!owns(result)) return {graph(), symbolic::matrix(), coordinates()};
     return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
+  /// Whether all entries are expressions of this model.
+  bool owns(const symbolic::matrix& result) const;
 
   /// Its symbols in order, and which of them are dependent.
   std::shared_ptr<const deriving::survey> known() const;

@@ -20,7 +20,7 @@ namespace kanexpr::simulated {
 
 /// Why a model cannot be simulated, as a sentence; empty: it can.
 inline std::string check_model(model& m) {
-  if (m.mistake().empty()) m.rhs(); // which may be a mistake
+  m.rhs(); // which may be a mistake, and lets go of what was refused before
   if (!m.mistake().empty()) return m.mistake();
   const mechanics::mechanism& of = m.mechanism();
   const int symbols = of.coordinates.size() + of.speeds.size() + of.parameters.size() + of.inputs.size();

@@ -40,6 +40,7 @@ public:
   std::vector<double> along(symbolic::expression e) const {
     if (!of_) return {};
     model m = *of_;
+    if (!e.lives_in(m.graph())) return {};
     symbolic::matrix one(m.graph(), 1, 1);
     one(0, 0) = m.in_motion(e);
     auto f = m.function(one);
@@ -49,6 +50,7 @@ public:
   std::vector<Eigen::MatrixXd> along(const symbolic::matrix& result) const {
     if (!of_) return {};
     model m = *of_;
+    if (!m.owns(result)) return {};
     auto f = m.function(result);
     return collect([&](const sample& s) -> Eigen::MatrixXd { return f(s.t, s.x, parameters(), s.r); });
   }

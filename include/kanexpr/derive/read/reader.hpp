@@ -30,6 +30,12 @@ public:
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
   /// Of an expression that was asked for; what was read before is sound.
   constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
+  /// And the symbols that it brought.
+  constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }
+  constexpr void forget_mistake(const symbol_reader::count& known) {
+    forget_mistake();
+    symbols_.forget_all_but(known);
+  }
   /// Makes this sentence the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { reading_.fail({because}); }
 

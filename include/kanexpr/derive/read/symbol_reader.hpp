@@ -48,6 +48,23 @@ public:
     return m_.zero();
   }
 
+  /// How many symbols of a kind that phrases bring are there.
+  struct count {
+    int parameters;
+    int inputs;
+    int prescribed_rates;
+    int claimed;
+  };
+  constexpr count symbols_known() const {
+    return {m_.parameters.size(), m_.inputs.size(), m_.prescribed_rates.size(), claimed_.size()};
+  }
+  constexpr void forget_all_but(const count& known) {
+    while (m_.parameters.size() > known.parameters) m_.parameters.pop();
+    while (m_.inputs.size() > known.inputs) m_.inputs.pop();
+    while (m_.prescribed_rates.size() > known.prescribed_rates) m_.prescribed_rates.pop();
+    while (claimed_.size() > known.claimed) claimed_.pop();
+  }
+
   /// What is known of symbols, where there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {

@@ -25,10 +25,11 @@ auto asked_of(derived& system, const Form& form) {
   using result = decltype(form());
   system.refused = {};
   if (system.mistake()) return result();
+  const deriving::symbol_reader::count known = system.reader().symbols_known();
   const result found = form();
   if (system.reader().mistake()) {
     system.refused = system.reader().mistake();
-    system.reader().forget_mistake();
+    system.reader().forget_mistake(known);
   }
   return system.refused || system.mistake() ? result() : found;
 }
@@ -86,7 +87,10 @@ KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
   return runtime::asked_of(*system_, [&] {
     system_->reader().visit(words.tokens, words.size);
     system_->reader().take_up();
-    return system_->reader().evaluate(words, "an expression").vector;
+    const deriving::value found = system_->reader().evaluate(words, "an expression");
+    if (found.kind != describe::shape::vector)
+      system_->reader().refuse("what is asked for as a vector is another expression");
+    return found.vector;
   });
 }
 
@@ -121,6 +125,12 @@ KANEXPR_ENGINE std::shared_ptr<const deriving::survey> model::known() const {
   auto found = std::make_shared<deriving::survey>();
   found->take(mechanism(), !system_->mistake(), system_->equations());
   return found;
+}
+
+KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
+  for (const symbolic::expression& e : result.entries)
+    if (!e.lives_in(system_->graph())) return false;
+  return true;
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }

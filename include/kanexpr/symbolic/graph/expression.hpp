@@ -6,7 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra.
+/// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra. What
+/// is made of two graphs while a program runs is of none, and so is what is made of that.
 class expression {
 public:
   constexpr expression() = default;
@@ -19,25 +20,35 @@ public:
   constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
   constexpr bool is_zero() const { return node_ == graph::zero; }
   constexpr bool is_one() const { return node_ == graph::one; }
-  constexpr bool is_constant() const { return graph_->is_constant(node_); }
+  constexpr bool is_constant() const {
+    return (__builtin_is_constant_evaluated() || is_given()) && graph_->is_constant(node_);
+  }
   /// The same node; equal expressions are the same node wherever local rules make them so.
   constexpr bool operator==(const expression& other) const { return node_ == other.node_; }
 
   constexpr expression number(const symbolic::number& value) const {
+    if (!__builtin_is_constant_evaluated() && !is_given()) return {};
     return {*graph_, graph_->constant(value)};
   }
 
-  friend constexpr expression operator-(expression a) { return {*a.graph_, negate(*a.graph_, a.node_)}; }
+  friend constexpr expression operator-(expression a) {
+    if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};
+    return {*a.graph_, negate(*a.graph_, a.node_)};
+  }
   friend constexpr expression operator+(expression a, expression b) {
+    if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, add(*a.graph_, a.node_, b.node_)};
   }
   friend constexpr expression operator-(expression a, expression b) {
+    if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, subtract(*a.graph_, a.node_, b.node_)};
   }
   friend constexpr expression operator*(expression a, expression b) {
+    if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, multiply(*a.graph_, a.node_, b.node_)};
   }
   friend constexpr expression operator/(expression a, expression b) {
+    if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
   }
   friend constexpr expression operator+(expression a, int b) { return a + a.number(exactly(b)); }
@@ -79,6 +90,10 @@ public:
   constexpr expression& operator-=(expression b) { return *this = *this - b; }
   constexpr expression& operator*=(expression b) { return *this = *this * b; }
 
+  static constexpr bool share_a_graph(expression a, expression b) {
+    return a.graph_ == b.graph_ && a.is_given();
+  }
+
 private:
   // without initializers, which the compiler would run for each that there is room for; {} is zero of no
   // graph
@@ -86,11 +101,16 @@ private:
   int node_;
 };
 
-constexpr expression apply(operation op, expression a) { return {a.owner(), apply(a.owner(), op, a.node())}; }
+constexpr expression apply(operation op, expression a) {
+  if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};
+  return {a.owner(), apply(a.owner(), op, a.node())};
+}
 constexpr expression atan2(expression y, expression x) {
+  if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(y, x)) return {};
   return {y.owner(), atan2(y.owner(), y.node(), x.node())};
 }
 constexpr expression power(expression base, expression exponent) {
+  if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(base, exponent)) return {};
   return {base.owner(), power(base.owner(), base.node(), exponent.node())};
 }
 
