@@ -55,8 +55,7 @@ TEST(results, are_of_points_that_the_system_does_not_use) {
   const input_values<System> r(0.5, 0);
 #include <docs/guide/results/late.cpp>
   EXPECT_NEAR(seen(0), -2 * std::sin(0.1) - 1.5 * std::sin(0.7), 1e-12);
-  EXPECT_EQ(here.text(),
-            "-(l*u1*sin(q1) + l*u2*sin(q2)/2)*N.x + (l*u1*cos(q1) + l*u2*cos(q2)/2)*N.y\n");
+  EXPECT_EQ(here.text(), "-(l*u1*sin(q1) + l*u2*sin(q2)/2)*N.x + (l*u1*cos(q1) + l*u2*cos(q2)/2)*N.y\n");
   EXPECT_EQ(checked.mistake(), "");
 }
 
