@@ -26,7 +26,8 @@ function(kanexpr_add_engine_of part what)
   target_link_libraries(${name} PUBLIC kanexpr_${part})
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_${what})
   target_compile_options(${name} PRIVATE -ffp-contract=off)
-  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${part}_engine)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${part}_engine
+    OPTIMIZE_DEPENDENCIES ON) # not the page on which systems move
   if(KANEXPR_BUILD_ENGINE)
     install(TARGETS ${name} EXPORT kanexpr-${part}_engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT kanexpr-${part}_engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})

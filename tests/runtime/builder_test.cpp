@@ -108,6 +108,15 @@ TEST(builder, takes_a_body_without_mass) {
 
 using kanexpr::symbolic::print;
 
+TEST(builder, a_known_motion_takes_up_points_that_come_later) {
+  pendulum_on_cart b;
+  kanexpr::mechanics::known_motion known(b.mechanism());
+  EXPECT_FALSE(kanexpr::mechanics::velocity_of_point(known.moving(), place(b.bob)).is_zero());
+  const kanexpr::runtime::point_id half = b.offset("half", b.o, b.along(b.n, b.x, 0, 0));
+  const auto v = kanexpr::mechanics::velocity_of_point(known.moving(), place(half));
+  EXPECT_EQ(print(kanexpr::mechanics::express(b.mechanism(), v, 0).x), "v");
+}
+
 TEST(builder, keeps_constraints_and_what_depends_on_them) {
   pendulum_on_cart b;
   kanexpr::mechanics::known_motion known(b.mechanism());
@@ -638,6 +647,8 @@ TEST(builder_mistakes, looks_at_what_vanishes) {
             "zero_along of a velocity constraint is given no direction");
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, point_id{9}); }),
             "a position names point number 9, which does not exist");
+  EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, b.origin("Bearing")); }),
+            "the position of bob from Bearing is not known: they hang on two origins, O and Bearing");
   EXPECT_EQ(told([](auto& b) { b.dot(b.along(b.n, 1, 0, 0), pendulum_on_cart().along(b.n, 1, 0, 0)); }),
             "a dot product has an expression that belongs to another mechanism or to none");
 }

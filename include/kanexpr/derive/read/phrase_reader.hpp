@@ -5,6 +5,7 @@
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
+#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
@@ -246,6 +247,9 @@ private:
     using describe::token_kind;
     if (t.what == token_kind::position) {
       const int at = point(t.point, whom);
+      const describe::token* const before = &t == phrase_->tokens ? nullptr : &t - 1;
+      if (before != nullptr && before->what == token_kind::position && !reading_.mistake)
+        reading_.mistake = mechanics::check_position(m_, point(before->point, whom), at);
       if (!reading_.mistake) stack.push(value::of(mechanics::position_from_origin(m_, at)));
       return;
     }

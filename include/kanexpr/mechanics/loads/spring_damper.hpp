@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 
 namespace kanexpr::mechanics {
@@ -104,11 +105,6 @@ private:
     const skeleton& s = k.skeleton_used();
     const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[other]);
     return dot(line.d, express(*s.model, v, line.axes)) / dot(line.d, line.d);
-  }
-
-  static constexpr int origin_of(const mechanism& m, int p) {
-    while (m.points[p].parent != none) p = m.points[p].parent;
-    return p;
   }
 };
 

@@ -33,7 +33,9 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return skeleton_; }
 
+  /// With the frames and points that the mechanism was given since.
   constexpr motion& moving() {
+    if (lacks_any()) extend();
     if (!has_motion_) motion_ = motion(skeleton_, skeleton_.model->speed_rates);
     has_motion_ = true;
     return motion_;

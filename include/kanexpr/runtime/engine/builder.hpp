@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/bodies.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
@@ -206,6 +207,10 @@ KANEXPR_ENGINE void builder::fixed_in(point_id point, frame_id frame) {
 
 KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
   if (!both(point, from, "a position")) return {};
+  if (const sentence unknown = mechanics::check_position(m_, place(point), place(from))) {
+    inspect_.fail({unknown.view()});
+    return {};
+  }
   return mechanics::position_from_origin(m_, place(point)) - mechanics::position_from_origin(m_, place(from));
 }
 
