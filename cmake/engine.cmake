@@ -1,5 +1,5 @@
-# kanexpr::engine: what works while a program runs, compiled once. Who links kanexpr::kanexpr alone compiles it in
-# every file that uses it.
+# kanexpr::engine: what works while a program runs, compiled once. With kanexpr::kanexpr alone every file that uses it
+# compiles it.
 
 # kanexpr_add_engine(<name>): the engine compiled with the flags of the directory.
 #

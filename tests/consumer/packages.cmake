@@ -53,7 +53,7 @@ foreach(part engine simulate)
 endforeach()
 
 # All that can be, but for the page, and then with it
-build(rich "where its page was built")
+build(rich "only if its page was built")
 run(passes "kanexpr::animate is left out: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
   --prefix ${BINARY}/most)
 find(passes "there is simulate" most REQUIRED COMPONENTS simulate)

@@ -1,5 +1,8 @@
 // Results, values and their status: docs/guide/results.md.
+#include "docs/printed.hpp"
 #include "models/rolling_disc.hpp"
+
+#include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +46,17 @@ TEST(results, are_called) {
   EXPECT_EQ(f.size(), 2);
   EXPECT_GT(energy, 0);
   EXPECT_NEAR(v(0), -2 * std::sin(0.1) - 3 * std::sin(0.7), 1e-12);
+}
+
+TEST(results, are_of_points_that_the_system_does_not_use) {
+  const docs::printed here;
+  const state<System> x{{q1, 0.1}, {u1, 2}, {q2, 0.7}, {u2, 3}};
+  const parameter_values<System> p(2, 1);
+  const input_values<System> r(0.5, 0);
+#include <docs/guide/results/late.cpp>
+  EXPECT_NEAR(seen(0), -2 * std::sin(0.1) - 1.5 * std::sin(0.7), 1e-12);
+  EXPECT_EQ(here.text(), "-(l*u1*sin(q1) + l*u2*sin(q2)/2)*N.x + (l*u1*cos(q1) + l*u2*cos(q2)/2)*N.y\n");
+  EXPECT_EQ(checked.mistake(), "");
 }
 
 TEST(results, take_values) {

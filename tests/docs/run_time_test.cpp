@@ -68,6 +68,9 @@ TEST(builder, makes_a_pendulum) {
   const docs::printed here;
 #include <docs/guide/builder/pendulum.cpp>
   EXPECT_EQ(here.text(), "[-g*l*m*sin(q)]\n");
+#include <docs/guide/builder/one.cpp>
+  EXPECT_NEAR(numbers(0), -0.5 * std::cos(0.3), 1e-15);
+  EXPECT_NEAR(numbers(1), -9.81 / 0.5 * std::sin(0.3), 1e-14);
 }
 
 TEST(builder, makes_a_sleigh) {

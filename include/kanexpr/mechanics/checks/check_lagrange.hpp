@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
-/// Mistakes that Lagrange's method alone minds.
+/// What is a mistake by Lagrange's method only.
 namespace kanexpr::mechanics {
 
 namespace detail {

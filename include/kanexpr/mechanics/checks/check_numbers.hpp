@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-/// Numbers that are none, in what a model is made of.
+/// Expressions in a model that have no finite value, such as a quotient by zero.
 namespace kanexpr::mechanics {
 
 /// Whether a node is a constant that is not finite, or divides by the constant zero.
