@@ -648,7 +648,7 @@ TEST(builder_mistakes, looks_at_what_vanishes) {
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, point_id{9}); }),
             "a position names point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, b.origin("Bearing")); }),
-            "the position of bob from Bearing is not known: they hang on two origins, O and Bearing");
+            "the position of P from Bearing is not known: they hang on two origins, O and Bearing");
   EXPECT_EQ(told([](auto& b) { b.dot(b.along(b.n, 1, 0, 0), pendulum_on_cart().along(b.n, 1, 0, 0)); }),
             "a dot product has an expression that belongs to another mechanism or to none");
 }

@@ -51,7 +51,7 @@ public:
   const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
     using symbolic::symbol_kind;
     too_short_ = {};
-    check(state_, x), check(parameters_, p), check(inputs_, r), check(rates_, a);
+    check_length(state_, x), check_length(parameters_, p), check_length(inputs_, r), check_length(rates_, a);
     if (too_short_) {
       result_.setConstant(not_a_number());
       return result_;
@@ -117,7 +117,7 @@ private:
   }
 
   template <class Vector>
-  void check(const need& of, const Vector& given) {
+  void check_length(const need& of, const Vector& given) {
     if constexpr (requires { given.size(); }) {
       const int size = static_cast<int>(given.size());
       if (too_short_ || size >= of.entries) return;

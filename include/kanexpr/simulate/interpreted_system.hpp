@@ -146,13 +146,13 @@ public:
     std::copy_n(x, x_.size(), x_.data());
     input_values<model> given = no_inputs_;
     inputs_.give(t, x_, given);
-    check(given, compiled::symbols_of::inputs);
+    check_vector(given, compiled::symbols_of::inputs);
     std::copy(given.begin(), given.end(), r);
   }
   double event(std::size_t which, double t, const double* x, const double* r) const override {
     take(x, r);
     const double value = options_.events[which].value(t, x_, p_, r_);
-    check(x_, compiled::symbols_of::state);
+    check_vector(x_, compiled::symbols_of::state);
     return value;
   }
   after_event handle(std::size_t which, double t, double* x, const double* r) const override {
@@ -160,7 +160,7 @@ public:
     state<model> at = x_;
     moment<model> now{t, at, p_, r_};
     const after_event what = options_.events[which].handler(now);
-    check(at, compiled::symbols_of::state);
+    check_vector(at, compiled::symbols_of::state);
     std::copy(at.begin(), at.end(), x);
     return what;
   }
@@ -245,7 +245,7 @@ private:
     std::copy_n(r, r_.size(), r_.data());
   }
   /// What a function of the user named in the vectors, and what it left of one.
-  void check(const runtime::value_vector& left, compiled::symbols_of which) const {
+  void check_vector(const runtime::value_vector& left, compiled::symbols_of which) const {
     const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
     for (const runtime::value_vector* each : all)
       if (const mechanics::sentence found = each->mistake()) throw misnamed(found);

@@ -78,7 +78,7 @@ private:
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
   load_check by(m, held);
   acting.each([&](const auto& load, int place) {
-    if (!by.mistake()) load.check(by, place);
+    if (!by.mistake()) load.check_with(by, place);
   });
   detail::checking_gravity(m, acting.gravity, held, by).run();
   return by.mistake();

@@ -18,7 +18,7 @@ struct force {
 
   constexpr expression potential_energy(const mechanism& m) const { return m.zero(); }
 
-  constexpr void check(load_check& by, int) const {
+  constexpr void check_with(load_check& by, int) const {
     if (against == point) by.fail({"a force acts between point ", by.point(point), " and itself"});
     if (against == none) return by.free_of_speed_rates(value, "the force at ", by.point(point));
     by.free_of_speed_rates(value, "the force between ", by.both_points(point, against).view());

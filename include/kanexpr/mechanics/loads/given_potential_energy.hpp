@@ -16,7 +16,7 @@ struct given_potential_energy {
   constexpr expression potential_energy(const mechanism&) const { return value; }
 
   /// `place`: among those of its kind.
-  constexpr void check(load_check& by, int place) const {
+  constexpr void check_with(load_check& by, int place) const {
     by.free_of_motion(value, "potential energy ", counted(place + 1).view());
   }
 

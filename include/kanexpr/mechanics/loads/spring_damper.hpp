@@ -43,7 +43,7 @@ struct spring_damper {
     return stiffness * (longer * longer) / 2;
   }
 
-  constexpr void check(load_check& by, int) const {
+  constexpr void check_with(load_check& by, int) const {
     const mechanism& m = by.mechanism_used();
     const std::string_view what = stiffness.is_zero() ? "damper" : "spring";
     if (point == other) return by.fail({"a ", what, " lies between point ", by.point(point), " and itself"});

@@ -14,7 +14,7 @@ struct torque {
 
   constexpr expression potential_energy(const mechanism& m) const { return m.zero(); }
 
-  constexpr void check(load_check& by, int) const {
+  constexpr void check_with(load_check& by, int) const {
     if (against == frame) by.fail({"a torque acts between frame ", by.frame(frame), " and itself"});
     if (against == none) return by.free_of_speed_rates(value, "the torque on ", by.frame(frame));
     by.free_of_speed_rates(value, "the torque between ", by.both_frames(frame, against).view());

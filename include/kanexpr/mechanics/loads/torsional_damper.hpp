@@ -19,7 +19,7 @@ struct torsional_damper {
 
   constexpr expression potential_energy(const mechanism& m) const { return m.zero(); }
 
-  constexpr void check(load_check& by, int) const {
+  constexpr void check_with(load_check& by, int) const {
     if (frame == against) by.fail({"a torsional damper lies between frame ", by.frame(frame), " and itself"});
     by.free_of_speed_rates(damping, "the torsional damping between ", by.both_frames(frame, against).view());
   }

@@ -152,12 +152,14 @@ private:
     make_room(4 * room_);
     place_all(before, count);
     delete[] before;
-    find_or_append(kept);
+    nodes_[count] = kept;
+    place_all(nodes_, count + 1, count);
   }
 
-  /// Takes over nodes that all differ, in their order; they may stand in their places already.
-  constexpr void place_all(const node* all, int count) {
-    for (int id = 0; id < count; ++id) {
+  /// Takes over nodes that all differ, in their order, from the first that is not placed yet; they may stand
+  /// in their places already.
+  constexpr void place_all(const node* all, int count, int first = 0) {
+    for (int id = first; id < count; ++id) {
       const node n = nodes_[id] = all[id];
       unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & last_place_;
       while (table_[place] >= 0) place = (place + 1) & last_place_;

@@ -43,14 +43,14 @@ namespace detail {
 struct symmetric_elimination {
   int n;
   sequence<int> entries;
-  sequence<int> degrees;
+  sequence<int> row_degrees;
   int* entry;  ///< by rows
   int* degree; ///< by row
 
   /// From the lower triangle.
   constexpr explicit symmetric_elimination(const matrix& m)
-      : n(m.rows), entries(n * n, graph::zero), degrees(n, 0), entry(entries.begin()),
-        degree(degrees.begin()) {
+      : n(m.rows), entries(n * n, graph::zero), row_degrees(n, 0), entry(entries.begin()),
+        degree(row_degrees.begin()) {
     const expression* const given = m.entries.begin();
     for (int i = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j) {
