@@ -16,12 +16,12 @@ constexpr int aside_of(const Code& code) {
 }
 
 template <class Code, class T>
-void evaluate_linear_step(const Code& code, const linear_step& e, T* slots, T* aside) {
+void evaluate_linear_step(const Code& code, const linear_step& e, T* values, T* aside) {
   using math = elimination_math<T>;
-  T* const out = slots + code.first_step() + e.step;
+  T* const out = values + code.first_step() + e.step;
   T* const into = e.op == operation::singularity_measure ? aside : out;
-  const T* const factors = slots + e.factors;
-  for (int i = 0; i < e.inputs(); ++i) into[i] = slots[code.operands[e.operands + i]];
+  const T* const factors = values + e.factors;
+  for (int i = 0; i < e.inputs(); ++i) into[i] = values[code.operands[e.operands + i]];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
   else if (e.op == operation::singularity_measure)
@@ -33,9 +33,9 @@ void evaluate_linear_step(const Code& code, const linear_step& e, T* slots, T* a
 }
 
 template <class T>
-void evaluate_step(const instruction& step, const T* slots, T* out) {
-  const T& a = slots[step.a];
-  const T& b = slots[step.b];
+void evaluate_step(const instruction& step, const T* values, T* out) {
+  const T& a = values[step.a];
+  const T& b = values[step.b];
   if (step.paired) {
     if (step.op == operation::sin) scalar_math<T>::sincos(a, out[0], out[1]);
     return;
@@ -64,21 +64,21 @@ void evaluate_step(const instruction& step, const T* slots, T* out) {
 }
 
 template <class Code, class T>
-void evaluate_steps(const Code& code, int begin, int end, T* slots) {
-  T* out = slots + code.first_step() + begin;
-  for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], slots, out++);
+void evaluate_steps(const Code& code, int begin, int end, T* values) {
+  T* out = values + code.first_step() + begin;
+  for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], values, out++);
 }
 
 /// Fills the slots of all steps, in their order; those of the numbers and of the arguments are filled.
 template <class Code, class T>
-void evaluate_steps(const Code& code, T* slots, T* aside) {
+void evaluate_steps(const Code& code, T* values, T* aside) {
   int next = 0;
   for (const linear_step& e : code.linear_steps) {
-    evaluate_steps(code, next, e.step, slots);
-    evaluate_linear_step(code, e, slots, aside);
+    evaluate_steps(code, next, e.step, values);
+    evaluate_linear_step(code, e, values, aside);
     next = e.step + e.outputs();
   }
-  evaluate_steps(code, next, code.steps.size(), slots);
+  evaluate_steps(code, next, code.steps.size(), values);
 }
 
 } // namespace kanexpr::lower

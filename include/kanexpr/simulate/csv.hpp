@@ -27,6 +27,12 @@ public:
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
 
+  csv_writer(const csv_writer&) = default;
+  csv_writer(csv_writer&&) = default;
+  csv_writer& operator=(const csv_writer&) = default;
+  csv_writer& operator=(csv_writer&&) = default;
+  ~csv_writer() = default;
+
   /// Whether the row could be written.
   bool row(std::span<const double> numbers);
   bool row(std::initializer_list<double> numbers) { return row(std::span(numbers.begin(), numbers.size())); }

@@ -8,6 +8,8 @@ namespace kanexpr::symbolic {
 class substitution {
 public:
   constexpr explicit substitution(graph& g) : graph_(g) {}
+  substitution(const substitution&) = delete;
+  substitution& operator=(const substitution&) = delete;
 
   /// To be set before the first `in`.
   constexpr void replace(expression old, expression by) { remember(old.node(), by.node()); }
