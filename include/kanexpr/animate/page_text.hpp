@@ -4,6 +4,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name_of_time.hpp>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include <charconv>

@@ -215,11 +215,11 @@ private:
   sequence<const point_record*> open_points_{};
 };
 
-constexpr int phrase_reader::frame(const frame_record* r, std::string_view whom) {
-  return entities_.frame(r, whom);
-}
-constexpr int phrase_reader::point(const point_record* r, std::string_view whom) {
-  return entities_.point(r, whom);
+constexpr entity_lookup lookup_in(entity_reader& all) {
+  return {
+      all,
+      [](entity_reader& with, const frame_record* r, std::string_view whom) { return with.frame(r, whom); },
+      [](entity_reader& with, const point_record* r, std::string_view whom) { return with.point(r, whom); }};
 }
 
 } // namespace kanexpr::deriving

@@ -13,10 +13,18 @@ namespace kanexpr::deriving {
 
 class entity_reader;
 
+/// Where phrases find the numbers of frames and points: with the reader of entities, which reads phrases
+/// itself.
+struct entity_lookup {
+  entity_reader& with;
+  int (*frame)(entity_reader&, const frame_record*, std::string_view whom);
+  int (*point)(entity_reader&, const point_record*, std::string_view whom);
+};
+
 /// Evaluates the postfix phrases of a model.
 class phrase_reader {
 public:
-  constexpr phrase_reader(reading& all, symbol_reader& symbols, entity_reader& entities)
+  constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), entities_(entities) {}
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
@@ -284,14 +292,17 @@ private:
 
   static constexpr std::string_view axis_names = "xyz";
 
-  /// The numbers of a frame and of a point, by the reader of entities.
-  constexpr int frame(const frame_record* r, std::string_view whom);
-  constexpr int point(const point_record* r, std::string_view whom);
+  constexpr int frame(const frame_record* r, std::string_view whom) {
+    return entities_.frame(entities_.with, r, whom);
+  }
+  constexpr int point(const point_record* r, std::string_view whom) {
+    return entities_.point(entities_.with, r, whom);
+  }
 
   reading& reading_;
   mechanism& m_;
   symbol_reader& symbols_;
-  entity_reader& entities_;
+  entity_lookup entities_;
   const phrase* phrase_ = nullptr;
 };
 

@@ -106,7 +106,7 @@ private:
   reading reading_;
   mechanism& m_ = reading_.into.mechanism;
   symbol_reader symbols_{reading_};
-  phrase_reader phrases_{reading_, symbols_, entities_};
+  phrase_reader phrases_{reading_, symbols_, lookup_in(entities_)};
   entity_reader entities_{reading_, phrases_};
   value_reader values_{reading_, symbols_, phrases_};
   lagrange_reader lagrange_{reading_, symbols_, phrases_, entities_};
