@@ -16,7 +16,7 @@ public:
   /// To be read from what was set aside.
   struct set_aside {};
   constexpr known_motion(const mechanism& m, set_aside) : skeleton_{&m} {}
-  constexpr known_motion(known_motion&& other)
+  constexpr known_motion(known_motion&& other) noexcept
       : skeleton_(std::move(other.skeleton_)), motion_(std::move(other.motion_)),
         has_motion_(other.has_motion_), is_without_auxiliary_(other.is_without_auxiliary_) {
     motion_.follow(skeleton_);

@@ -26,9 +26,8 @@ public:
       // most nodes, and compilers interpret every call
       const int both = facts_of_[n.a] & facts_of_[n.b], any = facts_of_[n.a] | facts_of_[n.b];
       if ((any & may_fail) != 0) facts_of_[id] |= may_fail, any_fails_ = true;
-      if (n.op == operation::multiply && n.a == n.b)
-        facts_of_[id] |= never_negative;
-      else if (n.op != operation::subtract && (both & never_negative) != 0)
+      const bool is_square = n.op == operation::multiply && n.a == n.b;
+      if (is_square || (n.op != operation::subtract && (both & never_negative) != 0))
         facts_of_[id] |= never_negative;
     }
   }
