@@ -232,4 +232,6 @@ private:
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/engine/builder.hpp>
+#include <kanexpr/runtime/engine/builder_constraints.hpp>
+#include <kanexpr/runtime/engine/builder_loads.hpp>
 #endif
