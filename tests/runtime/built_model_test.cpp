@@ -2,6 +2,7 @@
 // A model of what a builder built, beside that of the same system described as types.
 #include "no_heap.hpp"
 #include "runtime/agreement.hpp"
+#include "runtime/built_pendulum.hpp"
 
 #include <kanexpr/runtime/builder.hpp>
 
@@ -25,20 +26,8 @@ using kanexpr::symbolic::print;
 static_assert(std::is_copy_constructible_v<model> && std::is_copy_assignable_v<model>);
 static_assert(std::is_nothrow_move_constructible_v<model> && std::is_nothrow_move_assignable_v<model>);
 
-// A bob on a rod that turns about a fixed point; x points down, a motor turns the rod.
-struct pendulum : builder {
-  expression q = coordinate("q"), u = speed("u"), m = parameter("m"), l = parameter("l"), g = parameter("g"),
-             motor = input("T");
-
-  pendulum() : builder("N") {
-    kinematic_equation(dot(q) - u);
-    const auto n = inertial_frame();
-    const auto rod = rotated("A", n, q, along(n, 0, 0, 1));
-    const auto o = origin("O");
-    particle("Bob", offset("P", o, along(rod, l, number(0), number(0))), m);
-    gravity(along(n, g, number(0), number(0)));
-    torque(rod, along(n, number(0), number(0), motor));
-  }
+struct pendulum : built_pendulum {
+  pendulum() { torque(rod, along(n, 0, 0, motor)); }
 };
 
 model model_of_pendulum() { return derive(pendulum()); } // the builder does not outlive this

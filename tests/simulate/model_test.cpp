@@ -1,5 +1,6 @@
 // builds: sanitize
 // Models that are derived while the program runs, and what a builder built, move as the same system of types.
+#include "runtime/built_pendulum.hpp"
 #include "simulate/falling_ball.hpp"
 
 #include <kanexpr/runtime/builder.hpp>
@@ -48,19 +49,9 @@ using simple_pendulum::System;
 const std::initializer_list<named_value> start{{"q", 0.3}, {"u", 0}},
     numbers{{"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0.1}};
 
-struct pendulum : builder {
-  expression q = coordinate("q"), u = speed("u"), m = parameter("m"), l = parameter("l"), g = parameter("g"),
-             c = parameter("c"), motor = input("T");
-
-  pendulum() : builder("N") {
-    kinematic_equation(dot(q) - u);
-    const auto n = inertial_frame();
-    const auto rod = rotated("A", n, q, along(n, 0, 0, 1));
-    const auto o = origin("O");
-    particle("Bob", offset("P", o, along(rod, l, number(0), number(0))), m);
-    gravity(along(n, g, number(0), number(0)));
-    torque(rod, along(n, number(0), number(0), motor - c * u));
-  }
+struct pendulum : built_pendulum {
+  expression c = parameter("c");
+  pendulum() { torque(rod, along(n, 0, 0, motor - c * u)); }
 };
 
 simulation_options<System> controlled() {
