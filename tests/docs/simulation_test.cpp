@@ -9,6 +9,7 @@
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/prescribe.hpp>
+#include <kanexpr/steps/linearized_step.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
