@@ -7,6 +7,7 @@
 
 #include <kanexpr/compiled/constant_values.hpp>
 #include <kanexpr/control/discretize.hpp>
+#include <kanexpr/control/ekf.hpp>
 #include <kanexpr/control/gain_schedule.hpp>
 #include <kanexpr/control/lqr.hpp>
 #include <kanexpr/version.hpp>
