@@ -70,6 +70,12 @@ TEST(gain_schedule, goes_straight_between_its_points_and_ends_at_its_ends) {
   EXPECT_TRUE(std::isnan(table(std::numeric_limits<double>::quiet_NaN())(0, 0)));
 }
 
+TEST(gain_schedule, has_other_numbers) {
+  constexpr auto single = in_numbers<float>(gains);
+  for (const float v : {2.0f, 3.3f, 9.0f})
+    EXPECT_NEAR(single(v)(0, 1), gains(double{v})(0, 1), 1e-5 * std::abs(gains(v)(0, 1)));
+}
+
 TEST(gain_schedule, takes_matrices_of_eigen_while_the_program_runs) {
   const auto table = gain_schedule<2>(0.0f, 4.0f, [](float v) { return Eigen::RowVector2f(v, 1); });
   EXPECT_EQ(table(1.0f), Eigen::RowVector2f(1, 1));

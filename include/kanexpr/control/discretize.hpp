@@ -105,15 +105,19 @@ template <class A, class B, class C>
 constexpr auto discretized_as_given(const A& a, const B& b, const C& c, typename shape<A>::scalar h) {
   using T = typename shape<A>::scalar;
   constexpr int n = shape<A>::rows, inputs = shape<B>::columns;
-  static_assert(shape<A>::columns == n, "the state matrix A is not square");
-  static_assert(shape<B>::rows == n, "A and B have different numbers of rows");
-  static_assert(shape<C>::rows == n && shape<C>::columns == 1, "c has a number for each row of A");
-  auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h);
-  for (const status& given : {compiled::status_of(c), compiled::status_of(b), compiled::status_of(a)})
-    if (!given) found.status = given;
-  const auto like = [](const auto& m) { return shape<A>::like(m); };
-  return discrete_form<decltype(like(found.A)), decltype(like(found.B)), decltype(like(found.c))>{
-      like(found.A), like(found.B), like(found.c), found.status};
+  constexpr bool are_sizes_fitting = are_fitting<A, B>();
+  static_assert(!are_sizes_fitting || (shape<C>::rows == n && shape<C>::columns == 1),
+                "the offset c has a number for each row of A");
+  if constexpr (!are_sizes_fitting) {
+    return fixed_discrete_form<T, 1, 1>{};
+  } else {
+    auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h);
+    for (const status& given : {compiled::status_of(c), compiled::status_of(b), compiled::status_of(a)})
+      if (!given) found.status = given;
+    const auto like = [](const auto& m) { return shape<A>::like(m); };
+    return discrete_form<decltype(like(found.A)), decltype(like(found.B)), decltype(like(found.c))>{
+        like(found.A), like(found.B), like(found.c), found.status};
+  }
 }
 
 } // namespace control

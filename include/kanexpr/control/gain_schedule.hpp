@@ -29,6 +29,15 @@ struct scheduled_gains {
   }
 };
 
+/// A table of the compiler in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
+template <class Other, class T, class Gain, int points>
+constexpr auto in_numbers(const scheduled_gains<T, Gain, points>& table) {
+  scheduled_gains<Other, decltype(table.at[0].template cast<Other>()), points> same{
+      static_cast<Other>(table.from), static_cast<Other>(table.to), {}, table.status};
+  for (int i = 0; i < points; ++i) same.at[i] = table.at[i].template cast<Other>();
+  return same;
+}
+
 /// A table of gains over a parameter, made while the program runs or by the compiler: `constexpr auto K =
 /// gain_schedule<21>(2.0, 8.0, [](double v) { return lqr(…); });`. The function gives a gain, or a regulator
 /// with a gain K and a status.

@@ -64,14 +64,16 @@ regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const 
 /// The same of any matrices, of which a status may come with each.
 template <time_is passing, class A, class B, class T, int n, int m>
 constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r) {
-  static_assert(shape<A>::columns == n, "the state matrix A is not square");
-  static_assert(shape<B>::rows == n, "A and B have different numbers of rows");
-  auto found = regulator<passing, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix);
-  for (const status& given : {compiled::status_of(b), compiled::status_of(a)})
-    if (!given) found.status = given;
-  const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
-  return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
-                                                                            found.status};
+  if constexpr (!are_fitting<A, B>()) {
+    return linear_regulator<fixed_matrix<T, 1, 1>, fixed_matrix<T, 1, 1>>{};
+  } else {
+    auto found = regulator<passing, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix);
+    for (const status& given : {compiled::status_of(b), compiled::status_of(a)})
+      if (!given) found.status = given;
+    const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
+    return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
+                                                                              found.status};
+  }
 }
 
 } // namespace control

@@ -8,10 +8,9 @@ namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// The type and size of a matrix.
+/// The type and size of a matrix; a size that only the program knows is negative.
 template <class Matrix>
 struct shape {
-  static_assert(numeric::has_fixed_size<Matrix>, "the size of a matrix must be known to the compiler");
   using scalar = typename Matrix::Scalar;
   static constexpr int rows = Matrix::RowsAtCompileTime, columns = Matrix::ColsAtCompileTime;
 
@@ -30,6 +29,17 @@ struct shape<fixed_matrix<T, r, c>> {
     return m;
   }
 };
+
+/// Whether the sizes of A and B fit; where they do not, the end of the compilation.
+template <class A, class B>
+constexpr bool are_fitting() {
+  constexpr bool are_known =
+      shape<A>::rows >= 0 && shape<A>::columns >= 0 && shape<B>::rows >= 0 && shape<B>::columns >= 0;
+  static_assert(are_known, "the size of a matrix must be known to the compiler");
+  static_assert(!are_known || shape<A>::rows == shape<A>::columns, "the state matrix A is not square");
+  static_assert(!are_known || shape<A>::rows == shape<B>::rows, "A and B have different numbers of rows");
+  return are_known && shape<A>::rows == shape<A>::columns && shape<A>::rows == shape<B>::rows;
+}
 
 template <class M>
 inline constexpr bool is_fixed_matrix = false;

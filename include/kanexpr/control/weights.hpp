@@ -17,7 +17,8 @@ struct weights {
   template <class... Number>
     requires(sizeof...(Number) > 0 && (std::convertible_to<const Number&, T> && ...))
   constexpr weights(const Number&... diagonal) {
-    static_assert(sizeof...(Number) == n, "a diagonal of weights has a number for each state, or each input");
+    static_assert(n < 0 || sizeof...(Number) == n,
+                  "a diagonal of weights has a number for each state, or each input");
     if constexpr (sizeof...(Number) == n) {
       int i = 0;
       ((matrix(i, i) = static_cast<T>(diagonal), ++i), ...);

@@ -33,6 +33,14 @@ struct fixed_matrix {
     return part;
   }
 
+  /// The same in other numbers: `K.cast<float>()`.
+  template <class Other>
+  constexpr fixed_matrix<Other, rows, columns> cast() const {
+    fixed_matrix<Other, rows, columns> same;
+    for (int i = 0; i < rows * columns; ++i) same.entries[i] = static_cast<Other>(entries[i]);
+    return same;
+  }
+
   friend constexpr fixed_matrix operator+(const fixed_matrix& a, const fixed_matrix& b) {
     fixed_matrix c;
     for (int i = 0; i < rows * columns; ++i) c.entries[i] = a.entries[i] + b.entries[i];
