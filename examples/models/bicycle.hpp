@@ -77,35 +77,29 @@ struct BodyFork : rigid_body<BodyFork, Fork_mc, Fork, mfork,
 struct BodyWR : rigid_body<BodyWR, WR_mc, WR, mwr, inertia<Frame, Iwr11, Iwr22, Iwr11>> {};
 struct BodyWF : rigid_body<BodyWF, WF_mc, WF, mwf, inertia<Fork, Iwf11, Iwf22, Iwf11>> {};
 
-template <class Loads, class... More>
-struct whipple_under
-    : kane_system<inertial<N>, coordinates<q1, q2, q5, q4>, speeds<u2, u3, u5, u1, u4, u6>,
-                  kinematics<dot(q1) == u1, dot(q2) == u2, dot(q4) == u4, dot(q5) == u5>,
-                  configuration_constraints<dot(position_of<WF_cont, WR_cont>, Y::z) == 0>,
-                  velocity_constraints<zero_along<velocity_of<WF_cont>, Y::x, Y::y, Y::z>>,
-                  dependent<u1, u4, u6, q4>, bodies<BodyFrame, BodyFork, BodyWR, BodyWF>, Loads, More...> {};
-
 template <class... More>
-using whipple = whipple_under<loads<gravity<-g * N::z>>, More...>;
+struct whipple : kane_system<inertial<N>, coordinates<q1, q2, q5, q4>, speeds<u2, u3, u5, u1, u4, u6>,
+                             kinematics<dot(q1) == u1, dot(q2) == u2, dot(q4) == u4, dot(q5) == u5>,
+                             configuration_constraints<dot(position_of<WF_cont, WR_cont>, Y::z) == 0>,
+                             velocity_constraints<zero_along<velocity_of<WF_cont>, Y::x, Y::y, Y::z>>,
+                             dependent<u1, u4, u6, q4>, bodies<BodyFrame, BodyFork, BodyWR, BodyWF>,
+                             loads<gravity<-g * N::z>>, More...> {};
 
 struct System : whipple<> {};
 
-/// The numbers of the benchmark.
-using benchmark =
-    values<WFrad == 0.35, WRrad == 0.3, htangle == 1.2566370614359172, forkoffset == 0.03207142672761931,
-           forklength == 0.26764450844768867, framelength == 0.9534570696121847,
-           forkcg1 == 0.10230731158060875, forkcg3 == 0.026100592803432483, framecg1 == 0.4779288114646079,
-           framecg3 == 0.4707271515135145, Iwr11 == 0.0603, Iwr22 == 0.12, Iwf11 == 0.1405, Iwf22 == 0.28,
-           Ifork11 == 0.05892, Ifork22 == 0.06, Ifork33 == 0.00708, Ifork31 == 0.00756, Iframe11 == 9.2,
-           Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4, mfork == 4, mframe == 85, mwf == 3, mwr == 2,
-           g == 9.81>;
-
 /// The benchmark bicycle.
-struct BoundSystem : whipple<benchmark> {};
+struct BoundSystem
+    : whipple<values<WFrad == 0.35, WRrad == 0.3, htangle == 1.2566370614359172,
+                     forkoffset == 0.03207142672761931, forklength == 0.26764450844768867,
+                     framelength == 0.9534570696121847, forkcg1 == 0.10230731158060875,
+                     forkcg3 == 0.026100592803432483, framecg1 == 0.4779288114646079,
+                     framecg3 == 0.4707271515135145, Iwr11 == 0.0603, Iwr22 == 0.12, Iwf11 == 0.1405,
+                     Iwf22 == 0.28, Ifork11 == 0.05892, Ifork22 == 0.06, Ifork33 == 0.00708,
+                     Ifork31 == 0.00756, Iframe11 == 9.2, Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4,
+                     mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
 
-/// The same with a torque on the fork, by which its rider steers.
+/// The same with a torque between fork and frame, by which its rider steers.
 constexpr input<"T"> T;
-struct SteeredSystem
-    : whipple_under<loads<gravity<-g * N::z>, torque_between<Fork, Frame, T * Frame::x>>, benchmark> {};
+struct SteeredSystem : extended<BoundSystem, inputs<T>, loads<torque_between<Fork, Frame, T * Frame::x>>> {};
 
 } // namespace bicycle

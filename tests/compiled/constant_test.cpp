@@ -52,7 +52,6 @@ TEST(constant, is_that_of_a_call) {
   EXPECT_LE((as_eigen(std::get<1>(at)) - b_at).norm(), 1e-15 * b_at.norm());
 }
 
-// What compilers refuse where it is used.
 TEST(constant, values_by_name_leave_no_gap) {
   const auto lacking = constant_parameters<System>({{m, 2}, {l, 3}, {g, 10}});
   EXPECT_EQ(lacking[0], 2);

@@ -63,6 +63,16 @@ TEST(discretize, is_the_same_in_a_constant_expression) {
   EXPECT_TRUE(close(numeric::as_eigen(by_the_compiler.c), found.c, 1e-15));
 }
 
+// Of a linearization that is a constant.
+constexpr auto of_a_linearization = discretize(
+    linearization<simple_pendulum::System>::explicit_form.constant({0, 0}, {1, 1, 4, 0}, {0}), 0.5);
+static_assert(of_a_linearization);
+
+TEST(discretize, takes_a_constant_linearization) {
+  EXPECT_NEAR(of_a_linearization.A(0, 0), std::cos(1), 1e-15);
+  EXPECT_NEAR(of_a_linearization.B(1, 0), std::sin(1) / 2, 1e-15);
+}
+
 TEST(discretize, without_an_offset_has_none) {
   const auto found = discretize(eigen(known.a), eigen(known.b), known.h);
   EXPECT_TRUE(found.c.isZero(0));

@@ -11,8 +11,8 @@ namespace kanexpr {
 namespace compiled {
 
 /// A vector of a system by name, for constant expressions. Dependent symbols may be left out, and are zero.
-/// What else has no value, or two, is not a number, nor is all where a name is not the system's: compilers
-/// refuse to go on with that.
+/// What else has no value, or two, is not a number, nor is all where a name is not the system's: clang++
+/// refuses to go on with that.
 template <class System, symbols_of which>
 constexpr auto constant_values(std::initializer_list<entry<System, which, double>> named) {
   constexpr symbol_range range = range_of(which, survey_of<System>);
