@@ -7,6 +7,7 @@
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/numeric/fixed_matrix.hpp>
 
 #include <tuple>
 
@@ -100,6 +101,7 @@ struct function {
       static_cast<std::size_t>(compiled::survey_of<System>.coordinates + compiled::survey_of<System>.speeds);
   static constexpr std::size_t parameter_count =
       static_cast<std::size_t>(compiled::survey_of<System>.parameters);
+  static constexpr std::size_t speed_count = static_cast<std::size_t>(compiled::survey_of<System>.speeds);
   static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
 
   /// Operations of one call.
@@ -113,33 +115,13 @@ struct function {
       return evaluate(first, more...);
   }
 
-  /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
-  /// {2.0})(0, 0) == 2)`.
+  /// In a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
+  /// Several results are a tuple.
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p,
                                  const std::array<double, input_count>& r, double t = 0) {
-    using symbolic::symbol_kind;
-    const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
-      const auto i = static_cast<std::size_t>(l.position);
-      switch (l.from) {
-      case symbol_kind::coordinate: return x[i];
-      case symbol_kind::speed:
-        return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
-      case symbol_kind::parameter: return p[i];
-      case symbol_kind::input: return r[i];
-      case symbol_kind::time: return t;
-      case symbol_kind::speed_rate: // are no arguments of a constant call
-      case symbol_kind::coordinate_rate:
-      case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break;
-      }
-      return t;
-    });
-    constexpr deriving::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
-    lower::constant_matrix<size.rows, size.columns> result;
-    for (int i = 0; i < size.rows * size.columns; ++i)
-      result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
-    return result;
+    static_assert(sizeof(constant_call<parameter_values<System>, input_values<System>>) != 0);
+    return constant_at(x, p, r, {}, t);
   }
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p) {
@@ -151,11 +133,53 @@ struct function {
     return constant(x, {}, {});
   }
 
+  /// The same at given rates of the speeds.
+  static constexpr auto constant_at(const std::array<double, state_size>& x,
+                                    const std::array<double, parameter_count>& p,
+                                    const std::array<double, input_count>& r,
+                                    const std::array<double, speed_count>& a, double t = 0) {
+    using symbolic::symbol_kind;
+    const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
+      const auto i = static_cast<std::size_t>(l.position);
+      switch (l.from) {
+      case symbol_kind::coordinate: return x[i];
+      case symbol_kind::speed:
+        return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
+      case symbol_kind::parameter: return p[i];
+      case symbol_kind::input: return r[i];
+      case symbol_kind::speed_rate: return a[i];
+      case symbol_kind::time: return t;
+      case symbol_kind::coordinate_rate: // are no arguments of a call
+      case symbol_kind::auxiliary_speed:
+      case symbol_kind::multiplier: break;
+      }
+      return t;
+    });
+    if constexpr (sizeof...(wanted) == 1)
+      return constant_result<0, wanted...>(slot);
+    else
+      return constant_results(slot, std::make_index_sequence<sizeof...(wanted)>{});
+  }
+
 private:
   using none = compiled::not_given;
   /// Tells what is needed and left out.
-  template <class P>
-  using constant_call = compiled::call<System, code, double, state<System>, P, none, none, wanted...>;
+  template <class P, class R = none>
+  using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
+
+  template <int first, auto one, class Slots>
+  static constexpr auto constant_result(const Slots& slot) {
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    numeric::fixed_matrix<double, size.rows, size.columns> result;
+    for (int i = 0; i < size.rows; ++i)
+      for (int j = 0; j < size.columns; ++j)
+        result(i, j) = slot[static_cast<std::size_t>(code::tape.results[first + i * size.columns + j])];
+    return result;
+  }
+  template <class Slots, std::size_t... i>
+  static constexpr auto constant_results(const Slots& slot, std::index_sequence<i...>) {
+    return std::tuple(constant_result<first_of(i), wanted>(slot)...);
+  }
 
   template <class Time, class X, class P = none, class R = none, class A = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},

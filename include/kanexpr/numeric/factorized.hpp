@@ -13,7 +13,7 @@ namespace kanexpr::numeric {
 template <class Vector>
 class factorized {
   using number = typename Vector::Scalar;
-  using math = constant_elimination_math_of<number>;
+  using math = constant_elimination_math;
 
 public:
   template <class Matrix>
