@@ -5,11 +5,11 @@
 #include "models/simple_pendulum.hpp"
 #include "simulate/falling_ball.hpp"
 
+#include <kanexpr/control.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/prescribe.hpp>
-#include <kanexpr/steps/linearized_step.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
