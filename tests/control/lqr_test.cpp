@@ -267,6 +267,13 @@ TEST(lqr, says_what_is_wrong_with_its_matrices) {
             "the weights of the inputs are not positive definite");
 }
 
+TEST(lqr, passes_on_the_status_of_a_matrix) {
+  const with_status<Eigen::Matrix2d> A{Eigen::Matrix2d{{0, 1}, {2, 0}}, status("there is no A")};
+  EXPECT_EQ(cause(lqr(A, Eigen::Vector2d(0, 1), {1, 1}, {1})), "there is no A");
+  const with_status<Eigen::Vector2d> B{Eigen::Vector2d(0, 1), status("there is no B")};
+  EXPECT_EQ(cause(dlqr(Eigen::Matrix2d(A), B, {1, 1}, {1})), "there is no B");
+}
+
 constexpr auto none =
     lqr(numeric::by_rows({{1.0, 0.0}, {0.0, 2.0}}), numeric::by_rows({{0.0}, {1.0}}), {1, 1}, {1});
 static_assert(none.status.cause() == not_stabilizable);
