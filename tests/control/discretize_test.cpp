@@ -101,6 +101,13 @@ TEST(discretize, takes_a_linearization) {
             "m has no finite value");
 }
 
+TEST(discretize, passes_on_the_status_of_a_matrix) {
+  const with_status<Eigen::Matrix2d> a{Eigen::Matrix2d::Identity(), status("there is no A")};
+  const auto none = discretize(a, Eigen::Vector2d(1, 2), 0.1);
+  EXPECT_EQ(none.status.cause(), "there is no A");
+  EXPECT_FALSE(none.A.allFinite());
+}
+
 TEST(discretize, says_what_is_not_finite) {
   const double infinite = std::numeric_limits<double>::infinity();
   const Eigen::Matrix2d a = Eigen::Matrix2d::Identity();

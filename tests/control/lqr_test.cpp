@@ -8,7 +8,9 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
 #include <limits>
+#include <random>
 
 namespace {
 
@@ -160,14 +162,65 @@ TEST(lqr, says_that_a_system_is_not_stabilizable) {
   EXPECT_TRUE(lqr(Eigen::Matrix2d{{-1, 1}, {0, -2}}, Eigen::Vector2d(0, 0), {1, 1}, {1}));
 }
 
-// The same in coordinates in which no entry is zero.
-TEST(lqr, says_that_a_turned_system_is_not_stabilizable) {
-  const Eigen::Matrix3d turn = Eigen::Matrix3d{{1, 0.2, 0.5}, {-0.3, 1, 0.1}, {0.4, -0.6, 1}},
-                        back = turn.inverse();
-  for (const double rate : {0.1, 1.0, 3.0}) {
-    const Eigen::Matrix3d A = turn * Eigen::Matrix3d{{0.5, 1, 0.3}, {-1, 0.2, 0.1}, {0, 0, rate}} * back;
-    EXPECT_EQ(cause(lqr(A, (turn * Eigen::Vector3d(1, 2, 0)).eval(), {1, 1, 1}, {1})), not_stabilizable)
-        << rate;
+// Numbers between −1 and 1, the same with every library.
+class numbers {
+public:
+  double operator()() { return static_cast<double>(random_()) / static_cast<double>(random_.max()) * 2 - 1; }
+  template <int rows, int columns>
+  Eigen::Matrix<double, rows, columns> matrix() {
+    Eigen::Matrix<double, rows, columns> m;
+    for (double& entry : m.reshaped()) entry = (*this)();
+    return m;
+  }
+
+private:
+  std::mt19937 random_{7};
+};
+
+// Of two motions that inputs do not reach one grows. In the given coordinates their entries are zero; turned,
+// rounding reaches them.
+TEST(lqr, finds_no_feedback_for_what_no_input_reaches) {
+  numbers random;
+  for (int k = 0; k < 500; ++k) {
+    Eigen::Matrix<double, 5, 5> a = random.matrix<5, 5>();
+    a.bottomLeftCorner<2, 3>().setZero();
+    const double rate = std::pow(10, 2 * random());
+    a.bottomRightCorner<2, 2>() = Eigen::Matrix2d{{rate, random()}, {0, -0.5}};
+    Eigen::Matrix<double, 5, 2> b = random.matrix<5, 2>();
+    b.bottomRows<2>().setZero();
+    Eigen::Matrix<double, 5, 5> turn = Eigen::Matrix<double, 5, 5>::Identity();
+    if (k % 2 == 1) turn += 0.4 * random.matrix<5, 5>();
+    const Eigen::Matrix<double, 5, 5> turned = turn * a * turn.inverse();
+    const Eigen::Matrix<double, 5, 2> inputs = turn * b;
+    EXPECT_EQ(cause(lqr(turned, inputs, {1, 1, 1, 1, 1}, {1, 1})), not_stabilizable) << k;
+    a(3, 3) += 1;
+    const Eigen::Matrix<double, 5, 5> stepped = turn * a * turn.inverse();
+    EXPECT_EQ(cause(dlqr(stepped, inputs, {1, 1, 1, 1, 1}, {1, 1})), not_stabilizable) << k;
+  }
+}
+
+// In any units: what is left of the equation, beside the terms that it is the sum of.
+TEST(lqr, solves_its_equation_in_any_units) {
+  numbers random;
+  for (int k = 0; k < 500; ++k) {
+    Eigen::Vector4d units;
+    for (double& unit : units) unit = std::pow(10, 6 * random());
+    const Eigen::Matrix4d to = units.asDiagonal(), from = units.cwiseInverse().asDiagonal();
+    const Eigen::Matrix4d a = from * random.matrix<4, 4>() * to, root = random.matrix<4, 4>();
+    const Eigen::Matrix4d q = to * (root * root.transpose() + 0.1 * Eigen::Matrix4d::Identity()) * to;
+    const Eigen::Matrix<double, 4, 2> b = from * random.matrix<4, 2>();
+    const Eigen::Vector2d r(std::pow(10, random()), std::pow(10, random()));
+    const auto found = lqr(a, b, q, r);
+    ASSERT_TRUE(found) << found.status;
+    const Eigen::Matrix4d xa = found.P * a, kk = found.K.transpose() * r.asDiagonal() * found.K;
+    const Eigen::Matrix4d left = from * (q + xa + xa.transpose() - kk) * from;
+    const Eigen::Matrix4d terms = from * (q.cwiseAbs() + 2 * xa.cwiseAbs() + kk.cwiseAbs()) * from;
+    EXPECT_LE(left.norm(), 1e-9 * terms.norm()) << k;
+    const auto step = dlqr(a, b, q, r);
+    ASSERT_TRUE(step) << step.status;
+    const Eigen::Matrix4d after = a.transpose() * step.P * (a - b * step.K);
+    const Eigen::Matrix4d of_step = from * (q + after - step.P) * from;
+    EXPECT_LE(of_step.norm(), 1e-9 * (from * step.P * from).norm()) << k;
   }
 }
 
@@ -212,6 +265,13 @@ TEST(lqr, says_what_is_wrong_with_its_matrices) {
   EXPECT_EQ(cause(lqr(A, B, Q, {1, 0})), "the weights of the inputs are not positive definite");
   EXPECT_EQ(cause(lqr(A, B, Q, Eigen::Matrix2d{{1, 2}, {2, 1}})),
             "the weights of the inputs are not positive definite");
+}
+
+TEST(lqr, passes_on_the_status_of_a_matrix) {
+  const with_status<Eigen::Matrix2d> A{Eigen::Matrix2d{{0, 1}, {2, 0}}, status("there is no A")};
+  EXPECT_EQ(cause(lqr(A, Eigen::Vector2d(0, 1), {1, 1}, {1})), "there is no A");
+  const with_status<Eigen::Vector2d> B{Eigen::Vector2d(0, 1), status("there is no B")};
+  EXPECT_EQ(cause(dlqr(Eigen::Matrix2d(A), B, {1, 1}, {1})), "there is no B");
 }
 
 constexpr auto none =

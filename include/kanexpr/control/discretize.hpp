@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/control/balance.hpp>
 #include <kanexpr/control/matrices.hpp>
 
@@ -80,11 +79,11 @@ using fixed_discrete_form =
     discrete_form<fixed_matrix<T, n, n>, fixed_matrix<T, n, inputs>, fixed_matrix<T, n, 1>>;
 
 template <class T, int n, int inputs>
-constexpr fixed_discrete_form<T, n, inputs> discretized(const fixed_matrix<T, n, n>& a,
-                                                        const fixed_matrix<T, n, inputs>& b,
-                                                        const fixed_matrix<T, n, 1>& c, T h) {
+constexpr fixed_discrete_form<T, n, inputs>
+discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
+            const fixed_matrix<T, n, 1>& c, T h, const status& given) {
   const fixed_discrete_form<T, n, inputs> none{no_numbers<T, n, n>(), no_numbers<T, n, inputs>(),
-                                               no_numbers<T, n, 1>(), check(a, b, c, h)};
+                                               no_numbers<T, n, 1>(), given ? check(a, b, c, h) : given};
   if (!none) return none;
   const units<T, n> unit = balanced_units(a, fixed_matrix<T, n, n>{}, fixed_matrix<T, n, n>{});
   const exponential<T, n> e = exponential_of(unit.scaled(a), h);
@@ -111,9 +110,7 @@ constexpr auto discretized_as_given(const A& a, const B& b, const C& c, typename
   if constexpr (!are_sizes_fitting) {
     return fixed_discrete_form<T, 1, 1>{};
   } else {
-    auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h);
-    for (const status& given : {compiled::status_of(c), compiled::status_of(b), compiled::status_of(a)})
-      if (!given) found.status = given;
+    const auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h, first_failure(a, b, c));
     const auto like = [](const auto& m) { return shape<A>::like(m); };
     return discrete_form<decltype(like(found.A)), decltype(like(found.B)), decltype(like(found.c))>{
         like(found.A), like(found.B), like(found.c), found.status};

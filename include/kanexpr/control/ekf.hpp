@@ -45,9 +45,12 @@ public:
   template <class Parameters, class R, class Noise, class Step = runge_kutta_4<System>>
   status predict(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
                  const Step& step = {}) {
-    const auto [a, b] = lin::explicit_form(from, x, p, compiled::inputs_at(r, from, x));
-    const auto linear = discretize(a, Eigen::Matrix<T, states, 0>(), h);
-    if (!linear) return linear.status;
+    static_assert(Noise::RowsAtCompileTime == states && Noise::ColsAtCompileTime == states,
+                  "the covariance Q has a row and a column for each independent coordinate and speed");
+    constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
+    const auto& inputs = compiled::inputs_at(r, from, x);
+    const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<T, states, 0>(), h);
+    if (!linear) return compiled::not_finite<System>::cause_of(linear.status, x, p, inputs);
     const square ad = numeric::as_fixed(linear.A);
     const square after =
         numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) + numeric::as_fixed(Q));
@@ -71,6 +74,9 @@ public:
   template <class Given, class Parameters, class Inputs, class Noise>
   status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
                 const Eigen::MatrixBase<Noise>& R) {
+    static_assert(Given::SizeAtCompileTime == measurements && Noise::RowsAtCompileTime == measurements &&
+                      Noise::ColsAtCompileTime == measurements,
+                  "y and its covariance R have a row for each number that is measured");
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
@@ -97,6 +103,7 @@ public:
     const square left = numeric::identity<T, states>() - k * c; // Joseph's form
     const square after =
         numeric::symmetric(left * before * numeric::transposed(left) + k * noise * numeric::transposed(k));
+    if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
     x = next;
     P = numeric::as_eigen(after);
     innovation_ = numeric::as_eigen(off);

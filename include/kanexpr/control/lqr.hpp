@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/control/matrices.hpp>
 #include <kanexpr/control/riccati.hpp>
 #include <kanexpr/control/weights.hpp>
@@ -37,20 +36,21 @@ constexpr status check(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, 
   return {};
 }
 
-template <time_is passing, class T, int n, int m>
+template <time_domain domain, class T, int n, int m>
 constexpr linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>>
 regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const fixed_matrix<T, n, n>& q,
-          const fixed_matrix<T, m, m>& r) {
-  linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>> found{
-      no_numbers<T, m, n>(), no_numbers<T, n, n>(), check(a, b, q, r)};
+          const fixed_matrix<T, m, m>& r, const status& given) {
+  linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>> found{no_numbers<T, m, n>(),
+                                                                       no_numbers<T, n, n>(), given};
+  if (found) found.status = check(a, b, q, r);
   if (!found) return found;
   const fixed_matrix<T, m, n> bt = numeric::transposed(b);
   const numeric::positive_factors<T, m> inputs(r);
   fixed_matrix<T, n, n> p;
-  found.status = solve<passing>(
+  found.status = solve<domain>(
       riccati_equation<T, n>{a, numeric::symmetric(b * inputs.solve(bt)), numeric::symmetric(q)}, p);
   if (!found) return found;
-  if constexpr (passing == time_is::continuous) {
+  if constexpr (domain == time_domain::continuous) {
     found.K = inputs.solve(bt * p);
   } else {
     const numeric::positive_factors<T, m> both(numeric::symmetric(r + bt * p * b));
@@ -62,14 +62,13 @@ regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const 
 }
 
 /// The same of any matrices, of which a status may come with each.
-template <time_is passing, class A, class B, class T, int n, int m>
+template <time_domain domain, class A, class B, class T, int n, int m>
 constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r) {
   if constexpr (!are_fitting<A, B>()) {
     return linear_regulator<fixed_matrix<T, 1, 1>, fixed_matrix<T, 1, 1>>{};
   } else {
-    auto found = regulator<passing, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix);
-    for (const status& given : {compiled::status_of(b), compiled::status_of(a)})
-      if (!given) found.status = given;
+    const auto found =
+        regulator<domain, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix, first_failure(a, b));
     const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
     return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
                                                                               found.status};
@@ -88,7 +87,7 @@ constexpr auto
 lqr(const A& a, const B& b,
     const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
     const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
-  return control::regulator_of<control::time_is::continuous>(a, b, q, r);
+  return control::regulator_of<control::time_domain::continuous>(a, b, q, r);
 }
 
 /// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(d.A, d.B, {10, 1}, {0.1})`
@@ -98,7 +97,7 @@ constexpr auto
 dlqr(const A& a, const B& b,
      const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
      const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
-  return control::regulator_of<control::time_is::discrete>(a, b, q, r);
+  return control::regulator_of<control::time_domain::discrete>(a, b, q, r);
 }
 
 } // namespace kanexpr

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
 /// Functions of this room take matrices of Eigen while the program runs and `numeric::fixed_matrix` in a
@@ -57,6 +58,14 @@ auto fixed(const Eigen::MatrixBase<Derived>& m) {
 template <class T, int rows, int columns>
 constexpr const fixed_matrix<T, rows, columns>& fixed(const fixed_matrix<T, rows, columns>& m) {
   return m;
+}
+
+/// The first of the statuses of results that says that there is none.
+template <class... Result>
+constexpr status first_failure(const Result&... results) {
+  status first;
+  ((first = first ? compiled::status_of(results) : first), ...);
+  return first;
 }
 
 template <class T, int rows, int columns>
