@@ -46,6 +46,7 @@ struct batch {
                 "the numbers of a batch are of type double or float");
 
   static constexpr std::size_t lanes = N;
+  using element = Number;
   /// N numbers, one of the compiler's own vectors.
   using number = typename numeric::detail::vector_of<Number, N>::type;
 

@@ -108,9 +108,9 @@ template <class Function, class Pack, class Number, class... Arguments>
   else
     [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
       (keep.template operator()<k>(std::get<k>(found)), ...);
-    }
-  (std::make_index_sequence<described::results>{});
-  if (described::must_be_finite && first && !all.holds()) return status("a result is not finite at this state");
+    }(std::make_index_sequence<described::results>{});
+  if (described::must_be_finite && first && !all.holds())
+    return status("a result is not finite at this state");
   return first;
 }
 

@@ -45,7 +45,8 @@ public:
   /// All are the same at first: states zero, parameters and inputs not numbers until they are set.
   explicit many(Eigen::Index count) : many(count, at_first()) {}
   many(Eigen::Index count, const Vector& each)
-      : size_(count), lines_in_row_(lines_for(count)), lines_(static_cast<std::size_t>(entries * lines_in_row_)) {
+      : size_(count), lines_in_row_(lines_for(count)),
+        lines_(static_cast<std::size_t>(entries * lines_in_row_)) {
     for (int i = 0; i < entries; ++i) row_at(i) = each.data()[i];
   }
 

@@ -34,12 +34,12 @@ public:
   Eigen::Index size() const { return statuses_.size(); }
 
   /// Evaluates the function for all systems: evaluate(x), (x, p), (x, p, r) or (x, p, r, a), with the time in
-  /// front where it needs that. The states are `many`; parameters, inputs and rates are `many` or one for all.
-  /// The status is that of the first system that failed.
+  /// front where it needs that. The states are `many`; parameters, inputs and rates are `many` or one for
+  /// all. The status is that of the first system that failed.
   ///
   /// Before them may stand what shares the work among threads: an execution policy of the standard library,
-  /// `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 … count − 1, in any
-  /// order, on any threads, and returns when all calls have.
+  /// `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 … count − 1, in
+  /// any order, on any threads, and returns when all calls have.
   template <class First, class... More>
   status evaluate(First&& first, const More&... more) {
     if constexpr (is_argument<std::remove_cvref_t<First>>)
@@ -107,10 +107,10 @@ private:
     Eigen::Index failed = 0;
     for (Eigen::Index first = begin; first < end; first += width) {
       const Eigen::Index count = (std::min)(width, end - first);
-      const status all =
-          count == width ? batches::evaluate_pack<Function, pack>(
-                               places_at(first).data(), batches::from_rows<pack>(arguments, first)...)
-                         : evaluate_copies(first, count, first + count - 1, arguments...);
+      const status all = count == width
+                             ? batches::evaluate_pack<Function, pack>(
+                                   places_at(first).data(), batches::from_rows<pack>(arguments, first)...)
+                             : evaluate_copies(first, count, first + count - 1, arguments...);
       if (all) continue;
       for (Eigen::Index system = first; system < first + count; ++system)
         failed += !evaluate_one(system, arguments...);
@@ -127,8 +127,8 @@ private:
   template <class... Copies>
   status evaluate_gathered(Eigen::Index first, Eigen::Index count, const Copies&... copies) noexcept {
     scratch of_all;
-    const status found = batches::evaluate_pack<Function, pack>(of_all.at().data(),
-                                                               batches::from_copies(copies)...);
+    const status found =
+        batches::evaluate_pack<Function, pack>(of_all.at().data(), batches::from_copies(copies)...);
     if (found) of_all.move_to(places_at(first), count);
     return found;
   }

@@ -22,7 +22,6 @@ exchanged(const Eigen::Matrix<T, rows, columns, options, most_rows, most_columns
 
 /// A vector of a system, or a matrix, with another scalar type; of a result with a status the result.
 template <class Vector, class Scalar>
-using with_scalar =
-    typename decltype(detail::exchanged<Scalar>(static_cast<const Vector*>(nullptr)))::type;
+using with_scalar = typename decltype(detail::exchanged<Scalar>(static_cast<const Vector*>(nullptr)))::type;
 
 } // namespace kanexpr::batches

@@ -70,8 +70,8 @@ template <class T, std::size_t count>
   requires(detail::lanes<T>::count > 1)
 [[gnu::always_inline]] inline void sines_and_cosines(const T (&angle)[count], T (&sine)[count],
                                                      T (&cosine)[count]) noexcept {
-  [[maybe_unused]] const bool far = detail::sines_and_cosines_of_vectors(angle, sine, cosine,
-                                                                         std::make_index_sequence<count>{});
+  [[maybe_unused]] const bool far =
+      detail::sines_and_cosines_of_vectors(angle, sine, cosine, std::make_index_sequence<count>{});
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
   if (far) [[unlikely]] {
     constexpr std::size_t lanes = detail::lanes<T>::count;
