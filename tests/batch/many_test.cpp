@@ -53,7 +53,7 @@ TEST(many, begins_rows_on_cache_lines_at_odd_distances) {
   for (const int count : {1, 8, 100, 512, 1024}) {
     const many<state<System, float>> x(count);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(x.data()) % 64, 0);
-    EXPECT_EQ(x.stride() * sizeof(float) % 128, 64);
+    EXPECT_EQ(static_cast<std::size_t>(x.stride()) * sizeof(float) % 128, 64);
     EXPECT_GE(x.stride(), count);
   }
 }

@@ -25,7 +25,7 @@ constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, con
 ///
 ///     many<eom::state> x(1000);
 ///     x[q1] = 0.3;              // of all
-///     x[u1](17) = 2;            // of one
+///     x[u1][17] = 2;            // of one
 ///     eom::state one = x.get(17);
 ///
 /// It takes memory when it is made. Rows begin on a cache line, at distances that do not crowd a cache.
@@ -83,8 +83,8 @@ public:
   }
 
   /// Entry (i, j) of a system is `data()[(i + rows * j) * stride() + system]`.
-  number* data() { return lines_.empty() ? nullptr : lines_.data()->numbers; }
-  const number* data() const { return lines_.empty() ? nullptr : lines_.data()->numbers; }
+  number* data() { return reinterpret_cast<number*>(lines_.data()); }
+  const number* data() const { return reinterpret_cast<const number*>(lines_.data()); }
   Eigen::Index stride() const { return lines_in_row_ * in_line; }
 
 private:
