@@ -5,6 +5,7 @@
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 
+#include <limits>
 #include <tuple>
 #include <utility>
 

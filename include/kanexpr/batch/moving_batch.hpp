@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/inputs_by_law.hpp>
 #include <kanexpr/batch/side_by_side.hpp>
 #include <kanexpr/compiled/fitting.hpp>
