@@ -75,7 +75,10 @@ template <class T, std::size_t count>
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
   if (far) [[unlikely]] {
     constexpr std::size_t lanes = detail::lanes<T>::count;
-    detail::number_of<T> angles[count][lanes], sines[count][lanes], cosines[count][lanes];
+    // Aligned, and with them the stack: clang++ would put vectors across the lines of a cache.
+    alignas(T) detail::number_of<T> angles[count][lanes];
+    alignas(T) detail::number_of<T> sines[count][lanes];
+    alignas(T) detail::number_of<T> cosines[count][lanes];
     std::memcpy(angles, angle, sizeof angles);
     std::memcpy(sines, sine, sizeof angles);
     std::memcpy(cosines, cosine, sizeof angles);
