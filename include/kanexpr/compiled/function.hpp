@@ -148,16 +148,6 @@ struct function {
     return constant(x, {}, {});
   }
 
-protected:
-  /// The results, each with a status if it says so, whether or not something had to be solved.
-  template <bool with_statuses, class First, class... More>
-  [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
-      return evaluate<with_statuses>(compiled::not_given{}, first, more...);
-    else
-      return evaluate<with_statuses>(first, more...);
-  }
-
 private:
   using none = compiled::not_given;
   /// Tells what is needed and left out.
@@ -290,6 +280,16 @@ private:
       into.value = done.template result<first>();
     else
       into = done.template result<first>();
+  }
+
+protected:
+  /// The results, each with a status if it says so, whether or not something had to be solved.
+  template <bool with_statuses, class First, class... More>
+  [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
+    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+      return evaluate<with_statuses>(compiled::not_given{}, first, more...);
+    else
+      return evaluate<with_statuses>(first, more...);
   }
 };
 
