@@ -5,6 +5,7 @@ import json
 import os
 import shlex
 import subprocess
+import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -29,12 +30,14 @@ def contents(files):
 
 
 def run_measured(command):
-    """Seconds of user time and megabytes."""
-    child = subprocess.Popen(command)
-    _, status, used = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    if child.returncode != 0:
-        raise RuntimeError(f"this failed: {shlex.join(map(str, command))}")
+    """Seconds of user time and megabytes. What compilers say of the peers' headers is shown where they fail only."""
+    with tempfile.TemporaryFile("w+") as told:
+        child = subprocess.Popen(command, stdout=told, stderr=told)
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode != 0:
+            told.seek(0)
+            raise RuntimeError(f"{told.read()}\nthis failed: {shlex.join(map(str, command))}")
     return used.ru_utime, used.ru_maxrss / 1024
 
 

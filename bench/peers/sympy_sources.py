@@ -27,9 +27,7 @@ def vector(frame, numbers):
 
 
 def tree(model):
-    """Kane's method with velocities and accelerations along each link's own axes."""
-    if model.floats:
-        raise NotImplementedError("a link that floats")
+    """Of links that turn, with velocities and accelerations along each link's own axes."""
     n = len(model.links)
     q, u, torque = dynamicsymbols(f"q:{n}"), dynamicsymbols(f"u:{n}"), symbols(f"r:{n}")
     N, O = ReferenceFrame("N"), Point("O")

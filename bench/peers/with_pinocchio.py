@@ -10,7 +10,7 @@ from peer import CXX, HERE, MARCH, RESULTS, Offer, Without, symbol
 
 DEFINED = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DBOOST_FUSION_INVOKE_MAX_ARITY=12"]
-CONSTRAINED = "contacts are its only constraints: a rolling wheel is none"
+CONSTRAINED = "its constraints hold points in place; none lets a wheel roll"
 
 
 def prefix():
@@ -39,7 +39,7 @@ class Algorithms:
 
 class Traced:
     def __init__(self, compiler):
-        self.compiler, self.name = compiler, f"Pinocchio, traced by CppADCodeGen, {compiler}"
+        self.compiler, self.name = compiler, f"CppADCodeGen, {compiler}"
 
     def offers(self, model, shop, models):
         if not model.is_tree:

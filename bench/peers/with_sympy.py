@@ -9,7 +9,8 @@ from build import contents, fingerprint
 from peer import HERE, MARCH, ROOT, Offer, Without, symbol
 
 SECONDS = 60
-NO_END = f"not derived within {SECONDS} s"
+NO_END = f"too large: not derived within {SECONDS} s"
+LARGER = "larger than the iiwa, which is too large"
 
 
 def sources(model, shop, models):
@@ -39,6 +40,8 @@ class Generated:
     name = "SymPy, C"
 
     def offers(self, model, shop, models):
+        if model.floats:
+            return Without(LARGER)
         found = {}
         for path in sorted(sources(model, shop, models).glob("*.c")):
             built = shop.build("gcc", path, MARCH, [HERE / "solve.h"])
@@ -53,6 +56,8 @@ class Lambdified:
     name = "SymPy, Python"
 
     def offers(self, model, shop, models):
+        if model.floats:
+            return Without(LARGER)
         found = {}
         for path in sorted(sources(model, shop, models).glob("*.py")):
             written = {}
