@@ -1,13 +1,13 @@
 """How far the results of a peer are from those of kanexpr, in the same coordinates and speeds.
 
-Results stand row by row: M, then f (of a bicycle M of the independent speeds, f, and the bias of the dependent rates);
+Results stand column by column: M, then f (of a bicycle M of the independent speeds, f, and the bias of the dependent rates);
 u̇; the derivatives of u̇ by q, by u and by the inputs. A link that floats has seven coordinates, the position, e1, e2,
 e3, e0, and six speeds along its own axes. The forms are
 
     kanexpr   these
     tangent   derivatives by the directions of the speeds in place of the coordinates
     ground    the velocity of the link that floats along the axes of the ground
-    whole     of a bicycle M and f of all speeds
+    whole     of a bicycle M, row by row, and f of all speeds
 """
 
 import math
@@ -42,13 +42,10 @@ def rates_of_speeds(x):
 
 def by_tangent(model, x, result):
     """Derivatives by the directions of the speeds."""
-    columns = model.coordinates + model.speeds + model.inputs
-    T = transposed(rates_of_speeds(x))
-    found = []
-    for i in range(model.speeds):
-        row = result[i * columns:(i + 1) * columns]
-        found += times(T, row[:7]) + row[7:]
-    return found
+    n, T = model.speeds, rates_of_speeds(x)
+    by_coordinates = [result[j * n:(j + 1) * n] for j in range(7)]
+    turned = [[sum(T[j][k] * by_coordinates[j][i] for j in range(7)) for i in range(n)] for k in range(6)]
+    return [e for column in turned for e in column] + result[7 * n:]
 
 
 def from_ground(x, result, n):

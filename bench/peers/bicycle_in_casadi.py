@@ -90,5 +90,5 @@ def results(model):
     return ca.vertcat(q, u), {
         "mass_matrix_and_forcing": [ca.vertcat(ca.vec(reduced), forcing, b)],
         "udot": [udot],
-        "udot_derivatives": [ca.vec(derivatives.T)],
+        "udot_derivatives": [ca.vec(derivatives)],
     }

@@ -23,7 +23,7 @@ import with_pinocchio
 import with_sympy
 from build import Shop
 from model import read_model, read_states
-from peer import CXX, HERE, RESULTS, Without
+from peer import CXX, HERE, MARCH, RESULTS, Without
 
 REFERENCE = with_kanexpr.Compiled("g++")
 
@@ -110,7 +110,8 @@ def main():
         measured[name] = compare(model, read_states(models / f"{name}.states"), peers(), REFERENCE, shop, models, timer)
     (folder / "measured.json").write_text(json.dumps(measured, indent=1))
     if not wanted:
-        report.write(measured, shop, folder)
+        tools = [", ".join(shop.versions.values()), " ".join(MARCH), ", ".join(report.packages())]
+        report.write(measured, tools, with_pinocchio.Traced.tracer(shop), folder)
     return report.worst(measured)
 
 

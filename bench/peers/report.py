@@ -76,9 +76,10 @@ def processor():
     return platform.machine()
 
 
-def section(measured, compilers, flags, packages):
+def section(measured, tools, tracer):
     return f"""{BEGIN}
-{processor()}; {', '.join(compilers)}; {' '.join(flags)}; {', '.join(packages)}.
+{processor()}; {'; '.join(tools)}. CppADCodeGen's tracer takes {tracer.seconds:.0f} s and {tracer.megabytes:.0f} MB
+once, which is not in the table.
 
 {table(measured)}
 {END}"""
@@ -104,12 +105,15 @@ def points(measured):
     return "\n\n\n".join(blocks) + "\n"
 
 
-def write(measured, shop, folder):
-    from peer import CXX
-    packages = [line for line in (ROOT / "bench/peers/requirements.txt").read_text().split()
-                if not line.startswith(("cmeel-boost", "cmeel-cppad=", "numpy"))]
+def packages():
+    """Names and versions of the peers."""
+    return [line.replace("==", " ") for line in (ROOT / "bench/peers/requirements.txt").read_text().split()]
+
+
+def write(measured, tools, tracer, folder):
+    """`tools`: compilers, flags and packages as people read them."""
     page = ROOT / "docs/measured.md"
-    page.write_text(replaced(page.read_text(), section(measured, shop.versions.values(), CXX[:2], packages)))
+    page.write_text(replaced(page.read_text(), section(measured, tools, tracer)))
     (folder / "peers.dat").write_text(points(measured))
     subprocess.run(["gnuplot", "-c", ROOT / "bench/peers/peers.gp", folder / "peers.dat", ROOT / "docs/peers.svg"],
                    check=True)

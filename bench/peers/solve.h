@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* X in A X = B by elimination with row pivots: n rows, in place of B; A is lost. */
+/* X in A X = B by elimination with row pivots. A stands row by row and is lost, B and X column by column. */
 static inline void solve(double* A, double* B, int n, int columns) {
   for (int k = 0; k < n; ++k) {
     int pivot = k;
@@ -15,20 +15,20 @@ static inline void solve(double* A, double* B, int n, int columns) {
       A[pivot * n + j] = other;
     }
     for (int j = 0; j < columns && pivot != k; ++j) {
-      const double other = B[k * columns + j];
-      B[k * columns + j] = B[pivot * columns + j];
-      B[pivot * columns + j] = other;
+      const double other = B[j * n + k];
+      B[j * n + k] = B[j * n + pivot];
+      B[j * n + pivot] = other;
     }
     for (int i = k + 1; i < n; ++i) {
       const double ratio = A[i * n + k] / A[k * n + k];
       for (int j = k + 1; j < n; ++j) A[i * n + j] -= ratio * A[k * n + j];
-      for (int j = 0; j < columns; ++j) B[i * columns + j] -= ratio * B[k * columns + j];
+      for (int j = 0; j < columns; ++j) B[j * n + i] -= ratio * B[j * n + k];
     }
   }
-  for (int k = n - 1; k >= 0; --k)
-    for (int j = 0; j < columns; ++j) {
-      for (int i = k + 1; i < n; ++i) B[k * columns + j] -= A[k * n + i] * B[i * columns + j];
-      B[k * columns + j] /= A[k * n + k];
+  for (int j = 0; j < columns; ++j)
+    for (int k = n - 1; k >= 0; --k) {
+      for (int i = k + 1; i < n; ++i) B[j * n + k] -= A[k * n + i] * B[j * n + i];
+      B[j * n + k] /= A[k * n + k];
     }
 }
 

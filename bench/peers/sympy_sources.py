@@ -118,7 +118,7 @@ def write(model, folder):
     if not model.is_tree:
         return
     rates = [Symbol(f"a{i}") for i in range(n)]
-    change = writer.named((f - M * Matrix(rates)).jacobian([*q, *u, *r]))
+    change = writer.named((f - M * Matrix(rates)).jacobian([*q, *u, *r]).T)  # column by column
     columns = len(writer.arguments)
     text = solve_rates + "".join(f"  const double a{i} = both[{n * n + i}];\n" for i in range(n))
     text = (f"  double kept[{n * n}];\n" + text + "  {\n" + body(change, writer.arguments, "result") + "  }\n")

@@ -154,5 +154,5 @@ def results(model):
     return tree.x, {
         "mass_matrix_and_forcing": [ca.vertcat(ca.vec(M), f)],
         "udot": [udot],
-        "udot_derivatives": [ca.vec(solve(M, change).T), ca.vec(ca.jacobian(udot, tree.x).T)],
+        "udot_derivatives": [ca.vec(solve(M, change)), ca.vec(ca.jacobian(udot, tree.x))],
     }

@@ -53,11 +53,16 @@ class Traced:
         return found
 
     @staticmethod
-    def traces(shop, path):
-        """The folder of what was traced of a model. The tracer is compiled once, in minutes and with 5 GB."""
+    def tracer(shop):
+        """Compiled once, in minutes and with 5 GB."""
         libraries = prefix() / "lib"
-        tracer = shop.build("g++", HERE / "pinocchio/trace.cpp", ["-O0", "-std=c++20", "-DNDEBUG", *flags()], uses(),
-                            link=[f"-L{libraries}", f"-Wl,-rpath,{libraries}", "-lcppad_lib"])
+        return shop.build("g++", HERE / "pinocchio/trace.cpp", ["-O0", "-std=c++20", "-DNDEBUG", *flags()], uses(),
+                          link=[f"-L{libraries}", f"-Wl,-rpath,{libraries}", "-lcppad_lib"])
+
+    @classmethod
+    def traces(cls, shop, path):
+        """The folder of what was traced of a model."""
+        tracer = cls.tracer(shop)
         folder = shop.folder / f"traced-{path.stem}-{fingerprint(tracer.path, contents([path]))}"
         if not folder.exists():
             unfinished = folder.with_suffix(".unfinished")

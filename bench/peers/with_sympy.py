@@ -85,6 +85,6 @@ def called(result, model, written):
 
     def derivatives(x):
         M, rates = udot(x)
-        return numpy.linalg.solve(M, numpy.array(change([*x, *rates])).reshape(n, -1)).ravel()
+        return numpy.linalg.solve(M, numpy.array(change([*x, *rates])).reshape(-1, n).T).ravel(order="F")
 
     return derivatives

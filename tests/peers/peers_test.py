@@ -17,7 +17,7 @@ import compare
 import operations
 import report
 import with_kanexpr
-from build import Shop
+from build import Built, Shop
 from model import read_model, read_states
 from peer import RESULTS
 
@@ -62,9 +62,10 @@ class Report(unittest.TestCase):
 
     def test_page_has_its_place(self):
         page = (ROOT / "docs/measured.md").read_text()
-        text = report.section(MEASURED, ["c++ 1"], ["-O3"], ["peer==1"])
+        text = report.section(MEASURED, ["c++ 1", "-O3", "peer 1"], Built("", 193.4, 4847.6, 0))
         written = report.replaced(page, text)
         self.assertIn("it has no joints", written)
+        self.assertIn("takes 193 s and 4848 MB", written)
         self.assertEqual(report.replaced(written, text), written)
 
     def test_figure(self):

@@ -3,7 +3,7 @@
 #include <kanexpr/kanexpr.hpp>
 
 /// A compiled function behind the face that all peers have: from x = [q; u; r] to the entries of the result,
-/// row by row. SYSTEM is the system, and the model's header comes by -include.
+/// column by column. SYSTEM is the system, and the model's header comes by -include.
 namespace peers {
 
 using model = SYSTEM;
@@ -12,9 +12,6 @@ using eom = kanexpr::equations_of_motion<model>;
 inline constexpr int coordinates = eom::coordinates, speeds = eom::speeds;
 inline constexpr int states = coordinates + speeds;
 inline constexpr int inputs = static_cast<int>(eom::inputs::RowsAtCompileTime);
-
-template <int rows, int columns = 1>
-using row_major = Eigen::Matrix<double, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 template <class Function>
 [[gnu::always_inline]] inline auto at(const Function& function, const double* x) {

@@ -31,16 +31,15 @@ struct subject {
     return all;
   }
 
-  /// The rows of u̇ of A and B, side by side.
+  /// The rows of u̇ of A and B, column by column.
   kanexpr::symbolic::matrix derivatives(kanexpr::model& derived) const {
     const auto A = derived.get(quantity::state_matrix);
     const auto B = derived.get(quantity::input_matrix);
     kanexpr::symbolic::matrix all;
-    for (int i = A.rows - (known.speeds - known.constraints); i < A.rows; ++i) {
-      for (int j = 0; j < A.columns; ++j) all.entries.push(A(i, j));
-      for (int j = 0; j < B.columns; ++j) all.entries.push(B(i, j));
-    }
-    all.rows = known.speeds - known.constraints, all.columns = A.columns + B.columns;
+    for (const auto& m : {A, B})
+      for (int j = 0; j < m.columns; ++j)
+        for (int i = m.rows - (known.speeds - known.constraints); i < m.rows; ++i) all.entries.push(m(i, j));
+    all.rows = all.entries.size(), all.columns = 1;
     return all;
   }
 

@@ -5,10 +5,8 @@
 extern "C" void mass_matrix_and_forcing(const double* x, double* result) {
   using namespace peers;
   const auto put = [&](const auto& m) {
-    using matrix = std::remove_cvref_t<decltype(m)>;
-    constexpr int rows = matrix::RowsAtCompileTime, columns = matrix::ColsAtCompileTime;
-    Eigen::Map<row_major<rows, columns>>{result} = m;
-    result += rows * columns;
+    Eigen::Map<typename std::remove_cvref_t<decltype(m)>::PlainObject>{result} = m;
+    result += m.size();
   };
   if constexpr (kanexpr::compiled::survey_of<model>.constraints != 0) {
     const auto [M, f, b] = at(eom::together(eom::mass_matrix, eom::forcing, eom::acceleration_bias), x);

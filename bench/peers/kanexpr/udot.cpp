@@ -2,5 +2,5 @@
 
 extern "C" void udot(const double* x, double* result) {
   using namespace peers;
-  Eigen::Map<row_major<speeds>>{result} = at(eom::udot, x);
+  Eigen::Map<Eigen::Matrix<double, speeds, 1>>{result} = at(eom::udot, x);
 }

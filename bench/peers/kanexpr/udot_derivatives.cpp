@@ -6,7 +6,7 @@ extern "C" void udot_derivatives(const double* x, double* result) {
   using linear = kanexpr::linearization<model>;
   constexpr int rows = speeds - kanexpr::compiled::survey_of<model>.constraints;
   const auto [A, B] = at(linear::explicit_form, x);
-  Eigen::Map<row_major<rows, linear::states + inputs>> all{result};
+  Eigen::Map<Eigen::Matrix<double, rows, linear::states + inputs>> all{result};
   all.template leftCols<linear::states>() = A.template bottomRows<rows>();
   if constexpr (inputs != 0) all.template rightCols<inputs>() = B.template bottomRows<rows>();
 }

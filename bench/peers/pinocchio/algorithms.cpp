@@ -11,7 +11,7 @@
 namespace {
 
 using vector = Eigen::Map<const Eigen::VectorXd>;
-using row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using matrix = Eigen::Map<Eigen::MatrixXd>;
 
 struct subject {
   explicit subject(const char* path)
@@ -42,7 +42,7 @@ void mass_matrix_and_forcing(const double* x, double* result) {
   auto& [robot, data, torque] = *now;
   const int n = robot.model.nv;
   pinocchio::crba(robot.model, data, now->q(x));
-  Eigen::Map<row_major> M(result, n, n);
+  matrix M(result, n, n);
   M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
   M.triangularView<Eigen::StrictlyLower>() = M.transpose().triangularView<Eigen::StrictlyLower>();
   Eigen::Map<Eigen::VectorXd>(result + n * n, n) =
@@ -60,7 +60,7 @@ void udot_derivatives(const double* x, double* result) {
   auto& [robot, data, torque] = *now;
   const int n = robot.model.nv;
   pinocchio::computeABADerivatives(robot.model, data, now->q(x), now->v(x), now->torques(x));
-  Eigen::Map<row_major> all(result, n, 2 * n + robot.inputs);
+  matrix all(result, n, 2 * n + robot.inputs);
   all.leftCols(n) = data.ddq_dq;
   all.middleCols(n, n) = data.ddq_dv;
   data.Minv.triangularView<Eigen::StrictlyLower>() =

@@ -19,7 +19,7 @@ namespace {
 using generated = CppAD::cg::CG<double>;
 using traced = CppAD::AD<generated>;
 using vector = Eigen::Matrix<traced, Eigen::Dynamic, 1>;
-using row_major = Eigen::Matrix<traced, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using matrix = Eigen::Matrix<traced, Eigen::Dynamic, Eigen::Dynamic>;
 using model = pinocchio::ModelTpl<traced, 0>;
 using data = pinocchio::DataTpl<traced, 0>;
 using pinocchio::Convention;
@@ -63,9 +63,9 @@ private:
 
   vector udot_derivatives(data& d, const vector& q, const vector& v, const vector& torque) const {
     const int n = model_.nv, columns = 2 * n + inputs_;
-    row_major by_q = row_major::Zero(n, n), by_v = by_q, by_torque = by_q;
+    matrix by_q = matrix::Zero(n, n), by_v = by_q, by_torque = by_q;
     pinocchio::computeABADerivatives(model_, d, q, v, torque, by_q, by_v, by_torque);
-    row_major all(n, columns);
+    matrix all(n, columns);
     all << by_q, by_v, by_torque.rightCols(inputs_);
     return Eigen::Map<vector>(all.data(), n * columns);
   }
@@ -102,12 +102,12 @@ private:
     std::vector<generated> x(udot.Domain());
     handler.makeVariables(x);
     udot.Forward(0, x);
-    std::vector<generated> all;
+    std::vector<generated> all(udot.Range() * udot.Domain());
     for (std::size_t i = 0; i < udot.Range(); ++i) {
       std::vector<generated> weight(udot.Range(), generated(0));
       weight[i] = 1;
       const std::vector<generated> row = udot.Reverse(1, weight);
-      all.insert(all.end(), row.begin(), row.end());
+      for (std::size_t j = 0; j < row.size(); ++j) all[j * udot.Range() + i] = row[j];
     }
     write_code("udot_derivatives", "reverse", handler, all);
   }
