@@ -6,6 +6,7 @@
 #include <kanexpr/compiler.hpp>
 
 #include <kanexpr/describe/constraint.hpp>
+#include <kanexpr/describe/extended.hpp>
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/describe/lagrange_system.hpp>
 #include <kanexpr/describe/motion.hpp>

@@ -8,6 +8,7 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/describe/constraint.hpp>
+#include <kanexpr/describe/extended.hpp>
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/describe/lagrange_system.hpp>
 #include <kanexpr/describe/motion.hpp>

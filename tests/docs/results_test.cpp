@@ -59,6 +59,18 @@ TEST(results, are_of_points_that_the_system_does_not_use) {
   EXPECT_EQ(checked.mistake(), "");
 }
 
+TEST(results, bring_about_wanted_rates) {
+  using eom = equations_of_motion<System>;
+  const state<System> x{{q1, 0.1}, {u1, 2}, {q2, 0.7}, {u2, 3}};
+  const parameter_values<System> p(2, 1);
+  const Eigen::Vector2d q(0.1, 0.7), u(2, 3), wanted_coordinates(0.2, 0.6), wanted_speeds(1, 1),
+      wanted_rates(4, 5);
+#include <docs/guide/results/computed_torque.cpp>
+  ASSERT_TRUE(torques.status);
+  const eom::inputs r(torques(0), torques(1));
+  EXPECT_LE((eom::udot(x, p, r) - Eigen::Vector2d(4 - 20 + 10, 5 - 40 - 10)).norm(), 1e-10);
+}
+
 TEST(results, take_values) {
   using eom = equations_of_motion<System>;
 #include <docs/guide/results/values.cpp>

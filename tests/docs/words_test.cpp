@@ -208,6 +208,14 @@ struct Bob : particle<Bob, P, m> {};
 
 TEST(words, are_a_system) { expect_no_mistake<System>(); }
 
+#include <docs/guide/words/extended.cpp>
+
+TEST(words, extend_a_system) {
+  const auto pushed = derive<Pushed>();
+  EXPECT_EQ(pushed.mistake(), "");
+  EXPECT_EQ(input_values<Pushed>::SizeAtCompileTime, 2);
+}
+
 } // namespace whole
 
 namespace orientations {

@@ -14,13 +14,22 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The tape for some results of a system, derived once for each set of them.
+/// Some results of a system, derived once for each set of them.
 template <class System, auto... wanted>
-struct code {
+struct cut_for {
+  static constexpr mechanics::sentence mistake() { return cut.mistake; }
+
+protected:
+  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
+};
+
+/// The tape for them. A mistake in them is an error.
+template <class System, auto... wanted>
+struct code : private cut_for<System, wanted...> {
   using system = System;
 
 private:
-  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
+  using cut_for<System, wanted...>::cut;
 
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);

@@ -5,6 +5,7 @@
 #include <kanexpr/lower/complex_math.hpp>
 
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 /// The code behind the header of a linked model, for the one file that compiles it:
@@ -35,12 +36,56 @@ Results told(Results results) {
   return results;
 }
 
+/// Why a sound system does not have some results, such as the energies where it gives its Lagrangian as a
+/// whole.
+template <class Function>
+struct lacking {
+  static constexpr mechanics::sentence why{};
+};
+template <class System, mechanics::quantity... wanted>
+struct lacking<function<System, wanted...>> {
+  static constexpr mechanics::sentence why = [] {
+    using stages = deriving::stages_of<System>;
+    constexpr bool by_equations = ((mechanics::row_of(wanted).needs != mechanics::stage::constrained) || ...);
+    if (stages::constrained.mistake) return mechanics::sentence();
+    if constexpr (by_equations)
+      if (stages::equations.mistake) return mechanics::sentence();
+    return cut_for<System, wanted...>::mistake();
+  }();
+};
+
+template <class T>
+void leave_out(with_status<T>& result, kanexpr::status why) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if constexpr (requires { result.value; })
+    result.value = nan;
+  else
+    result.setConstant(nan);
+  result.status = why;
+}
+template <class... T>
+void leave_out(std::tuple<T...>& results, kanexpr::status why) {
+  std::apply([&](auto&... each) { (leave_out(each, why), ...); }, results);
+}
+
+/// The results of a function; where there are none, why, as the status of what is not a number.
+template <class T, class Function, class Results, class... Given>
+Results results_or_why_not(const Given&... given) noexcept {
+  if constexpr (static_cast<bool>(lacking<Function>::why)) {
+    Results none{};
+    leave_out(none, kanexpr::status(lacking<Function>::why.view()));
+    return none;
+  } else {
+    return told<T>(results_of<Results, Function>(given...));
+  }
+}
+
 template <class T, class Function, int alignment>
 typename linked_instance<T, Function, alignment>::results
 linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
                                                   const typename vectors::parameters& p,
                                                   const typename vectors::inputs& r) noexcept {
-  return told<T>(results_of<results, Function>(t, x, p, r));
+  return results_or_why_not<T, Function, results>(t, x, p, r);
 }
 template <class T, class Function, int alignment>
 typename linked_instance_at_rates<T, Function, alignment>::results
@@ -48,7 +93,7 @@ linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typ
                                                            const typename vectors::parameters& p,
                                                            const typename vectors::inputs& r,
                                                            const typename vectors::rates& a) noexcept {
-  return told<T>(results_of<results, Function>(t, x, p, r, a));
+  return results_or_why_not<T, Function, results>(t, x, p, r, a);
 }
 
 /// Whether the survey that was written out is that of the system.

@@ -31,6 +31,17 @@ struct named_results {
   /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
   /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
   static constexpr of<quantity::unreduced_forces> unreduced_forces{};
+  /// The generalized forces of the independent speeds that must act beside the loads of the model for given
+  /// rates of the speeds: M u̇ − f, by f(x, p, r, a).
+  static constexpr of<quantity::inverse_dynamics> inverse_dynamics{};
+  /// The inputs that bring about given rates of the speeds, where there are as many as independent speeds and
+  /// the forces are linear in them: f(x, p, r, a), whatever r is.
+  static constexpr of<quantity::required_inputs> required_inputs{};
+  /// The generalized forces of the independent speeds that balance gravity at any state, −F_r of the weights.
+  static constexpr of<quantity::gravity_compensation> gravity_compensation{};
+  /// C, with C u what is quadratic in the speeds of M u̇ − f, and Ṁ − 2C skew-symmetric; of systems without
+  /// constraints whose speeds are the rates of coordinates.
+  static constexpr of<quantity::coriolis> coriolis{};
   static constexpr of<quantity::kinetic_energy> kinetic_energy{};
   static constexpr of<quantity::potential_energy> potential_energy{};
   static constexpr of<quantity::linear_momentum> linear_momentum{};

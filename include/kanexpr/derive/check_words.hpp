@@ -47,6 +47,9 @@ template <class Told>
 constexpr sentence check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
     return word_beside<Told>();
+  else if constexpr (requires { typename Told::extended_base; })
+    return sentence({system, " extends ", type_name<typename Told::extended_base>(),
+                     ", which is not a system; extended<System, ...> takes one and what is added to it"});
   else if constexpr (requires { Told::content(); })
     return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});

@@ -15,8 +15,8 @@ concept vector_extension = !std::is_class_v<T> && requires(const T v) {
   v* v;
 };
 
-/// Arithmetic is the compiler's; functions are taken lane by lane, so each lane has the bits of its own
-/// evaluation.
+/// Arithmetic is the compiler's, sines and cosines are taken of all lanes at once, other functions lane by
+/// lane. Each lane has the bits of its own evaluation.
 template <vector_extension T>
 struct scalar_math<T> {
   using element = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
@@ -31,6 +31,7 @@ struct scalar_math<T> {
   }
 
   [[gnu::always_inline]] static void sincos(const T& angle, T& sine, T& cosine) {
+    if constexpr (has_own_sines<element>) return numeric::sine_and_cosine(angle, sine, cosine);
     for (int i = 0; i < lanes; ++i) {
       element s, c;
       of_element::sincos(angle[i], s, c);
@@ -45,6 +46,12 @@ struct scalar_math<T> {
 
   template <symbolic::operation op>
   [[gnu::always_inline]] static T by_name(const T& x) {
+    using symbolic::operation;
+    if constexpr (has_own_sines<element> && (op == operation::sin || op == operation::cos)) {
+      T sine, cosine;
+      numeric::sine_and_cosine(x, sine, cosine);
+      return op == operation::sin ? sine : cosine;
+    }
     return each([&](int i) { return of_element::template by_name<op>(x[i]); });
   }
   [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {

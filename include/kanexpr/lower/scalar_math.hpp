@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/sines_and_cosines.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
@@ -15,6 +16,16 @@ namespace kanexpr::lower {
 template <class T>
 struct scalar_math;
 
+/// Whether sines and cosines are computed here: in straight-line code, of several angles at once. With the
+/// macro KANEXPR_SINES_OF_THE_LIBRARY they come from the C library.
+template <class T>
+inline constexpr bool has_own_sines =
+#if defined(KANEXPR_SINES_OF_THE_LIBRARY)
+    false;
+#else
+    std::is_same_v<T, double> || std::is_same_v<T, float>;
+#endif
+
 /// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
 template <class T>
 struct default_scalar_math {
@@ -24,7 +35,8 @@ struct default_scalar_math {
     return T(value);
   }
 
-  static void sincos(const T& angle, T& sine, T& cosine) {
+  [[gnu::always_inline]] static void sincos(const T& angle, T& sine, T& cosine) {
+    if constexpr (has_own_sines<T>) return numeric::sine_and_cosine(angle, sine, cosine);
 #if defined(__GLIBC__)
     if constexpr (std::is_same_v<T, double>) return ::sincos(angle, &sine, &cosine);
     if constexpr (std::is_same_v<T, float>) return ::sincosf(angle, &sine, &cosine);
@@ -36,10 +48,13 @@ struct default_scalar_math {
     cosine = cos(angle);
   }
 
-  /// Several angles at once: the place for a vector routine.
+  /// Several angles at once.
   template <std::size_t count>
   [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
-    one_by_one(angle, sine, cosine, std::make_index_sequence<count>{});
+    if constexpr (has_own_sines<T>)
+      numeric::sines_and_cosines(angle, sine, cosine);
+    else
+      one_by_one(angle, sine, cosine, std::make_index_sequence<count>{});
   }
   template <std::size_t... i>
   [[gnu::always_inline]] static void one_by_one(const T* angle, T* sine, T* cosine,
@@ -49,7 +64,14 @@ struct default_scalar_math {
 
   template <symbolic::operation op>
   static T by_name(const T& x) {
-    return symbolic::scalar_function<op>::of(x);
+    using symbolic::operation;
+    if constexpr (has_own_sines<T> && (op == operation::sin || op == operation::cos)) {
+      T sine, cosine;
+      numeric::sine_and_cosine(x, sine, cosine);
+      return op == operation::sin ? sine : cosine;
+    } else {
+      return symbolic::scalar_function<op>::of(x);
+    }
   }
 
   /// Not-a-number exceeds nothing.
@@ -97,9 +119,13 @@ template <class T>
 struct scalar_math : default_scalar_math<T> {};
 
 /// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled
-/// and for interpreted evaluation alike.
+/// and for interpreted evaluation alike. Products are fused with the sums that they go into where the
+/// processor can, which clang++ would do within one statement only; not with KANEXPR_NO_FUSING.
 template <symbolic::operation op, class T>
 [[gnu::always_inline]] inline T apply(const T& a, const T& b) {
+#if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
+#pragma clang fp contract(fast)
+#endif
   using symbolic::operation;
   if constexpr (symbolic::is_function(op))
     return scalar_math<T>::template by_name<op>(a);

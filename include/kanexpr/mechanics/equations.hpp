@@ -5,9 +5,11 @@
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
+#include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
+#include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
@@ -45,6 +47,7 @@ public:
     visit(self.speeds_);
     visit(self.coordinates_);
     visit(self.step_blocks_);
+    visit(self.input_blocks_);
     visit(self.dynamics_);
     visit(self.is_constrained_);
     visit(self.is_mass_checked_);
@@ -107,6 +110,10 @@ public:
     case quantity::active_forces: return column(dynamics_.active_forces());
     case quantity::inertia_forces: return column(dynamics_.inertia_forces());
     case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
+    case quantity::inverse_dynamics: return column(negative(dynamics_.reduce(dynamics_.unreduced_forces())));
+    case quantity::required_inputs: return inputs_of_motion();
+    case quantity::gravity_compensation: return column(negative(dynamics_.reduce(forces_of_gravity())));
+    case quantity::coriolis: return coriolis();
     case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
     case quantity::potential_energy: return column({mechanics::potential_energy(s_, system_->loads)});
     case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
@@ -215,6 +222,7 @@ public:
       for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
         all.push(g);
     for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
+    for (const singularity_check& g : checks_of_inputs(*m_, input_blocks_)) all.push(g);
     const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
     if (any)
       for (const singularity_check& g :
@@ -310,6 +318,33 @@ private:
     return full;
   }
 
+  constexpr sequence<expression> forces_of_gravity() const {
+    sequence<expression> forces = mechanics::forces_of_gravity(s_, system_->loads);
+    while (forces.size() > m_->speeds.size()) forces.pop(); // auxiliary speeds come last
+    return forces;
+  }
+
+  constexpr symbolic::matrix inputs_of_motion() {
+    if (mistake_) return {};
+    const required_inputs found = inputs_for(*m_, dynamics_.reduce(dynamics_.unreduced_forces()));
+    mistake_ = found.mistake;
+    input_blocks_ = found.solved.blocks;
+    return found.solved.x;
+  }
+
+  constexpr symbolic::matrix coriolis() {
+    const speeds_as_rates known = coordinates_of_speeds(s_);
+    if (!mistake_) mistake_ = known.mistake;
+    if (!mistake_ && constraints_.size() != 0)
+      mistake_ = sentence({"the Coriolis matrix is that of a system without constraints"});
+    if (mistake_) return {};
+    sequence<expression> by_speeds = momenta();
+    symbolic::substitution at_rest(*m_->g); // leaves what prescribed motions add
+    for (const expression& u : m_->speeds) at_rest.replace(u, m_->zero());
+    for (expression& p : by_speeds) p -= at_rest.in(p);
+    return coriolis_matrix(*m_, known.coordinate, mass(), by_speeds);
+  }
+
   /// ∂T/∂u; of a Lagrangian that the model gives, ∂L/∂q̇.
   constexpr sequence<expression> momenta() {
     if (system_->loads.has_lagrangian) return gradient_of(*m_, system_->loads.lagrangian).momenta;
@@ -353,7 +388,8 @@ private:
   constraints constraints_{};
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
   partition speeds_{}, coordinates_{};
-  sequence<symbolic::solved_block> step_blocks_{}; ///< of Newton's step for the dependent coordinates
+  sequence<symbolic::solved_block> step_blocks_{};  ///< of Newton's step for the dependent coordinates
+  sequence<symbolic::solved_block> input_blocks_{}; ///< of the inputs that bring about accelerations
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};

@@ -7,16 +7,20 @@ namespace kanexpr::mechanics {
 /// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
 /// speeds, m of constraints on the speeds, l of configuration constraints.
 enum class quantity : unsigned char {
-  mass_matrix,      ///< M of the independent speeds, (p−m)×(p−m)
-  forcing,          ///< f with M u̇ = f, p−m
-  mass_matrix_full, ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
-  forcing_full,     ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
-  qdot,             ///< n
-  udot,             ///< p
-  rhs,              ///< [q̇; u̇], n+p
-  active_forces,    ///< F_r of the independent speeds, p−m
-  inertia_forces,   ///< F_r* of the independent speeds, p−m, with the symbols u̇
-  unreduced_forces, ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
+  mass_matrix,          ///< M of the independent speeds, (p−m)×(p−m)
+  forcing,              ///< f with M u̇ = f, p−m
+  mass_matrix_full,     ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
+  forcing_full,         ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
+  qdot,                 ///< n
+  udot,                 ///< p
+  rhs,                  ///< [q̇; u̇], n+p
+  active_forces,        ///< F_r of the independent speeds, p−m
+  inertia_forces,       ///< F_r* of the independent speeds, p−m, with the symbols u̇
+  unreduced_forces,     ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
+  inverse_dynamics,     ///< what must act on the independent speeds beside the loads, p−m, with the symbols u̇
+  required_inputs,      ///< the inputs that bring about u̇, s = p−m, with the symbols u̇
+  gravity_compensation, ///< what balances gravity on the independent speeds, p−m
+  coriolis,             ///< C with Ṁ − 2C skew-symmetric, of speeds that are rates of coordinates, p×p
   kinetic_energy,
   potential_energy,                    ///< of gravity, of springs and what the model gives as one
   linear_momentum,                     ///< 3, inertial axes
@@ -99,6 +103,13 @@ inline constexpr result_row results[]{
      stage::equations, false, true},
     {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations,
      false, true},
+    {quantity::inverse_dynamics, "inverse_dynamics", extent_by::independent_speeds, extent_by::one,
+     stage::constrained, false, true},
+    {quantity::required_inputs, "required_inputs", extent_by::inputs, extent_by::one, stage::constrained,
+     false, true},
+    {quantity::gravity_compensation, "gravity_compensation", extent_by::independent_speeds, extent_by::one,
+     stage::constrained, true},
+    {quantity::coriolis, "coriolis", extent_by::speeds, extent_by::speeds, stage::constrained, true},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
      true},
     {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,

@@ -17,6 +17,15 @@ int main() {
 #ifdef LINKED // an argument that is left out is not a number
   using eom = kanexpr::equations_of_motion<Turning>;
   const auto energy = eom::kinetic_energy(eom::state{{q, 0.3}, {u, -1.2}});
-  return energy.status || !energy.status.cause().starts_with("the result is not finite") ? 1 : 0;
+  if (energy.status || !energy.status.cause().starts_with("the result is not finite")) return 1;
+  // and neither is what a system does not have
+  using given = kanexpr::equations_of_motion<Given>;
+  const given::state at{{q, 0.3}, {dot(q), -1.2}};
+  const given::parameters values{{l, 0.7}, {m, 2}};
+  const auto kinetic = given::kinetic_energy(at, values);
+  if (kinetic.status || !kinetic.status.cause().starts_with("energies, momenta and the mass centre"))
+    return 2;
+  const auto rates = given::udot(at, values);
+  return rates.status && rates(0) < 0 ? 0 : 3;
 #endif
 }

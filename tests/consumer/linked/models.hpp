@@ -32,4 +32,9 @@ struct Sliding
                   configuration_constraints<x * x + y * y == l * l>, dependent<x, vx>, bodies<Bead>,
                   loads<gravity<9.81 * N::x>>> {};
 
+/// The first of them by its Lagrangian.
+constexpr parameter<"m"> m;
+struct Given : lagrange_system<inertial<N>, coordinates<q>, parameters<l, m>,
+                               lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * 9.81 * l * cos(q)>> {};
+
 } // namespace models

@@ -19,7 +19,12 @@ public:
   constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
     given.each([&](const auto& load, int) { load.act(acting_, how); });
     acting_.differentiate_energies();
-    if (!gravity || !given.has_gravity) return;
+    if (gravity) add_gravity(given);
+  }
+
+  /// The weights of all bodies.
+  constexpr void add_gravity(const loads& given) {
+    if (!given.has_gravity) return;
     for (const body& b : m_.bodies) acting_.add_force(b.center, b.mass * known_.in(given.gravity));
   }
 

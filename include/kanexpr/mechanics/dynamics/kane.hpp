@@ -18,6 +18,13 @@ constexpr sequence<expression> active_forces(const skeleton& s, const loads& act
   return f.run();
 }
 
+/// F_r of gravity alone.
+constexpr sequence<expression> forces_of_gravity(const skeleton& s, const loads& acting) {
+  generalized_forces f(s);
+  f.add_gravity(acting);
+  return f.run();
+}
+
 /// All motion, in which the ground falls upwards in place of gravity on every body; without rates of the
 /// speeds at u̇ = 0.
 constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,

@@ -57,6 +57,16 @@ constexpr sequence<singularity_check> checks_of_speeds(const mechanism& m, const
                                [&](const sequence<int>& places) { return speeds_called(m, places); });
 }
 
+constexpr sequence<singularity_check> checks_of_inputs(const mechanism& m,
+                                                       const sequence<symbolic::solved_block>& blocks) {
+  sequence<singularity_check> checks;
+  for (const symbolic::solved_block& b : blocks)
+    checks.push({b.key, b.measure, b.scale,
+                 sentence({"the equations of motion cannot be solved for ",
+                           enumerated(m, m.inputs, b.columns, "input").view(), " at this state"})});
+  return checks;
+}
+
 /// Of the pivots of a mass matrix, each once.
 constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const partition& speeds,
                                                      const sequence<symbolic::pivot>& pivots) {

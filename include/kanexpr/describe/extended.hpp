@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kanexpr/describe/system.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+/// Two words of one kind as one.
+template <class Word, class Added>
+struct joined {
+  static constexpr bool is_one = false;
+};
+template <template <auto...> class Word, auto... told, auto... added>
+struct joined<Word<told...>, Word<added...>> {
+  static constexpr bool is_one = true;
+  using type = Word<told..., added...>;
+};
+template <template <class...> class Word, class... Told, class... Added>
+struct joined<Word<Told...>, Word<Added...>> {
+  static constexpr bool is_one = true;
+  using type = Word<Told..., Added...>;
+};
+
+/// The words of a system with some more: `Before` those that are no such word.
+template <method by, class Before, class After, class... Added>
+struct extended_words;
+template <class... Words>
+struct word_list {};
+
+template <method by, class... Words>
+struct extended_words<by, word_list<>, word_list<Words...>> {
+  using type = system_told_by<by, Words...>;
+};
+template <method by, class... Before, class Word, class... After, class Added, class... More>
+struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added, More...>
+    : extended_words<by, word_list<Before..., Word>, word_list<After...>, Added, More...> {};
+template <method by, class... Before, class Word, class... After, class Added, class... More>
+  requires(joined<Word, Added>::is_one)
+struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added, More...>
+    : extended_words<by, word_list<>, word_list<Before..., typename joined<Word, Added>::type, After...>,
+                     More...> {};
+template <method by, class... Before, class Added, class... More>
+struct extended_words<by, word_list<Before...>, word_list<>, Added, More...>
+    : extended_words<by, word_list<>, word_list<Before..., Added>, More...> {};
+
+/// What is extended and is no system.
+template <class Base>
+struct extends_no_system {
+  using extended_base = Base;
+};
+
+template <class Base, class... Added>
+struct extension {
+  static auto words(const volatile void*) -> system_told_by<method::kane, extends_no_system<Base>>;
+  template <method by, class... Words>
+  static auto words(const system_told_by<by, Words...>*) ->
+      typename extended_words<by, word_list<>, word_list<Words...>, Added...>::type;
+
+  using type = decltype(words(static_cast<const Base*>(nullptr)));
+};
+
+} // namespace describe
+
+/// A system with more loads, inputs or other words, which come behind those that it has:
+/// `struct Pushed : extended<System, inputs<F>, loads<force<P, F * N::x>>> {};`
+template <class System, class... Words>
+struct extended : describe::extension<System, Words...>::type {};
+
+} // namespace kanexpr

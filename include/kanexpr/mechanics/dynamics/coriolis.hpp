@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The coordinate of which each speed is the rate, or why there is none.
+struct speeds_as_rates {
+  sentence mistake{};
+  sequence<int> coordinate{};
+};
+
+constexpr speeds_as_rates coordinates_of_speeds(const skeleton& s) {
+  const mechanism& m = *s.model;
+  speeds_as_rates found;
+  for (int i = 0; i < m.speeds.size(); ++i) {
+    int own = none;
+    for (int j = 0; j < m.coordinates.size(); ++j)
+      if (s.coordinate_rates[j] == m.speeds[i]) own = j;
+    if (own == none && !found.mistake)
+      found.mistake =
+          sentence({"the Coriolis matrix is that of speeds which are the rates of coordinates; speed ",
+                    m.g->symbol_at(m.speeds[i].node()).called.view(), " is not"});
+    found.coordinate.push(own);
+  }
+  return found;
+}
+
+/// C with C u the part of M u̇ − f that is quadratic in the speeds u = q̇, from Christoffel symbols of the
+/// first kind, so that Ṁ − 2C is skew-symmetric: C = (Ṁ + J − Jᵀ)/2, J the derivatives of the momenta M u by
+/// q (Siciliano et al., Robotics: Modelling, Planning and Control, section 7.2.1).
+constexpr symbolic::matrix coriolis_matrix(const mechanism& m, const sequence<int>& coordinate,
+                                           const symbolic::matrix& mass,
+                                           const sequence<expression>& momenta) {
+  const int n = mass.rows;
+  symbolic::matrix by_q(*m.g, n, n), c(*m.g, n, n);
+  symbolic::differentiation change(*m.g);
+  for (int j = 0; j < n; ++j) {
+    change.set_rate(m.coordinates[coordinate[j]], m.one());
+    for (int i = 0; i < n; ++i) by_q(i, j) = change.of(momenta[i]);
+    change.restart();
+  }
+  for (int j = 0; j < n; ++j) change.set_rate(m.coordinates[coordinate[j]], m.speeds[j]);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const expression rate = change.of(mass(i, j)), turned = by_q(i, j) - by_q(j, i);
+      c(i, j) = (rate + turned) / 2;
+      c(j, i) = (rate - turned) / 2;
+    }
+  return c;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/linear/solve_linear.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The inputs that make forces zero into which they enter linearly, or why there are none such.
+struct required_inputs {
+  sentence mistake{};
+  symbolic::linear_solution solved{};
+};
+
+/// Of F_r + F_r* of the independent speeds, with the symbols u̇.
+constexpr required_inputs inputs_for(const mechanism& m, const sequence<expression>& forces) {
+  const int speeds = forces.size(), inputs = m.inputs.size();
+  if (speeds != inputs)
+    return {
+        sentence({"inputs follow from accelerations where there are as many as independent speeds; there ",
+                  inputs == 1 ? "is " : "are ", counted(inputs).view(), inputs == 1 ? " input" : " inputs",
+                  " for ", counted(speeds).view()})};
+  symbolic::matrix on_inputs(*m.g, speeds, inputs), others(*m.g, speeds, 1);
+  symbolic::substitution without_inputs(*m.g);
+  for (const expression& r : m.inputs) without_inputs.replace(r, m.zero());
+  for (int i = 0; i < speeds; ++i) others(i, 0) = -without_inputs.in(forces[i]);
+  for (int j = 0; j < inputs; ++j)
+    for (int i = 0; i < speeds; ++i) on_inputs(i, j) = symbolic::differentiate(forces[i], m.inputs[j]);
+  const sequence<char> live = symbolic::live_nodes(*m.g, symbolic::nodes_of(on_inputs.entries));
+  for (const expression& r : m.inputs)
+    if (live[r.node()] != 0)
+      return {sentence({"inputs follow from accelerations where forces are linear in them; they are not in ",
+                        m.g->symbol_at(r.node()).called.view()})};
+  required_inputs found{{}, symbolic::solve_linear(*m.g, on_inputs, others)};
+  if (!found.solved.structurally_regular)
+    found.mistake = sentence({"inputs follow from accelerations where they act on all independent speeds; "
+                              "these do not"});
+  return found;
+}
+
+} // namespace kanexpr::mechanics

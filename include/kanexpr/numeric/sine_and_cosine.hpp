@@ -1,0 +1,283 @@
+#pragma once
+
+#include <kanexpr/numeric/elementary.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+/// Sine and cosine of one angle or of several at once, in straight-line code: for `double`, `float`, the
+/// compiler's vectors of them, and in constant expressions.
+///
+/// |x| is reduced to an offset of at most π/4 from a multiple of π/2 by Cody and Waite's method (Software
+/// Manual for the Elementary Functions, 1980, chapter 8): parts of π/2 so short that their products with the
+/// number of quadrants are exact. Then come minimax polynomials. Up to `farthest_angle` the error is less
+/// than 1 ulp. Zeros keep their sign, and infinity gives NaN.
+///
+/// Angles beyond go to the C library, which reduces them exactly, by the one branch that there is. With the
+/// macro KANEXPR_ANGLES_WITHIN_REACH there is none, and they give NaN.
+
+// Callers may be compiled with -ffast-math; what cancels here may not be reassociated. Fusing is welcome.
+#if defined(__clang__)
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#if !defined(KANEXPR_NO_FUSING)
+#pragma clang fp contract(fast)
+#endif
+#endif
+
+namespace kanexpr::numeric {
+
+/// In radians, 20 860 turns: as far as sines and cosines are computed without the C library.
+inline constexpr double farthest_angle = 131072;
+
+/// The bytes of the vectors that are computed with; 0: none. Those of AVX-512 would be slower.
+#if defined(__AVX2__)
+inline constexpr std::size_t widest_vector = 32;
+#elif defined(__SSE2__) || defined(__aarch64__)
+inline constexpr std::size_t widest_vector = 16;
+#else
+inline constexpr std::size_t widest_vector = 0;
+#endif
+
+namespace detail {
+
+template <class Number, std::size_t count>
+struct vector_of {
+  typedef Number type __attribute__((vector_size(count * sizeof(Number))));
+};
+template <class Number>
+struct vector_of<Number, 1> {
+  using type = Number;
+};
+
+/// What T holds `count` of: T itself is a number or one of the compiler's vectors.
+template <class T>
+struct lanes {
+  using number = T;
+  static constexpr std::size_t count = 1;
+};
+template <class T>
+  requires requires(const T v) { v[0]; }
+struct lanes<T> {
+  using number = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+  static constexpr std::size_t count = sizeof(T) / sizeof(number);
+};
+template <class T>
+using number_of = typename lanes<T>::number;
+/// As many of another number.
+template <class T, class Number>
+using lanes_as = typename vector_of<Number, lanes<T>::count>::type;
+template <class T>
+using number_bits = std::conditional_t<sizeof(number_of<T>) == 8, std::uint64_t, std::uint32_t>;
+template <class T>
+using bits_of = lanes_as<T, number_bits<T>>;
+
+/// sin r = r + r³ S(r²) and cos r = 1 − r²/2 + r⁴ C(r²) for |r| ≤ π/4, with the least largest relative error.
+template <class Number>
+struct circular;
+template <>
+struct circular<double> { // 2^-57.9 and 2^-63.9
+  static constexpr double S[]{-0x1.5555555555548p-3, 0x1.111111110f7d0p-7,   -0x1.a01a019bfdee3p-13,
+                              0x1.71de3567d2be4p-19, -0x1.ae5e5a911c1a5p-26, 0x1.5d8fd18cf9527p-33};
+  static constexpr double C[]{0x1.555555555554bp-5,   -0x1.6c16c16c14f91p-10, 0x1.a01a019c844d5p-16,
+                              -0x1.27e4f7eac3446p-22, 0x1.1ee9d7b3dfb8dp-29,  -0x1.8fa4997f3dab6p-37};
+  static constexpr double quadrants = 0x1.45f306dc9c883p-1; // in a radian
+  static constexpr double integers = 0x1.8p52;              // from here on numbers are integers
+};
+template <>
+struct circular<float> { // 2^-37.4 and 2^-33
+  static constexpr float S[]{-0x1.555556p-3F, 0x1.111108p-7F, -0x1.a00f80p-13F, 0x1.6cd1f2p-19F};
+  static constexpr float C[]{0x1.55554ap-5F, -0x1.6c0c34p-10F, 0x1.99eb9cp-16F};
+  static constexpr float quadrants = 0x1.45f306p-1F;
+  static constexpr float integers = 0x1.8p23F;
+};
+
+/// Keeps g++ from merging v with what it is added to.
+template <class T>
+[[gnu::always_inline]] constexpr T rounded(const T& v) {
+#if defined(__clang__)
+  return v;
+#else
+  return __builtin_assoc_barrier(v);
+#endif
+}
+
+/// An angle of `quadrant` quarter turns, in its lowest bits, and the offset `near + rest`.
+template <class T>
+struct reduced_angle {
+  T near, rest;
+  bits_of<T> quadrant;
+};
+
+template <class To, class From>
+[[gnu::always_inline]] constexpr To converted(const From& v) {
+  if constexpr (lanes<From>::count == 1)
+    return static_cast<To>(v);
+  else
+    return __builtin_convertvector(v, To);
+}
+
+/// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is what the
+/// first leaves. The closest that an angle comes to a multiple of π/2 is 2^-60 (to 29 of them).
+template <class T>
+[[gnu::always_inline]] constexpr reduced_angle<T> reduced(const T& magnitude) {
+  using known = circular<double>;
+  const T shifted = rounded<T>(magnitude * known::quadrants + known::integers);
+  const T q = rounded<T>(shifted - known::integers);
+  const T first = rounded<T>(magnitude - q * 0x1.921fb54440000p+0);
+  const T subtracted = rounded<T>(q * 0x1.68c234c4c0000p-39);
+  const T near = rounded<T>(first - subtracted);
+  const T rest = rounded<T>(rounded<T>(first - near) - subtracted) - q * 0x1.98a2e03707344p-77;
+  return {near, rest, __builtin_bit_cast(bits_of<T>, shifted)};
+}
+
+#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
+template <class T>
+inline constexpr bool has_rest = !std::is_same_v<T, float>;
+#else
+template <class T>
+inline constexpr bool has_rest = true;
+#endif
+
+/// By way of `double`; where there is no such arithmetic, fused operations leave exact remainders.
+template <class T>
+  requires std::is_same_v<number_of<T>, float>
+[[gnu::always_inline]] constexpr reduced_angle<T> reduced(const T& magnitude) {
+#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
+  if (!std::is_constant_evaluated()) {
+    using known = circular<float>;
+    const float shifted = rounded(__builtin_fmaf(magnitude, known::quadrants, known::integers));
+    const float q = rounded(shifted - known::integers);
+    const float first = __builtin_fmaf(q, -0x1.921fb4p+0F, magnitude);
+    const float second = __builtin_fmaf(q, -0x1.4442d0p-24F, first);
+    return {__builtin_fmaf(q, -0x1.846988p-48F, second), {}, __builtin_bit_cast(std::uint32_t, shifted)};
+  }
+#endif
+  using wide = lanes_as<T, double>;
+  if constexpr (sizeof(wide) > (std::max)(widest_vector, sizeof(double))) {
+    reduced_angle<T> all;
+    for (std::size_t i = 0; i < lanes<T>::count; ++i) {
+      const reduced_angle<float> one = reduced<float>(magnitude[i]);
+      all.near[i] = one.near, all.rest[i] = one.rest, all.quadrant[i] = one.quadrant;
+    }
+    return all;
+  } else {
+    using known = circular<double>;
+    const wide all = converted<wide>(magnitude);
+    const wide shifted = rounded<wide>(all * known::quadrants + known::integers);
+    const wide q = rounded<wide>(shifted - known::integers);
+    const wide offset = rounded<wide>(all - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
+    const T near = converted<T>(offset);
+    return {near, converted<T>(offset - converted<wide>(near)),
+            converted<bits_of<T>>(__builtin_bit_cast(bits_of<wide>, shifted))};
+  }
+}
+
+/// By Horner's rule, from the coefficient `i` on.
+template <std::size_t i, std::size_t count, class Number, class T>
+[[gnu::always_inline]] constexpr T polynomial(const Number (&coefficients)[count], const T& x) {
+  if constexpr (i + 1 == count)
+    return T{} + coefficients[i];
+  else
+    return polynomial<i + 1>(coefficients, x) * x + coefficients[i];
+}
+
+template <class T>
+[[gnu::always_inline]] constexpr void sine_and_cosine_within_reach(const T& angle, T& sine, T& cosine) {
+  using number = number_of<T>;
+  using bits = bits_of<T>;
+  using known = circular<number>;
+  constexpr int last = 8 * sizeof(number) - 1;
+  constexpr auto sign = number_bits<T>{1} << last;
+  const bits given = __builtin_bit_cast(bits, angle);
+  const T magnitude = __builtin_bit_cast(T, given & ~sign);
+  const reduced_angle<T> r = reduced(magnitude);
+  const T square = r.near * r.near;
+  const T cube = r.near * square;
+  const T falling = square * polynomial<0>(known::C, square) - number(0.5);
+  T along, across;
+  if constexpr (has_rest<T>) {
+    along = r.near + (r.rest + cube * polynomial<0>(known::S, square));
+    across = number(1) + (square * falling - r.near * r.rest);
+  } else {
+    along = r.near + cube * polynomial<0>(known::S, square);
+    across = number(1) + square * falling;
+  }
+  // Odd quadrants exchange the two.
+  const bits s = __builtin_bit_cast(bits, along), c = __builtin_bit_cast(bits, across);
+  const bits exchanged = (s ^ c) & (0 - (r.quadrant & 1));
+  bits found_sine = s ^ exchanged ^ (r.quadrant << (last - 1) & sign) ^ (given & sign);
+  bits found_cosine = c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign);
+#if defined(KANEXPR_ANGLES_WITHIN_REACH)
+  const bits farther =
+      0 - ((__builtin_bit_cast(number_bits<T>, number(farthest_angle)) - (given & ~sign)) >> last);
+  found_sine |= farther;
+  found_cosine |= farther;
+#endif
+  sine = __builtin_bit_cast(T, found_sine);
+  cosine = __builtin_bit_cast(T, found_cosine);
+}
+
+/// Whether some lane is farther than the farthest angle, or no number.
+template <class T>
+[[gnu::always_inline]] constexpr bool is_out_of_reach(const T& angle) {
+  using bits = number_bits<T>;
+  const bits_of<T> given = __builtin_bit_cast(bits_of<T>, angle);
+  const bits_of<T> left = __builtin_bit_cast(bits, number_of<T>(farthest_angle)) - (given << 1 >> 1);
+  bits any{};
+  if constexpr (lanes<T>::count == 1)
+    any = left;
+  else
+    for (std::size_t i = 0; i < lanes<T>::count; ++i) any |= left[i];
+  return any >> (8 * sizeof(bits) - 1) != 0;
+}
+
+/// Corrects those that are out of reach.
+template <class Number>
+[[gnu::noinline, gnu::cold]] void by_the_library(std::size_t count, const Number* angle, Number* sine,
+                                                 Number* cosine) noexcept {
+  for (std::size_t i = 0; i < count; ++i)
+    if (is_out_of_reach(angle[i])) {
+      sine[i] = std::sin(angle[i]);
+      cosine[i] = std::cos(angle[i]);
+    }
+}
+
+} // namespace detail
+
+/// The sine and the cosine of an angle in radians, or of as many angles as T has lanes. Each lane has the
+/// bits of its own evaluation.
+template <class T>
+[[gnu::always_inline]] constexpr void sine_and_cosine(const T& angle, T& sine, T& cosine) noexcept {
+  detail::sine_and_cosine_within_reach(angle, sine, cosine);
+#if !defined(KANEXPR_ANGLES_WITHIN_REACH)
+  if (detail::is_out_of_reach(angle)) [[unlikely]] {
+    if (std::is_constant_evaluated()) {
+      if constexpr (detail::lanes<T>::count == 1) {
+        sine = static_cast<T>(elementary::sin(static_cast<double>(angle)));
+        cosine = static_cast<T>(elementary::cos(static_cast<double>(angle)));
+      }
+    } else {
+      // What the library is given must be in memory; what is computed here should not be.
+      detail::number_of<T> angles[detail::lanes<T>::count], sines[detail::lanes<T>::count],
+          cosines[detail::lanes<T>::count];
+      std::memcpy(angles, &angle, sizeof angle);
+      std::memcpy(sines, &sine, sizeof angle);
+      std::memcpy(cosines, &cosine, sizeof angle);
+      detail::by_the_library(detail::lanes<T>::count, angles, sines, cosines);
+      std::memcpy(&sine, sines, sizeof angle);
+      std::memcpy(&cosine, cosines, sizeof angle);
+    }
+  }
+#endif
+}
+
+} // namespace kanexpr::numeric
+
+#if defined(__clang__)
+#pragma float_control(pop)
+#endif

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kanexpr/numeric/sine_and_cosine.hpp>
+
+#include <bit>
+
+namespace kanexpr::numeric {
+
+namespace detail {
+
+/// How many of `left` numbers are taken at once: what fills a vector, or nearly.
+template <class Number>
+constexpr std::size_t taken_at_once(std::size_t left) {
+  constexpr std::size_t most = widest_vector / sizeof(Number);
+  constexpr std::size_t least = 16 / sizeof(Number);
+  if (most < least || left == 1) return 1;
+  return (std::min)(most, (std::max)(least, std::bit_ceil(left)));
+}
+
+template <class Number, std::size_t first, std::size_t lane, std::size_t count>
+[[gnu::always_inline]] inline Number angle_in_lane(const Number (&angle)[count]) {
+  if constexpr (first + lane < count)
+    return angle[first + lane];
+  else
+    return 0;
+}
+
+template <std::size_t first, class Number, std::size_t count, std::size_t... lane>
+[[gnu::always_inline]] inline bool sines_and_cosines_from(const Number (&angle)[count], Number (&sine)[count],
+                                                          Number (&cosine)[count],
+                                                          std::index_sequence<lane...>) {
+  using vector = typename vector_of<Number, sizeof...(lane)>::type;
+  const vector all{angle_in_lane<Number, first, lane>(angle)...};
+  vector sines, cosines;
+  sine_and_cosine_within_reach(all, sines, cosines);
+  const auto keep = [&]<std::size_t i>() {
+    if constexpr (first + i < count) {
+      if constexpr (sizeof...(lane) == 1)
+        sine[first] = sines, cosine[first] = cosines;
+      else
+        sine[first + i] = sines[i], cosine[first + i] = cosines[i];
+    }
+  };
+  (keep.template operator()<lane>(), ...);
+  bool far = is_out_of_reach(all);
+  constexpr std::size_t next = first + sizeof...(lane);
+  if constexpr (next < count)
+    far |= sines_and_cosines_from<next>(angle, sine, cosine,
+                                        std::make_index_sequence<taken_at_once<Number>(count - next)>{});
+  return far;
+}
+
+} // namespace detail
+
+/// The sines and the cosines of several angles in radians, in vectors of the processor. Each has the bits of
+/// `sine_and_cosine` of its angle.
+template <class Number, std::size_t count>
+[[gnu::always_inline]] inline void sines_and_cosines(const Number (&angle)[count], Number (&sine)[count],
+                                                     Number (&cosine)[count]) noexcept {
+  [[maybe_unused]] const bool far = detail::sines_and_cosines_from<0>(
+      angle, sine, cosine, std::make_index_sequence<detail::taken_at_once<Number>(count)>{});
+#if !defined(KANEXPR_ANGLES_WITHIN_REACH)
+  if (far) [[unlikely]] {
+    Number angles[count], sines[count], cosines[count];
+    for (std::size_t i = 0; i < count; ++i) angles[i] = angle[i], sines[i] = sine[i], cosines[i] = cosine[i];
+    detail::by_the_library(count, angles, sines, cosines);
+    for (std::size_t i = 0; i < count; ++i) sine[i] = sines[i], cosine[i] = cosines[i];
+  }
+#endif
+}
+
+} // namespace kanexpr::numeric

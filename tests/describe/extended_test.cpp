@@ -1,0 +1,101 @@
+// A system that is extended is the one that is written whole.
+#include <kanexpr/kanexpr.hpp>
+#include <models/double_pendulum.hpp>
+#include <models/four_bar.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kanexpr;
+
+namespace arm {
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr coordinate<"s"> s;
+constexpr speed<"v"> v;
+constexpr parameter<"m"> m;
+constexpr parameter<"l"> l;
+constexpr input<"T"> T;
+constexpr input<"F"> F;
+
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, l * A::x> {};
+struct S : offset<S, O, s * N::x> {};
+struct Bob : particle<Bob, P, m> {};
+struct Block : particle<Block, S, 2 * m> {};
+
+struct Pendulum
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<l, m>,
+                  inputs<T>, bodies<Bob>, loads<gravity<-9.81 * N::y>, torque<A, T * N::z>>> {};
+
+/// More loads and inputs, and a second degree of freedom.
+struct Pushed : extended<Pendulum, inputs<F>, loads<force<P, F * N::x>>> {};
+struct WithBlock : extended<Pendulum, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, bodies<Block>,
+                            loads<spring<S, P, 3, 1>>, loads<damper<S, P, 0.5>>> {};
+struct Whole
+    : kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>, kinematics<dot(q) == u, dot(s) == v>,
+                  parameters<l, m>, inputs<T>, bodies<Bob, Block>,
+                  loads<gravity<-9.81 * N::y>, torque<A, T * N::z>, spring<S, P, 3, 1>, damper<S, P, 0.5>>> {
+};
+struct Twice : extended<Pushed, loads<damper<O, S, 1>>, bodies<Block>, coordinates<s>, speeds<v>,
+                        kinematics<dot(s) == v>> {};
+
+} // namespace arm
+
+TEST(extended, has_more_loads_and_inputs) {
+  using namespace arm;
+  using eom = equations_of_motion<Pushed>;
+  const eom::state x{{q, 0.4}, {u, -0.3}};
+  const eom::parameters p{{l, 0.7}, {m, 2}};
+  const eom::inputs r{{T, 0.2}, {F, 5}};
+  const double expected = (0.2 - 5 * 0.7 * std::sin(0.4) - 2 * 9.81 * 0.7 * std::cos(0.4)) / (2 * 0.7 * 0.7);
+  EXPECT_NEAR(eom::udot(x, p, r)[0], expected, 1e-13 * std::abs(expected));
+}
+
+TEST(extended, is_the_system_that_is_written_whole) {
+  using namespace arm;
+  using some = equations_of_motion<WithBlock>;
+  using whole = equations_of_motion<Whole>;
+  const some::state x{{q, 0.4}, {u, -0.3}, {s, 0.9}, {v, 1.1}};
+  const some::parameters p{{l, 0.7}, {m, 1.3}};
+  const auto found = some::udot(x, p, some::inputs(0.2));
+  const auto expected = whole::udot(whole::state(x), whole::parameters(p), whole::inputs(0.2));
+  EXPECT_TRUE(found == expected);
+  static_assert(some::cost(some::udot).multiplications == whole::cost(whole::udot).multiplications);
+}
+
+TEST(extended, can_be_extended_again) {
+  using namespace arm;
+  using eom = equations_of_motion<Twice>;
+  const eom::state x{{q, 0.4}, {u, -0.3}, {s, 0.9}, {v, 1.1}};
+  EXPECT_NEAR(eom::udot(x, eom::parameters{{l, 0.7}, {m, 2}}, eom::inputs{{T, 0.2}, {F, 5}})[1], -1.1 / 4,
+              1e-14);
+}
+
+/// By Lagrange's method, with constraints.
+struct Braked : extended<four_bar::LagrangeSystem,
+                         loads<torque<four_bar::C, -2 * dot(four_bar::q1) * four_bar::N::z>>> {};
+
+TEST(extended, keeps_the_method_and_the_constraints) {
+  using eom = equations_of_motion<Braked>;
+  using before = equations_of_motion<four_bar::LagrangeSystem>;
+  static_assert(eom::coordinates == 3 && eom::state::RowsAtCompileTime == 6);
+  eom::state x;
+  x << 0.5, 0.3, -1.2, 1, 0.4, -0.2;
+  const eom::parameters p = eom::parameters::Constant(1.1);
+  const eom::inputs r(0.7);
+  const Eigen::VectorXd change =
+      eom::active_forces(x, p, r) -
+      before::active_forces(before::state(x), before::parameters(p), before::inputs(r));
+  const auto A = before::dependency(before::state(x), before::parameters(p));
+  const Eigen::Vector3d torque(-2, -2, -2); // C turns with all three rates
+  const double expected = torque(0) + A(0, 0) * torque(1) + A(1, 0) * torque(2);
+  ASSERT_EQ(change.size(), 1);
+  EXPECT_NEAR(change(0), expected, 1e-13 * std::abs(expected));
+}
+
+} // namespace

@@ -1,0 +1,8 @@
+// expect: the Coriolis matrix is that of speeds which are the rates of coordinates; speed u is not
+#include "pendulum.hpp"
+
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == 2 * u>, bodies<Bob>> {};
+using eom = equations_of_motion<System>;
+
+int main() { eom::coriolis(eom::state(), eom::parameters()); }

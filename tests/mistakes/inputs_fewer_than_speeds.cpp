@@ -1,0 +1,10 @@
+// expect: inputs follow from accelerations where there are as many as independent speeds; there are 0 inputs
+// for 1
+#include "pendulum.hpp"
+
+struct System : pendulum_with<Bob> {};
+using eom = equations_of_motion<System>;
+
+int main() {
+  eom::required_inputs(eom::state(), eom::parameters(), eom::inputs(), Eigen::Matrix<double, 1, 1>(1.0));
+}
