@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Derives M and f by SymPy's Kane's method and writes them as C and as Python, once for each result:
-sympy_sources.py MODEL DIRECTORY. Where that takes too long whoever has started it ends it.
+sympy_sources.py MODEL DIRECTORY. Whoever starts it limits its time.
 
 M u̇ = f is solved by elimination in C and by NumPy in Python; so are the derivatives, by those of f − M u̇ at given u̇.
 """

@@ -14,7 +14,7 @@ CONSTRAINED = "its constraints hold points in place; none lets a wheel roll"
 
 
 def prefix():
-    return Path(sysconfig.get_path("purelib")) / "cmeel.prefix"
+    return (Path(sysconfig.get_path("purelib")) / "cmeel.prefix").resolve()
 
 
 def flags():

@@ -1,6 +1,9 @@
-"""What SymPy generates: C, and functions of Python (lambdify). Derivation and common subexpressions may take a minute."""
+"""What SymPy generates: C, and functions of Python (lambdify). Derivation and shared subexpressions may take a minute of
+the processor."""
 
 import os
+import resource
+import signal
 import subprocess
 import sys
 
@@ -21,12 +24,11 @@ def sources(model, shop, models):
     if not folder.exists():
         unfinished = folder.with_suffix(".unfinished")
         unfinished.mkdir(exist_ok=True)
-        try:
-            subprocess.run([*shop.nice, sys.executable, HERE / "sympy_sources.py", models / f"{model.name}.model",
-                            unfinished], timeout=SECONDS, check=True,
-                           env={**os.environ, "SYMPY_CACHE_SIZE": "None"})
-        except subprocess.TimeoutExpired:
-            pass
+        ended = subprocess.run([*shop.nice, sys.executable, HERE / "sympy_sources.py", models / f"{model.name}.model",
+                                unfinished], env={**os.environ, "SYMPY_CACHE_SIZE": "None"},
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 5)))
+        if ended.returncode not in (0, -signal.SIGXCPU):
+            ended.check_returncode()
         unfinished.rename(folder)
     return folder
 
