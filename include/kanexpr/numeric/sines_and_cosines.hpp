@@ -46,7 +46,7 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
   constexpr std::size_t next = first + sizeof...(lane);
   if constexpr (next < count)
     is_far |= sines_and_cosines_from<next>(angle, sine, cosine,
-                                        std::make_index_sequence<taken_at_once<Number>(count - next)>{});
+                                           std::make_index_sequence<taken_at_once<Number>(count - next)>{});
   return is_far;
 }
 
