@@ -303,7 +303,7 @@ private:
     else if constexpr (requires { into.value; })
       into.value = done.template result<first>();
     else
-      into = done.template result<first>();
+      static_cast<T&>(into) = done.template result<first>(); // a class of numbers may have a status beside it
   }
 
 protected:
