@@ -98,4 +98,8 @@ struct BoundSystem
                      Ifork31 == 0.00756, Iframe11 == 9.2, Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4,
                      mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
 
+/// The same with a torque between fork and frame, by which its rider steers.
+constexpr input<"T"> T;
+struct SteeredSystem : extended<BoundSystem, inputs<T>, loads<torque_between<Fork, Frame, T * Frame::x>>> {};
+
 } // namespace bicycle

@@ -1,7 +1,9 @@
 // Results, values and their status: docs/guide/results.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc.hpp"
+#include "models/simple_pendulum.hpp"
 
+#include <kanexpr/compiled/constant_values.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
@@ -68,6 +70,9 @@ TEST(results, bring_about_wanted_rates) {
 #include <docs/guide/results/computed_torque.cpp>
   ASSERT_TRUE(torques.status);
   const eom::inputs r(torques(0), torques(1));
+#include <docs/guide/results/derivatives.cpp>
+  EXPECT_EQ(by_state.cols(), 4);
+  EXPECT_LE((by_rates - eom::mass_matrix(x, p)).norm(), 1e-14);
   EXPECT_LE((eom::udot(x, p, r) - Eigen::Vector2d(4 - 20 + 10, 5 - 40 - 10)).norm(), 1e-10);
 }
 
@@ -84,6 +89,18 @@ TEST(results, take_values) {
 }
 
 } // namespace arm
+
+namespace pendulum {
+
+using namespace simple_pendulum;
+using eom = equations_of_motion<System>;
+
+TEST(results, are_constants) {
+#include <docs/guide/results/constant.cpp>
+  EXPECT_NEAR(std::get<0>(both)(1, 0), -10 / 3.0 * std::cos(0.5), 1e-14);
+}
+
+} // namespace pendulum
 
 namespace disc {
 

@@ -18,22 +18,22 @@ struct entry {
 
   template <class Symbol, class Value>
     requires requires(const Symbol& symbol) { describe::shape_of(symbol); }
-  entry(const Symbol&, const Value& number)
+  constexpr entry(const Symbol&, const Value& number)
       : place(place_in<System, which, Symbol>::place), value(taken(number)) {}
 
   template <std::convertible_to<std::string_view> Name, class Value>
-  entry(const Name& called, const Value& number)
+  constexpr entry(const Name& called, const Value& number)
       : place(place_called(called)), value(taken(number)), name(called) {}
 
 private:
   template <class Value>
-  static Scalar taken(const Value& number) {
+  static constexpr Scalar taken(const Value& number) {
     if constexpr (std::convertible_to<Value, Scalar>)
       return static_cast<Scalar>(number);
     else
       return lower::scalar_math<Scalar>::from(static_cast<double>(number));
   }
-  static int place_called(std::string_view name) {
+  static constexpr int place_called(std::string_view name) {
     constexpr symbol_range range = range_of(which, survey_of<System>);
     for (int i = 0; i < range.size; ++i)
       if (survey_of<System>.names[range.first + i].view() == name) return i;

@@ -7,6 +7,7 @@
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/numeric/fixed_matrix.hpp>
 
 #include <tuple>
 
@@ -100,6 +101,7 @@ struct function {
       static_cast<std::size_t>(compiled::survey_of<System>.coordinates + compiled::survey_of<System>.speeds);
   static constexpr std::size_t parameter_count =
       static_cast<std::size_t>(compiled::survey_of<System>.parameters);
+  static constexpr std::size_t speed_count = static_cast<std::size_t>(compiled::survey_of<System>.speeds);
   static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
 
   /// Operations of one call.
@@ -107,39 +109,16 @@ struct function {
 
   template <class First, class... More>
   [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
-      return evaluate(compiled::not_given{}, first, more...);
-    else
-      return evaluate(first, more...);
+    return evaluate_at<false>(first, more...);
   }
 
-  /// The first result in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
-  /// {2.0})(0, 0) == 2)`.
+  /// In a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
+  /// Several results are a tuple.
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p,
                                  const std::array<double, input_count>& r, double t = 0) {
-    using symbolic::symbol_kind;
-    const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
-      const auto i = static_cast<std::size_t>(l.position);
-      switch (l.from) {
-      case symbol_kind::coordinate: return x[i];
-      case symbol_kind::speed:
-        return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
-      case symbol_kind::parameter: return p[i];
-      case symbol_kind::input: return r[i];
-      case symbol_kind::time: return t;
-      case symbol_kind::speed_rate: // are no arguments of a constant call
-      case symbol_kind::coordinate_rate:
-      case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break;
-      }
-      return t;
-    });
-    constexpr deriving::extent size = std::get<0>(std::tuple(compiled::extent_of<wanted, System>...));
-    lower::constant_matrix<size.rows, size.columns> result;
-    for (int i = 0; i < size.rows * size.columns; ++i)
-      result.entries[static_cast<std::size_t>(i)] = slot[static_cast<std::size_t>(code::tape.results[i])];
-    return result;
+    static_assert(sizeof(constant_call<parameter_values<System>, input_values<System>>) != 0);
+    return constant_at(x, p, r, {}, t);
   }
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p) {
@@ -151,13 +130,55 @@ struct function {
     return constant(x, {}, {});
   }
 
+  /// The same at given rates of the speeds.
+  static constexpr auto constant_at(const std::array<double, state_size>& x,
+                                    const std::array<double, parameter_count>& p,
+                                    const std::array<double, input_count>& r,
+                                    const std::array<double, speed_count>& a, double t = 0) {
+    using symbolic::symbol_kind;
+    const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
+      const auto i = static_cast<std::size_t>(l.position);
+      switch (l.from) {
+      case symbol_kind::coordinate: return x[i];
+      case symbol_kind::speed:
+        return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
+      case symbol_kind::parameter: return p[i];
+      case symbol_kind::input: return r[i];
+      case symbol_kind::speed_rate: return a[i];
+      case symbol_kind::time: return t;
+      case symbol_kind::coordinate_rate: // are no arguments of a call
+      case symbol_kind::auxiliary_speed:
+      case symbol_kind::multiplier: break;
+      }
+      return t;
+    });
+    if constexpr (sizeof...(wanted) == 1)
+      return constant_result<0, wanted...>(slot);
+    else
+      return constant_results(slot, std::make_index_sequence<sizeof...(wanted)>{});
+  }
+
 private:
   using none = compiled::not_given;
   /// Tells what is needed and left out.
-  template <class P>
-  using constant_call = compiled::call<System, code, double, state<System>, P, none, none, wanted...>;
+  template <class P, class R = none>
+  using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
 
-  template <class Time, class X, class P = none, class R = none, class A = none>
+  template <int first, auto one, class Slots>
+  static constexpr auto constant_result(const Slots& slot) {
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    numeric::fixed_matrix<double, size.rows, size.columns> result;
+    for (int i = 0; i < size.rows; ++i)
+      for (int j = 0; j < size.columns; ++j)
+        result(i, j) = slot[static_cast<std::size_t>(code::tape.results[first + i * size.columns + j])];
+    return result;
+  }
+  template <class Slots, std::size_t... i>
+  static constexpr auto constant_results(const Slots& slot, std::index_sequence<i...>) {
+    return std::tuple(constant_result<first_of(i), wanted>(slot)...);
+  }
+
+  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
@@ -169,7 +190,7 @@ private:
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      return collect_from<T>(
+      return collect_from<with_statuses, T>(
           lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
@@ -178,8 +199,9 @@ private:
   template <class Vector>
   [[gnu::always_inline]] static void assert_size([[maybe_unused]] const Vector& v,
                                                  [[maybe_unused]] std::size_t size) noexcept {
-    if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic)
+    if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic) {
       eigen_assert(static_cast<std::size_t>(v.size()) == size && "a vector is not of the system's size");
+    }
   }
 
   template <class T>
@@ -193,20 +215,20 @@ private:
   static constexpr int checks = code::causes.sizes.count;
   static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
-  template <class T>
+  template <bool with_statuses, class T>
   [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
-      return with_status_of<T>(done, collect<T, 0, wanted...>(done));
+      return with_status_of<with_statuses>(done, collect<T, 0, wanted...>(done));
     } else {
-      return collect_all<T>(done, std::make_index_sequence<sizeof...(wanted)>{});
+      return collect_all<with_statuses>(done, std::make_index_sequence<sizeof...(wanted)>{});
     }
   }
 
-  /// A result of which nothing had to be solved comes alone.
-  template <class T, class Result>
+  /// A result of which nothing had to be solved comes alone, unless it is to have a status.
+  template <bool with_statuses, class T, class Result>
   [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
                                                     const Result& result) noexcept {
-    if constexpr (checks == 0)
+    if constexpr (checks == 0 && !with_statuses)
       return result;
     else
       return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, checks>{})};
@@ -216,11 +238,15 @@ private:
   template <class T, int... i>
   [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
-    int first = -1;
-    const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
-    static_cast<void>(order);
-    const std::string_view cause = code::causes[first < 0 ? 0 : first];
-    return first < 0 ? status() : status(cause);
+    if constexpr (checks == 0) {
+      return {};
+    } else {
+      int first = -1;
+      const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
+      static_cast<void>(order);
+      const std::string_view cause = code::causes[first < 0 ? 0 : first];
+      return first < 0 ? status() : status(cause);
+    }
   }
 
   template <class T, int i>
@@ -237,19 +263,18 @@ private:
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
-      return fill<T, first, size.rows, size.columns>(
-          done, std::make_integer_sequence<int, size.rows * size.columns>{});
+      Eigen::Matrix<T, size.rows, size.columns> m;
+      fill<T, first, size.columns>(done, m, std::make_integer_sequence<int, size.rows * size.columns>{});
+      return m;
     }
   }
 
   // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
-  template <class T, int first, int rows, int columns, int... i>
-  [[gnu::always_inline]] static auto fill(const lower::unrolled_tape<code, T>& done,
+  template <class T, int first, int columns, class Matrix, int... i>
+  [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, T>& done, Matrix& m,
                                           std::integer_sequence<int, i...>) noexcept {
-    Eigen::Matrix<T, rows, columns> m;
     const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
     static_cast<void>(order);
-    return m;
   }
 
   static constexpr int first_of(std::size_t which) {
@@ -259,10 +284,36 @@ private:
     return first;
   }
 
-  template <class T, std::size_t... i>
+  /// In place: what is as large as the derivatives of an arm should not be copied.
+  template <bool with_statuses, class T, std::size_t... i>
   [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, T>& done,
                                                  std::index_sequence<i...>) noexcept {
-    return std::tuple(with_status_of<T>(done, collect<T, first_of(i), wanted>(done))...);
+    std::tuple<decltype(with_status_of<with_statuses>(done, collect<T, first_of(i), wanted>(done)))...> all;
+    (put<first_of(i), wanted>(done, std::get<i>(all)), ...);
+    return all;
+  }
+
+  template <int first, auto one, class T, class Result>
+  [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, T>& done, Result& into) noexcept {
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    if constexpr (requires { into.status; })
+      into.status = status_of<T>(done, std::make_integer_sequence<int, checks>{});
+    if constexpr (!size.scalar)
+      fill<T, first, size.columns>(done, into, std::make_integer_sequence<int, size.rows * size.columns>{});
+    else if constexpr (requires { into.value; })
+      into.value = done.template result<first>();
+    else
+      into = done.template result<first>();
+  }
+
+protected:
+  /// The results, each with a status if it says so, whether or not something had to be solved.
+  template <bool with_statuses, class First, class... More>
+  [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
+    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+      return evaluate<with_statuses>(compiled::not_given{}, first, more...);
+    else
+      return evaluate<with_statuses>(first, more...);
   }
 };
 

@@ -9,21 +9,6 @@
 /// Evaluation inside a constant expression, where neither Eigen nor the C library can go.
 namespace kanexpr::lower {
 
-/// A result as a plain constant: `m(i, j)`, and a number where it is one.
-template <int rows, int columns>
-struct constant_matrix {
-  std::array<double, static_cast<std::size_t>(rows* columns)> entries{};
-
-  constexpr double operator()(int i, int j = 0) const {
-    return entries[static_cast<std::size_t>(i * columns + j)];
-  }
-  constexpr operator double() const
-    requires(rows == 1 && columns == 1)
-  {
-    return entries[0];
-  }
-};
-
 /// A step of an elimination; the solution of a singular system is not-a-number.
 constexpr void run_linear_step(const linear_step& e, const int* operands, const double* slot, double* out) {
   using math = numeric::constant_elimination_math;

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kanexpr/compiled/entry.hpp>
+#include <kanexpr/compiled/gap.hpp>
+
+#include <array>
+#include <initializer_list>
+
+namespace kanexpr {
+
+namespace compiled {
+
+/// A vector of a system by name, for constant expressions. Dependent symbols may be left out, and are zero.
+/// What else has no value, or two, is not a number, nor is all where a name is not the system's: clang++
+/// refuses to go on with that.
+template <class System, symbols_of which>
+constexpr auto constant_values(std::initializer_list<entry<System, which, double>> named) {
+  constexpr symbol_range range = range_of(which, survey_of<System>);
+  std::array<double, static_cast<std::size_t>(range.size)> values{};
+  std::array<bool, static_cast<std::size_t>(range.size) + 1> set{};
+  bool knows_all = true;
+  for (const auto& given : named) {
+    knows_all = knows_all && given.place >= 0;
+    if (given.place < 0) continue;
+    const auto place = static_cast<std::size_t>(given.place);
+    values[place] = set[place] ? number_for(gap::set_twice) : given.value;
+    set[place] = true;
+  }
+  for (int i = 0; i < range.size; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    if (!knows_all || (!set[place] && !survey_of<System>.dependent[range.first + i]))
+      values[place] = number_for(knows_all ? gap::never_set : gap::beside_unknown);
+  }
+  return values;
+}
+
+} // namespace compiled
+
+/// The state, the parameters and the inputs of a system as constant expressions take them, by name:
+/// `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}), constant_parameters<System>({{m, 2}}))`.
+template <class System>
+constexpr auto
+constant_state(std::initializer_list<compiled::entry<System, compiled::symbols_of::state, double>> named) {
+  return compiled::constant_values<System, compiled::symbols_of::state>(named);
+}
+template <class System>
+constexpr auto constant_parameters(
+    std::initializer_list<compiled::entry<System, compiled::symbols_of::parameters, double>> named) {
+  return compiled::constant_values<System, compiled::symbols_of::parameters>(named);
+}
+template <class System>
+constexpr auto
+constant_inputs(std::initializer_list<compiled::entry<System, compiled::symbols_of::inputs, double>> named) {
+  return compiled::constant_values<System, compiled::symbols_of::inputs>(named);
+}
+
+} // namespace kanexpr

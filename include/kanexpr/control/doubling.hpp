@@ -1,0 +1,141 @@
+#pragma once
+
+#include <kanexpr/numeric/fixed_matrix.hpp>
+
+namespace kanexpr::control {
+
+using numeric::fixed_matrix;
+
+/// Whether A and B are those of ẋ = A x + B r, or of x⁺ = A x + B r.
+enum class time_domain : unsigned char { continuous, discrete };
+
+/// A Riccati equation with G = B R⁻¹ Bᵀ: Aᵀ X + X A − X G X + Q = 0, or X = Aᵀ X (1 + G X)⁻¹ A + Q.
+template <class T, int n>
+struct riccati_equation {
+  fixed_matrix<T, n, n> a, g, q;
+};
+
+/// A symmetric matrix, and whether it solves the equation.
+template <class T, int n>
+struct riccati_solution {
+  fixed_matrix<T, n, n> x{};
+  bool found = false;
+};
+
+template <class T>
+constexpr T power_of_two_near_root(T x) {
+  T root = 1;
+  while (root * root < x) root *= 2;
+  while (root * root > x) root /= 2;
+  return root;
+}
+
+/// The stabilizing solution by structured doubling (Chu, Fan, Lin & Wang, Structure-preserving algorithms for
+/// periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes the motion of
+/// the closed loop over 2ᵏ steps. Nothing is found where it grows so far that only rounding reaches it, does
+/// not vanish, or halves from step to step, as it does for a closed loop on the unit circle (Chiang et al.,
+/// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009).
+template <class T, int n>
+constexpr riccati_solution<T, n> doubled(riccati_equation<T, n> e) {
+  using limits = std::numeric_limits<T>;
+  constexpr T root = power_of_two_near_root(limits::epsilon()), most = 8 / root, little = 8 * root,
+              medium = power_of_two_near_root(little);
+  constexpr int most_steps = limits::digits * 7 / 8, most_slow_steps = limits::digits / 9;
+  int slow_steps = 0;
+  T size = numeric::largest_entry(e.a);
+  for (int k = 0; k < most_steps && size < most && slow_steps <= most_slow_steps; ++k) {
+    const numeric::eliminated<T, n> w(numeric::identity<T, n>() + e.g * e.q);
+    if (w.is_singular()) break;
+    const fixed_matrix<T, n, n> v = w.solve(e.a), at = numeric::transposed(e.a);
+    e.g = numeric::symmetric(e.g + e.a * w.solve(e.g) * at);
+    e.q = numeric::symmetric(e.q + at * (e.q * v));
+    e.a = e.a * v;
+    size = numeric::largest_entry(e.a);
+    if (size <= limits::epsilon() * limits::epsilon()) return {e.q, true};
+    if (size > little && size < medium) ++slow_steps;
+  }
+  return {e.q, false};
+}
+
+/// Cayley's transform of a continuous equation: the discrete one with the same solution (Chu, Fan & Lin, A
+/// structure-preserving doubling algorithm for continuous-time algebraic Riccati equations, Linear Algebra
+/// Appl. 396, 2005). Its matrices are [A, G; −Q, Aᵀ] = 1 + 2γ S⁻¹ diag(1, −1) with S = [A − γ, −G; −Q, γ −
+/// Aᵀ].
+template <class T, int n>
+class cayley {
+public:
+  constexpr cayley(const riccati_equation<T, n>& e, T shift) {
+    const numeric::eliminated<T, 2 * n> s(hamiltonian(e, shift));
+    if (s.is_singular()) return;
+    fixed_matrix<T, 2 * n, 2 * n> right;
+    for (int i = 0; i < n; ++i) right(i, i) = 2 * shift, right(n + i, n + i) = -2 * shift;
+    const fixed_matrix<T, 2 * n, 2 * n> found = s.solve(right);
+    size = 1 + numeric::largest_entry(found);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        discrete.a(i, j) = found(i, j) + (i == j ? T(1) : T(0));
+        discrete.g(i, j) = found(i, n + j);
+        discrete.q(i, j) = -found(n + i, j);
+      }
+    discrete.g = numeric::symmetric(discrete.g);
+    discrete.q = numeric::symmetric(discrete.q);
+  }
+
+  /// [A − γ, −G; −Q, γ − Aᵀ], the Hamiltonian matrix at γ = 0.
+  static constexpr fixed_matrix<T, 2 * n, 2 * n> hamiltonian(const riccati_equation<T, n>& e, T shift) {
+    fixed_matrix<T, 2 * n, 2 * n> h;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const T diagonal = i == j ? shift : T(0);
+        h(i, j) = e.a(i, j) - diagonal;
+        h(i, n + j) = -e.g(i, j);
+        h(n + i, j) = -e.q(i, j);
+        h(n + i, n + j) = diagonal - e.a(j, i);
+      }
+    return h;
+  }
+
+  riccati_equation<T, n> discrete{};
+  T size = 0; ///< of its largest entry; zero: S is singular
+};
+
+/// A power of two near the geometric mean of the eigenvalues of a matrix, by its pivots; zero where one of
+/// them vanishes, or nearly so.
+template <class T, int n>
+constexpr T mean_rate(const numeric::eliminated<T, n>& m) {
+  if (m.is_singular()) return 0;
+  constexpr int most = 2 * std::numeric_limits<T>::max_exponent;
+  int exponent = 0;
+  T product = 1; // of the reciprocals of the pivots
+  for (int k = 0; k < n; ++k) {
+    product *= numeric::constant_elimination_math::magnitude(m.reciprocal(k));
+    for (int i = 0; i < most && product >= 2; ++i) product /= 2, --exponent;
+    for (int i = 0; i < most && product < 1; ++i) product *= 2, ++exponent;
+    if (!(product >= 1 && product < 2)) return 0; // it was infinite, or zero
+  }
+  T mean = 1;
+  for (int i = 0; i < exponent / n; ++i) mean *= 2;
+  for (int i = 0; i < -exponent / n; ++i) mean /= 2;
+  return mean;
+}
+
+/// One stabilizing solution; nothing is found where there is none, and not always where Q leaves out what
+/// grows.
+template <time_domain domain, class T, int n>
+constexpr riccati_solution<T, n> stabilizing(const riccati_equation<T, n>& e) {
+  if constexpr (domain == time_domain::discrete) {
+    return doubled(e);
+  } else {
+    // A shift at an eigenvalue of A may leave S nearly singular: one of three does not.
+    const T mean = mean_rate(numeric::eliminated<T, 2 * n>(cayley<T, n>::hamiltonian(e, 0)));
+    if (!(mean > 0)) return {};
+    cayley<T, n> best(e, mean);
+    for (const T shift : {mean / 2, 2 * mean}) {
+      const cayley<T, n> other(e, shift);
+      if (other.size > 0 && (!(best.size > 0) || other.size < best.size)) best = other;
+    }
+    return best.size > 0 ? doubled(best.discrete) : riccati_solution<T, n>{};
+  }
+}
+
+} // namespace kanexpr::control

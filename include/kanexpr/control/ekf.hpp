@@ -1,0 +1,174 @@
+#pragma once
+
+#include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/control/discretize.hpp>
+#include <kanexpr/steps/fixed_step.hpp>
+
+#include <type_traits>
+
+namespace kanexpr {
+
+/// The extended Kalman filter of a system: its state, which sensors measure with noise, and how uncertain it
+/// is. `measured` are expressions of the model, scalars and vectors, which may hold velocities and
+/// accelerations:
+///
+///     ekf<System, q1, acceleration_of<P>> filter(x0, P0);
+///     if (const status s = filter.predict(t, h, p, r, Q); !s) …   // the state at t + h
+///     if (const status s = filter.update(y, p, r, R); !s) …       // what the sensors say of it
+///
+/// The covariance is that of the states of the linearized equations, the independent coordinates and speeds
+/// (`linearization<System>::places`); the dependent ones follow by the constraints, and quaternions keep norm
+/// 1. Nothing is allocated or thrown. Where something cannot be solved, or would not be finite, the status
+/// says so, and the filter stays as it was.
+template <class System, class T, auto... measured>
+class basic_ekf {
+  using lin = linearization<System>;
+
+public:
+  static constexpr int states = lin::states;
+  static constexpr int measurements = (0 + ... + compiled::extent_of<measured, System>.rows);
+
+  using state = kanexpr::state<System, T>;
+  using covariance = Eigen::Matrix<T, states, states>;
+  using measurement = Eigen::Matrix<T, measurements, 1>;
+  using measurement_covariance = Eigen::Matrix<T, measurements, measurements>;
+
+  state x;
+  covariance P;
+  T t;
+
+  basic_ekf(const state& start, const covariance& uncertainty, T at = 0) : x(start), P(uncertainty), t(at) {}
+
+  /// Goes on by a step of length h from t, in which the inputs r hold or are those of a function (t, x). Q is
+  /// the covariance of what disturbs the states within one step. The state goes by a step of a fixed length,
+  /// the covariance by the motion of the linearized equations.
+  template <class Parameters, class R, class Noise, class Step = runge_kutta_4<System>>
+  status predict(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
+                 const Step& step = {}) {
+    static_assert(Noise::RowsAtCompileTime == states && Noise::ColsAtCompileTime == states,
+                  "the covariance Q has a row and a column for each independent coordinate and speed");
+    constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
+    const auto& inputs = compiled::inputs_at(r, from, x);
+    const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<T, states, 0>(), h);
+    if (!linear) return compiled::not_finite<System>::cause_of(linear.status, x, p, inputs);
+    const square ad = numeric::as_fixed(linear.A);
+    const square after =
+        numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) + numeric::as_fixed(Q));
+    if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
+    T to = from;
+    state next = x;
+    if (const status s = step(to, next, h, p, r); !s) return s;
+    x = next;
+    P = numeric::as_eigen(after);
+    t = to;
+    return {};
+  }
+
+  /// What the sensors would say at the state of the filter.
+  template <class Parameters, class R>
+  with_status<measurement> expected(const Parameters& p, const R& r) const {
+    return seen(p, r).values;
+  }
+
+  /// Takes up what the sensors say at the time of the filter. R is the covariance of their noise.
+  template <class Given, class Parameters, class Inputs, class Noise>
+  status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
+                const Eigen::MatrixBase<Noise>& R) {
+    static_assert(Given::SizeAtCompileTime == measurements && Noise::RowsAtCompileTime == measurements &&
+                      Noise::ColsAtCompileTime == measurements,
+                  "y and its covariance R have a row for each number that is measured");
+    const sight now = seen(p, r);
+    if (!now.values.status) return now.values.status;
+    if (!now.slopes.status) return now.slopes.status;
+    const numeric::fixed_matrix<T, measurements, 1> off = numeric::as_fixed(y - now.values);
+    const measured_by_states c = numeric::as_fixed(now.slopes);
+    const measured_square noise = numeric::as_fixed(R);
+    const square before = numeric::as_fixed(P);
+    if (!numeric::is_finite(off)) return status("a measurement is not finite");
+    const measured_by_states cp = c * before;
+    const measured_square s = numeric::symmetric(cp * numeric::transposed(c) + noise);
+    if (!numeric::is_finite(s)) return status("the covariance of the innovation is not finite");
+    const numeric::positive_factors<T, measurements> factors(s);
+    if (!factors) return status("the covariance of the innovation is not positive definite");
+    const auto k = numeric::transposed(factors.solve(cp));
+    const auto change = k * off;
+    state next = x;
+    for (int i = 0; i < states; ++i) next(lin::places[static_cast<std::size_t>(i)]) += change(i);
+    using correct = compiled::correction<System, newton_steps>;
+    if constexpr (correct::is_needed)
+      if (const status corrected = correct::apply(t, next, p, r); !corrected) return corrected;
+    for (int i = 0; i < static_cast<int>(next.size()); ++i)
+      if (!lower::scalar_math<T>::is_finite(next(i)))
+        return status("the state after the update is not finite");
+    const square left = numeric::identity<T, states>() - k * c; // Joseph's form
+    const square after =
+        numeric::symmetric(left * before * numeric::transposed(left) + k * noise * numeric::transposed(k));
+    if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
+    x = next;
+    P = numeric::as_eigen(after);
+    innovation_ = numeric::as_eigen(off);
+    innovation_covariance_ = numeric::as_eigen(s);
+    return {};
+  }
+
+  /// What the last update had in its measurements beside what it expected, and the covariance of that.
+  const measurement& innovation() const { return innovation_; }
+  const measurement_covariance& innovation_covariance() const { return innovation_covariance_; }
+
+private:
+  static constexpr int newton_steps = 2; ///< an update may be farther from the constraints than a step is
+
+  using square = numeric::fixed_matrix<T, states, states>;
+  using measured_square = numeric::fixed_matrix<T, measurements, measurements>;
+  using measured_by_states = numeric::fixed_matrix<T, measurements, states>;
+
+  struct sight {
+    with_status<measurement> values;
+    with_status<Eigen::Matrix<T, measurements, states>> slopes;
+  };
+
+  template <class Parameters, class Inputs>
+  sight seen(const Parameters& p, const Inputs& r) const {
+    constexpr function<System, measured..., deriving::sensitivity<false, measured...>{}> look{};
+    const auto found = look(t, x, p, r);
+    sight now{};
+    int row = 0;
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (put(now.values, row, std::get<i>(found)), ...);
+    }(std::make_index_sequence<sizeof...(measured)>{});
+    const auto& slopes = std::get<sizeof...(measured)>(found);
+    static_cast<Eigen::Matrix<T, measurements, states>&>(now.slopes) = slopes;
+    now.slopes.status = compiled::status_of(slopes);
+    if (now.values.status) now.values.status = finite(now.values);
+    if (now.slopes.status) now.slopes.status = finite(now.slopes);
+    if (!now.values.status)
+      now.values.status = compiled::not_finite<System>::cause_of(now.values.status, x, p, r);
+    return now;
+  }
+
+  template <class Found>
+  static void put(with_status<measurement>& into, int& row, const Found& found) {
+    if (into.status) into.status = compiled::status_of(found);
+    if constexpr (requires { found.rows(); })
+      for (int i = 0; i < static_cast<int>(found.size()); ++i) into(row++) = found(i);
+    else
+      into(row++) = static_cast<T>(found);
+  }
+
+  template <class Matrix>
+  static status finite(const Matrix& m) {
+    for (int i = 0; i < static_cast<int>(m.size()); ++i)
+      if (!lower::scalar_math<T>::is_finite(m.data()[i]))
+        return status("what is measured is not finite at this state");
+    return {};
+  }
+
+  measurement innovation_ = measurement::Zero();
+  measurement_covariance innovation_covariance_ = measurement_covariance::Zero();
+};
+
+/// The extended Kalman filter with numbers of type `double`; `basic_ekf<System, float, …>` has others.
+template <class System, auto... measured>
+using ekf = basic_ekf<System, double, measured...>;
+
+} // namespace kanexpr

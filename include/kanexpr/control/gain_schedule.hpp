@@ -1,0 +1,66 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+
+namespace kanexpr {
+
+/// Gains at equal distances of a parameter, and between them by straight lines: `K(v)`.
+template <class T, class Gain, int points>
+struct scheduled_gains {
+  T from, to;
+  Gain at[points];
+  kanexpr::status status; ///< the first of those that could not be found
+
+  /// Whether all could be found.
+  constexpr explicit operator bool() const { return static_cast<bool>(status); }
+
+  /// The gain at a value of the parameter, without a branch; beyond the ends that of the end. Not a number
+  /// where the value is none.
+  constexpr Gain operator()(T value) const {
+    constexpr T last = T(points - 1), last_but_one = T(points - 2);
+    const T place = (value - from) * (last / (to - from));
+    T within = place < 0 ? T(0) : place;
+    within = within > last ? last : within;
+    T below = place > 0 ? place : T(0); // also of what is no number
+    below = below < last_but_one ? below : last_but_one;
+    const int i = static_cast<int>(below);
+    const T part = within - static_cast<T>(i);
+    return Gain(at[i] + part * (at[i + 1] - at[i]));
+  }
+};
+
+/// A table of the compiler in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
+template <class Other, class T, class Gain, int points>
+constexpr auto in_numbers(const scheduled_gains<T, Gain, points>& table) {
+  scheduled_gains<Other, decltype(table.at[0].template cast<Other>()), points> same{
+      static_cast<Other>(table.from), static_cast<Other>(table.to), {}, table.status};
+  for (int i = 0; i < points; ++i) same.at[i] = table.at[i].template cast<Other>();
+  return same;
+}
+
+/// A table of gains over a parameter, made while the program runs or by the compiler: `constexpr auto K =
+/// gain_schedule<21>(2.0, 8.0, [](double v) { return lqr(…); });`. The function gives a gain, or a regulator
+/// with a gain K and a status.
+template <int points, class T, class GainAt>
+constexpr auto gain_schedule(T from, T to, const GainAt& gain_at) {
+  static_assert(points >= 2, "a gain schedule has two points or more");
+  const auto regulated = [&](int i) {
+    return gain_at(static_cast<T>(from + (to - from) * (T(i) / T(points - 1))));
+  };
+  const auto gain_of = [](const auto& found) {
+    if constexpr (requires { found.K; })
+      return found.K;
+    else
+      return found;
+  };
+  scheduled_gains<T, decltype(gain_of(regulated(0))), points> table{from, to, {}, {}};
+  for (int i = 0; i < points; ++i) {
+    const auto found = regulated(i);
+    table.at[i] = gain_of(found);
+    if constexpr (requires { found.status; })
+      if (table.status) table.status = found.status;
+  }
+  return table;
+}
+
+} // namespace kanexpr

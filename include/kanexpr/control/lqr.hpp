@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kanexpr/control/matrices.hpp>
+#include <kanexpr/control/riccati.hpp>
+#include <kanexpr/control/weights.hpp>
+
+namespace kanexpr {
+
+/// A linear feedback r = −K x, and P, by which xᵀ P x is the cost of a motion that begins at x. Where the
+/// status says that there is none they are not numbers.
+template <class Gain, class Cost>
+struct linear_regulator {
+  Gain K;
+  Cost P;
+  kanexpr::status status;
+
+  /// Whether there is one.
+  constexpr explicit operator bool() const { return static_cast<bool>(status); }
+};
+
+namespace control {
+
+/// What is wrong with what a regulator is asked for.
+template <class T, int n, int m>
+constexpr status check(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b,
+                       const fixed_matrix<T, n, n>& q, const fixed_matrix<T, m, m>& r) {
+  if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
+  if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
+  if (!numeric::is_finite(q)) return status("the weights of the states are not finite");
+  if (!numeric::is_finite(r)) return status("the weights of the inputs are not finite");
+  if (!is_symmetric(q)) return status("the weights of the states are not symmetric");
+  if (!is_symmetric(r)) return status("the weights of the inputs are not symmetric");
+  if (!is_positive_semidefinite(q)) return status("the weights of the states are not positive semidefinite");
+  if (!numeric::positive_factors<T, m>(r))
+    return status("the weights of the inputs are not positive definite");
+  return {};
+}
+
+template <time_domain domain, class T, int n, int m>
+constexpr linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>>
+regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const fixed_matrix<T, n, n>& q,
+          const fixed_matrix<T, m, m>& r, const status& given) {
+  linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>> found{no_numbers<T, m, n>(),
+                                                                       no_numbers<T, n, n>(), given};
+  if (found) found.status = check(a, b, q, r);
+  if (!found) return found;
+  const fixed_matrix<T, m, n> bt = numeric::transposed(b);
+  const numeric::positive_factors<T, m> inputs(r);
+  fixed_matrix<T, n, n> p;
+  found.status = solve<domain>(
+      riccati_equation<T, n>{a, numeric::symmetric(b * inputs.solve(bt)), numeric::symmetric(q)}, p);
+  if (!found) return found;
+  if constexpr (domain == time_domain::continuous) {
+    found.K = inputs.solve(bt * p);
+  } else {
+    const numeric::positive_factors<T, m> both(numeric::symmetric(r + bt * p * b));
+    if (both) found.K = both.solve(bt * p * a);
+  }
+  found.P = p;
+  if (!numeric::is_finite(found.K) || !numeric::is_finite(p)) found.status = not_converged;
+  return found;
+}
+
+/// The same of any matrices, of which a status may come with each.
+template <time_domain domain, class A, class B, class T, int n, int m>
+constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r) {
+  if constexpr (!are_fitting<A, B>()) {
+    return linear_regulator<fixed_matrix<T, 1, 1>, fixed_matrix<T, 1, 1>>{};
+  } else {
+    const auto found =
+        regulator<domain, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix, first_failure(a, b));
+    const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
+    return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
+                                                                              found.status};
+  }
+}
+
+} // namespace control
+
+/// The feedback r = −K x of ẋ = A x + B r that makes the least of ∫ xᵀ Q x + rᵀ R r, by structured doubling
+/// in a bounded number of steps, without a heap, on a board as in a constant expression. A and B are matrices
+/// of Eigen whose size the compiler knows, as those of a linearization, or of `numeric::fixed_matrix`. Q and
+/// R are the weights of the states and of the inputs: `lqr(A, B, {10, 1}, {0.1})`. The status tells where
+/// there is no such feedback; K and P are not numbers then.
+template <control::matrix A, control::matrix B>
+constexpr auto
+lqr(const A& a, const B& b,
+    const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
+    const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
+  return control::regulator_of<control::time_domain::continuous>(a, b, q, r);
+}
+
+/// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(d.A, d.B, {10, 1}, {0.1})`
+/// of what `discretize` gives.
+template <control::matrix A, control::matrix B>
+constexpr auto
+dlqr(const A& a, const B& b,
+     const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
+     const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
+  return control::regulator_of<control::time_domain::discrete>(a, b, q, r);
+}
+
+} // namespace kanexpr

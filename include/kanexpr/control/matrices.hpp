@@ -1,0 +1,78 @@
+#pragma once
+
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/numeric/as_eigen.hpp>
+
+/// Functions of this room take matrices of Eigen while the program runs and `numeric::fixed_matrix` in a
+/// constant expression, and give what they take.
+namespace kanexpr::control {
+
+using numeric::fixed_matrix;
+
+/// The type and size of a matrix; a size that only the program knows is negative.
+template <class Matrix>
+struct shape {
+  using scalar = typename Matrix::Scalar;
+  static constexpr int rows = Matrix::RowsAtCompileTime, columns = Matrix::ColsAtCompileTime;
+
+  template <class T, int r, int c>
+  static auto like(const fixed_matrix<T, r, c>& m) {
+    return numeric::as_eigen(m);
+  }
+};
+template <class T, int r, int c>
+struct shape<fixed_matrix<T, r, c>> {
+  using scalar = T;
+  static constexpr int rows = r, columns = c;
+
+  template <int other_rows, int other_columns>
+  static constexpr const auto& like(const fixed_matrix<T, other_rows, other_columns>& m) {
+    return m;
+  }
+};
+
+/// Whether the sizes of A and B fit; where they do not, the end of the compilation.
+template <class A, class B>
+constexpr bool are_fitting() {
+  constexpr bool are_known =
+      shape<A>::rows >= 0 && shape<A>::columns >= 0 && shape<B>::rows >= 0 && shape<B>::columns >= 0;
+  static_assert(are_known, "the size of a matrix must be known to the compiler");
+  static_assert(!are_known || shape<A>::rows == shape<A>::columns, "the state matrix A is not square");
+  static_assert(!are_known || shape<A>::rows == shape<B>::rows, "A and B have different numbers of rows");
+  return are_known && shape<A>::rows == shape<A>::columns && shape<A>::rows == shape<B>::rows;
+}
+
+template <class M>
+inline constexpr bool is_fixed_matrix = false;
+template <class T, int rows, int columns>
+inline constexpr bool is_fixed_matrix<fixed_matrix<T, rows, columns>> = true;
+
+/// Of Eigen or fixed.
+template <class M>
+concept matrix = is_fixed_matrix<M> || requires { M::RowsAtCompileTime; };
+
+template <class Derived>
+auto fixed(const Eigen::MatrixBase<Derived>& m) {
+  return numeric::as_fixed(m);
+}
+template <class T, int rows, int columns>
+constexpr const fixed_matrix<T, rows, columns>& fixed(const fixed_matrix<T, rows, columns>& m) {
+  return m;
+}
+
+/// The first of the statuses of results that says that there is none.
+template <class... Result>
+constexpr status first_failure(const Result&... results) {
+  status first;
+  ((first = first ? compiled::status_of(results) : first), ...);
+  return first;
+}
+
+template <class T, int rows, int columns>
+constexpr fixed_matrix<T, rows, columns> no_numbers() {
+  fixed_matrix<T, rows, columns> none;
+  for (T& entry : none.entries) entry = std::numeric_limits<T>::quiet_NaN();
+  return none;
+}
+
+} // namespace kanexpr::control

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <kanexpr/numeric/as_eigen.hpp>
+
+#include <concepts>
+
+namespace kanexpr::control {
+
+using numeric::fixed_matrix;
+
+/// The weights of n states or inputs in a quadratic cost: their diagonal, `{1, 1, 0.1, 0.1}`, or a matrix, or
+/// a vector of Eigen as a diagonal.
+template <class T, int n>
+struct weights {
+  fixed_matrix<T, n, n> matrix{};
+
+  template <class... Number>
+    requires(sizeof...(Number) > 0 && (std::convertible_to<const Number&, T> && ...))
+  constexpr weights(const Number&... diagonal) {
+    static_assert(n < 0 || sizeof...(Number) == n,
+                  "a diagonal of weights has a number for each state, or each input");
+    if constexpr (sizeof...(Number) == n) {
+      int i = 0;
+      ((matrix(i, i) = static_cast<T>(diagonal), ++i), ...);
+    }
+  }
+  constexpr weights(const fixed_matrix<T, n, n>& all) : matrix(all) {}
+  template <class Derived>
+  weights(const Eigen::MatrixBase<Derived>& given) {
+    const auto all = numeric::as_fixed(given);
+    constexpr bool is_column = Derived::ColsAtCompileTime == 1;
+    static_assert(
+        Derived::RowsAtCompileTime == n && (is_column || Derived::ColsAtCompileTime == n),
+        "weights are a square matrix of as many rows as there are states, or inputs, or its diagonal");
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if constexpr (is_column)
+          matrix(i, j) = i == j ? all(i) : T(0);
+        else
+          matrix(i, j) = all(i, j);
+  }
+};
+
+/// Symmetric but for rounding.
+template <class T, int n>
+constexpr bool is_symmetric(const fixed_matrix<T, n, n>& m) {
+  constexpr auto magnitude = [](T x) { return numeric::constant_elimination_math::magnitude(x); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (magnitude(m(i, j) - m(j, i)) >
+          64 * std::numeric_limits<T>::epsilon() * (magnitude(m(i, j)) + magnitude(m(j, i))))
+        return false;
+  return true;
+}
+
+/// Whether a symmetric matrix is positive semidefinite but for rounding, whatever the units of its rows: it
+/// is eliminated with the pivot next that is largest beside its entry.
+template <class T, int n>
+constexpr bool is_positive_semidefinite(fixed_matrix<T, n, n> m) {
+  const fixed_matrix<T, n, n> given = m;
+  const T rounding = 8 * T(n) * std::numeric_limits<T>::epsilon();
+  bool done[n > 0 ? n : 1]{};
+  for (int step = 0; step < n; ++step) {
+    int next = -1;
+    for (int i = 0; i < n; ++i) {
+      if (done[i]) continue;
+      if (!(m(i, i) >= -rounding * given(i, i))) return false;
+      if (next < 0 || m(i, i) * given(next, next) > m(next, next) * given(i, i)) next = i;
+    }
+    const T pivot = m(next, next);
+    done[next] = true;
+    if (!(pivot > rounding * given(next, next))) {
+      // Of what is left the diagonal is rounding; so must be all beside it.
+      for (int i = 0; i < n; ++i)
+        if (!done[i] && m(i, next) * m(i, next) > rounding * given(i, i) * given(next, next)) return false;
+      continue;
+    }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (!done[i] && !done[j]) m(i, j) -= m(i, next) / pivot * m(next, j);
+  }
+  return true;
+}
+
+} // namespace kanexpr::control

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <kanexpr/numeric/fixed_matrix.hpp>
+
+#include <Eigen/Core>
+
+namespace kanexpr::numeric {
+
+/// A matrix of a constant expression as Eigen has it: `-as_eigen(K) * x`.
+template <class T, int rows, int columns>
+Eigen::Matrix<T, rows, columns> as_eigen(const fixed_matrix<T, rows, columns>& m) {
+  Eigen::Matrix<T, rows, columns> same;
+  for (int i = 0; i < rows * columns; ++i) same.data()[i] = m.entries[i];
+  return same;
+}
+
+template <class Matrix>
+inline constexpr bool has_fixed_size =
+    Matrix::RowsAtCompileTime != Eigen::Dynamic && Matrix::ColsAtCompileTime != Eigen::Dynamic;
+
+/// The reverse, of any expression of Eigen whose size its type says.
+template <class Derived>
+auto as_fixed(const Eigen::MatrixBase<Derived>& m) {
+  static_assert(has_fixed_size<Derived>, "the size of a matrix must be known to the compiler");
+  constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
+  const Eigen::Matrix<typename Derived::Scalar, rows, columns> evaluated = m;
+  fixed_matrix<typename Derived::Scalar, rows, columns> same;
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i) same(i, j) = evaluated(i, j);
+  return same;
+}
+
+} // namespace kanexpr::numeric
