@@ -110,7 +110,7 @@ def main():
         measured[name] = compare(model, read_states(models / f"{name}.states"), peers(), REFERENCE, shop, models, timer)
     (folder / "measured.json").write_text(json.dumps(measured, indent=1))
     if not wanted:
-        tools = [", ".join(shop.versions.values()), " ".join(MARCH), ", ".join(report.packages())]
+        tools = [", ".join(dict.fromkeys(shop.versions.values())), " ".join(MARCH), ", ".join(report.packages())]
         report.write(measured, tools, with_pinocchio.Traced.tracer(shop), folder)
     return report.worst(measured)
 

@@ -43,7 +43,8 @@ def taken(cells):
 
 
 def apart(cells):
-    return f"{max(cell['apart'] for cell in cells.values()):.0e}"
+    most = max(cell["apart"] for cell in cells.values())
+    return f"{most:.0e}" if most else "0"
 
 
 def as_text(model, peer, cells):

@@ -10,7 +10,7 @@ from peer import CXX, HERE, MARCH, RESULTS, Offer, Without, symbol
 
 DEFINED = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DBOOST_FUSION_INVOKE_MAX_ARITY=12"]
-CONSTRAINED = "its constraints hold points in place; none lets a wheel roll"
+CONSTRAINED = "a wheel that rolls is none of its constraints"
 
 
 def prefix():
