@@ -68,8 +68,8 @@ constexpr fixed_matrix<T, n, n> magnitudes(fixed_matrix<T, n, n> m) {
 
 /// Refines a solution by Newton's method (Kleinman, On an iterative technique for Riccati equation
 /// computations, IEEE Trans. Autom. Control 13, 1968), until rounding is all that moves it. False where that
-/// is much, or where the closed
-/// loop does not decay whatever rounding does to it: then only that reaches a motion that grows.
+/// is much, or where the closed loop does not decay whatever rounding does to it: then only that reaches a
+/// motion that grows.
 template <time_domain domain, class T, int n>
 constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x) {
   using limits = std::numeric_limits<T>;
