@@ -70,6 +70,9 @@ TEST(results, bring_about_wanted_rates) {
 #include <docs/guide/results/computed_torque.cpp>
   ASSERT_TRUE(torques.status);
   const eom::inputs r(torques(0), torques(1));
+#include <docs/guide/results/derivatives.cpp>
+  EXPECT_EQ(by_state.cols(), 4);
+  EXPECT_LE((by_rates - eom::mass_matrix(x, p)).norm(), 1e-14);
   EXPECT_LE((eom::udot(x, p, r) - Eigen::Vector2d(4 - 20 + 10, 5 - 40 - 10)).norm(), 1e-10);
 }
 

@@ -5,6 +5,7 @@
 #include "models/simple_pendulum.hpp"
 #include "simulate/falling_ball.hpp"
 
+#include <kanexpr/control.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
@@ -87,5 +88,17 @@ int steps() {
 }
 
 TEST(fixed_steps, are_made) { EXPECT_EQ(steps(), 0); }
+
+TEST(fixed_steps, have_derivatives) {
+  using namespace simple_pendulum;
+  using eom = equations_of_motion<System>;
+  const docs::printed here;
+  const eom::state x{{q, 0.3}, {u, 0.1}};
+  const eom::parameters p(1, 1, 9.81, 0.1);
+  const eom::inputs r(0.0);
+  const double t = 0;
+#include <docs/simulation/linearized.cpp>
+  EXPECT_NE(here.text(), "");
+}
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/named_results.hpp>
+#include <kanexpr/derive/derivatives_request.hpp>
 
 namespace kanexpr {
 
@@ -35,6 +36,14 @@ struct equations_of_motion : compiled::named_results<function, System> {
         [coordinates +
          compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place];
   }
+
+  using with_respect_to = deriving::with_respect_to;
+  /// The derivatives of a result, entry by entry in the order of its rows, by all entries of the state, as if
+  /// nothing bound them: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`; or by the inputs,
+  /// or by the rates of the speeds that the result is given: `eom::derivatives<…,
+  /// eom::with_respect_to::rates>`.
+  template <mechanics::quantity of, with_respect_to symbols = with_respect_to::state>
+  static constexpr function<System, deriving::derivatives_of_result{of, symbols}> derivatives{};
 
   /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
   /// p);`

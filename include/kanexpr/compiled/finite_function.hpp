@@ -10,46 +10,43 @@ namespace kanexpr {
 template <class System, auto... wanted>
 struct finite_function : function<System, wanted...> {
   template <class First, class... More>
-  auto operator()(const First& first, const More&... more) const noexcept {
-    const auto found = function<System, wanted...>::operator()(first, more...);
+  [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
+    auto found = function<System, wanted...>::template evaluate_at<true>(first, more...);
+    constexpr auto each = std::index_sequence_for<decltype(wanted)...>{};
     if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
-      return told(found, first, more...);
+      look_at(each, found, first, more...);
     else
-      return at_time(found, more...);
+      look_at(each, found, more...);
+    return found;
   }
 
 private:
   using none = compiled::not_given;
 
-  template <class Found, class... Arguments>
-  static auto at_time(const Found& found, const Arguments&... arguments) {
-    return told(found, arguments...);
-  }
-
-  template <class Found, class X, class P = none, class R = none, class A = none>
-  static auto told(const Found& found, const X& x, const P& p = {}, const R& r = {}, const A& = {}) {
-    return std::apply([&](const auto&... each) { return std::tuple(one(each, x, p, r)...); }, found);
+  template <std::size_t... i, class Found, class X, class P = none, class R = none, class A = none>
+  [[gnu::always_inline]] static void look_at(std::index_sequence<i...>, Found& found, const X& x,
+                                             const P& p = {}, const R& r = {}, const A& = {}) {
+    (look_at_one(std::get<i>(found), x, p, r), ...);
   }
 
   template <class Result, class X, class P, class R>
-  static with_status<Result> one(with_status<Result> result, const X& x, const P& p, const R& r) {
-    if (result.status && !is_finite(result)) result.status = status("a result is not finite at this state");
-    if (!result.status) result.status = compiled::not_finite<System>::cause_of(result.status, x, p, r);
-    return result;
+  [[gnu::always_inline]] static void look_at_one(with_status<Result>& result, const X& x, const P& p,
+                                                 const R& r) {
+    status s = result.status;
+    if (s && !is_finite(result)) s = status("a result is not finite at this state");
+    if (!s) s = compiled::not_finite<System>::cause_of(s, x, p, r);
+    result.status = s;
   }
   template <class Result, class X, class P, class R>
-  static auto one(const Result& result, const X& x, const P& p, const R& r) {
-    if constexpr (requires { typename Result::Scalar; })
-      return one(with_status<Result>{result, {}}, x, p, r);
-    else
-      return result; // of a call that cannot be made
-  }
+  static void look_at_one(const Result&, const X&, const P&, const R&) {} // of a call that cannot be made
 
+  /// Of every entry, so that all states take the same time.
   template <class Matrix>
-  static bool is_finite(const Matrix& m) {
+  [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
+    bool all = true;
     for (Eigen::Index i = 0; i < m.size(); ++i)
-      if (!lower::scalar_math<typename Matrix::Scalar>::is_finite(m.data()[i])) return false;
-    return true;
+      all = all & lower::scalar_math<typename Matrix::Scalar>::is_finite(m.data()[i]);
+    return all;
   }
 };
 

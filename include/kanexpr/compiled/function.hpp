@@ -109,10 +109,7 @@ struct function {
 
   template <class First, class... More>
   [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
-      return evaluate(compiled::not_given{}, first, more...);
-    else
-      return evaluate(first, more...);
+    return evaluate_at<false>(first, more...);
   }
 
   /// In a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
@@ -181,7 +178,7 @@ private:
     return std::tuple(constant_result<first_of(i), wanted>(slot)...);
   }
 
-  template <class Time, class X, class P = none, class R = none, class A = none>
+  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
@@ -193,7 +190,7 @@ private:
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      return collect_from<T>(
+      return collect_from<with_statuses, T>(
           lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
@@ -202,8 +199,9 @@ private:
   template <class Vector>
   [[gnu::always_inline]] static void assert_size([[maybe_unused]] const Vector& v,
                                                  [[maybe_unused]] std::size_t size) noexcept {
-    if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic)
+    if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic) {
       eigen_assert(static_cast<std::size_t>(v.size()) == size && "a vector is not of the system's size");
+    }
   }
 
   template <class T>
@@ -217,20 +215,20 @@ private:
   static constexpr int checks = code::causes.sizes.count;
   static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
-  template <class T>
+  template <bool with_statuses, class T>
   [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
-      return with_status_of<T>(done, collect<T, 0, wanted...>(done));
+      return with_status_of<with_statuses>(done, collect<T, 0, wanted...>(done));
     } else {
-      return collect_all<T>(done, std::make_index_sequence<sizeof...(wanted)>{});
+      return collect_all<with_statuses>(done, std::make_index_sequence<sizeof...(wanted)>{});
     }
   }
 
-  /// A result of which nothing had to be solved comes alone.
-  template <class T, class Result>
+  /// A result of which nothing had to be solved comes alone, unless it is to have a status.
+  template <bool with_statuses, class T, class Result>
   [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
                                                     const Result& result) noexcept {
-    if constexpr (checks == 0)
+    if constexpr (checks == 0 && !with_statuses)
       return result;
     else
       return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, checks>{})};
@@ -240,11 +238,15 @@ private:
   template <class T, int... i>
   [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
                                                  std::integer_sequence<int, i...>) noexcept {
-    int first = -1;
-    const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
-    static_cast<void>(order);
-    const std::string_view cause = code::causes[first < 0 ? 0 : first];
-    return first < 0 ? status() : status(cause);
+    if constexpr (checks == 0) {
+      return {};
+    } else {
+      int first = -1;
+      const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
+      static_cast<void>(order);
+      const std::string_view cause = code::causes[first < 0 ? 0 : first];
+      return first < 0 ? status() : status(cause);
+    }
   }
 
   template <class T, int i>
@@ -261,19 +263,18 @@ private:
     if constexpr (size.scalar) {
       return T(done.template result<first>());
     } else {
-      return fill<T, first, size.rows, size.columns>(
-          done, std::make_integer_sequence<int, size.rows * size.columns>{});
+      Eigen::Matrix<T, size.rows, size.columns> m;
+      fill<T, first, size.columns>(done, m, std::make_integer_sequence<int, size.rows * size.columns>{});
+      return m;
     }
   }
 
   // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
-  template <class T, int first, int rows, int columns, int... i>
-  [[gnu::always_inline]] static auto fill(const lower::unrolled_tape<code, T>& done,
+  template <class T, int first, int columns, class Matrix, int... i>
+  [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, T>& done, Matrix& m,
                                           std::integer_sequence<int, i...>) noexcept {
-    Eigen::Matrix<T, rows, columns> m;
     const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
     static_cast<void>(order);
-    return m;
   }
 
   static constexpr int first_of(std::size_t which) {
@@ -283,10 +284,36 @@ private:
     return first;
   }
 
-  template <class T, std::size_t... i>
+  /// In place: what is as large as the derivatives of an arm should not be copied.
+  template <bool with_statuses, class T, std::size_t... i>
   [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, T>& done,
                                                  std::index_sequence<i...>) noexcept {
-    return std::tuple(with_status_of<T>(done, collect<T, first_of(i), wanted>(done))...);
+    std::tuple<decltype(with_status_of<with_statuses>(done, collect<T, first_of(i), wanted>(done)))...> all;
+    (put<first_of(i), wanted>(done, std::get<i>(all)), ...);
+    return all;
+  }
+
+  template <int first, auto one, class T, class Result>
+  [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, T>& done, Result& into) noexcept {
+    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    if constexpr (requires { into.status; })
+      into.status = status_of<T>(done, std::make_integer_sequence<int, checks>{});
+    if constexpr (!size.scalar)
+      fill<T, first, size.columns>(done, into, std::make_integer_sequence<int, size.rows * size.columns>{});
+    else if constexpr (requires { into.value; })
+      into.value = done.template result<first>();
+    else
+      into = done.template result<first>();
+  }
+
+protected:
+  /// The results, each with a status if it says so, whether or not something had to be solved.
+  template <bool with_statuses, class First, class... More>
+  [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
+    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+      return evaluate<with_statuses>(compiled::not_given{}, first, more...);
+    else
+      return evaluate<with_statuses>(first, more...);
   }
 };
 

@@ -40,8 +40,8 @@ struct not_finite {
 
   /// Of a failure: what was not finite before it, or else what it says.
   template <class X, class P, class R>
-  [[gnu::cold, gnu::noinline]] static status cause_of(const status& failure, const X& x, const P& p,
-                                                      const R& r) {
+  [[gnu::cold, gnu::noinline, gnu::pure]] static status cause_of(status failure, const X& x, const P& p,
+                                                                 const R& r) noexcept {
     int place = place_in<symbols_of::parameters>(p);
     if (place < 0) place = place_in<symbols_of::state>(x);
     if (place < 0) place = place_in<symbols_of::inputs>(r);

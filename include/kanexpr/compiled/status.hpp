@@ -9,7 +9,9 @@ namespace kanexpr {
 /// A result with the status of its evaluation beside it: `if (!udot.status) …`.
 template <class Result>
 struct with_status : Result {
-  kanexpr::status status;
+  kanexpr::status status{};
+  with_status() noexcept {} // leaves the entries as they are
+  with_status(const Result& result, const kanexpr::status& s) : Result(result), status(s) {}
 };
 
 /// A number with the status of its evaluation beside it.

@@ -3,6 +3,7 @@
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
 #include <span>
 
@@ -19,6 +20,9 @@ struct extent {
   constexpr int entries() const { return rows * columns; }
 };
 
+/// By which symbols results are differentiated.
+enum class with_respect_to : unsigned char { state, inputs, rates };
+
 /// Something that is asked of a system, as a value that the compiler and a program treat alike.
 struct request {
   enum class kind : unsigned char {
@@ -26,11 +30,13 @@ struct request {
     result,      ///< a quantity of the system
     expressions, ///< phrases of the model one below another, vectors by their components
     jacobian,    ///< the derivatives of a phrase by symbols
+    derivatives, ///< of a quantity of the system, by symbols of the system
     sensitivity, ///< how phrases answer to changes of the state, or of the inputs
   };
 
   kind what = kind::foreign;
-  quantity wanted{};                       ///< of a result
+  quantity wanted{};                       ///< of a result, or what is differentiated
+  with_respect_to symbols{};               ///< of derivatives
   bool is_at_given_rates = false;          ///< with the symbols u̇
   std::span<const phrase> phrases{};       ///< of the others
   std::string_view whom = "an expression"; ///< holds the phrases
@@ -49,6 +55,13 @@ constexpr extent extent_of(const request& r, const survey& s) {
     const mechanics::result_row& row = mechanics::row_of(r.wanted);
     return {s.count(row.rows), s.count(row.columns), row.rows == mechanics::extent_by::scalar};
   }
+  case request::kind::derivatives: {
+    const mechanics::result_row& row = mechanics::row_of(r.wanted);
+    const int columns = r.symbols == with_respect_to::inputs  ? s.inputs
+                        : r.symbols == with_respect_to::rates ? s.speeds
+                                                              : s.coordinates + s.speeds;
+    return {s.count(row.rows) * s.count(row.columns), columns};
+  }
   case request::kind::expressions:
     return {rows, 1, r.phrases.size() == 1 && r.phrases[0].kind != shape::vector};
   case request::kind::jacobian: return {rows, static_cast<int>(r.by.size())};
@@ -60,7 +73,8 @@ constexpr extent extent_of(const request& r, const survey& s) {
 /// How far a derivation has to go before this can be formed.
 constexpr mechanics::stage stage_for(const request& r) {
   switch (r.what) {
-  case request::kind::result: return mechanics::row_of(r.wanted).needs;
+  case request::kind::result:
+  case request::kind::derivatives: return mechanics::row_of(r.wanted).needs;
   case request::kind::sensitivity: return mechanics::stage::linearized;
   case request::kind::foreign:
   case request::kind::expressions:
@@ -118,6 +132,20 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, cons
   return by_symbols;
 }
 
+/// Those of a result, with what it holds of q̇ and u̇ as the equations of motion give it.
+constexpr symbolic::matrix derivatives_of(const request& wanted, const mechanism& m,
+                                          mechanics::equations& e) {
+  const symbolic::matrix result = e.get(wanted.wanted);
+  switch (wanted.symbols) {
+  case with_respect_to::inputs: return symbolic::jacobian(*m.g, result.entries, m.inputs);
+  case with_respect_to::rates: return symbolic::jacobian(*m.g, result.entries, m.speed_rates);
+  case with_respect_to::state: break;
+  }
+  sequence<expression> state = m.coordinates;
+  for (const expression& u : m.speeds) state.push(u);
+  return symbolic::jacobian(*m.g, result.entries, state);
+}
+
 } // namespace detail
 
 /// The result with the symbols q̇ and u̇, where it has them, of a request that was visited.
@@ -129,6 +157,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
   case request::kind::result:
     if (wanted.is_at_given_rates) return e.at_given_rates(wanted.wanted);
     return e.get(wanted.wanted);
+  case request::kind::derivatives: return detail::derivatives_of(wanted, m, e);
   case request::kind::expressions: return detail::values_of(wanted, r, m);
   case request::kind::jacobian: return detail::derivatives_of(wanted, r, m);
   case request::kind::sensitivity: {
@@ -143,7 +172,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
 /// The result in the motion that the equations give.
 constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equations& e) {
   symbolic::matrix formed = form_with_rates(wanted, r, e);
-  if (wanted.what == request::kind::result) return formed;
+  if (wanted.what == request::kind::result || wanted.what == request::kind::derivatives) return formed;
   return e.in_motion(formed);
 }
 

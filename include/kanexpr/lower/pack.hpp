@@ -1,8 +1,12 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/numeric/sines_and_cosines_of_vectors.hpp>
+#include <kanexpr/numeric/square_roots.hpp>
 
 #include <Eigen/Core>
+
+#include <limits>
 
 /// The compiler's own vectors as scalars, `typedef double pack __attribute__((vector_size(32)));`: a function
 /// of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include this header
@@ -15,8 +19,8 @@ concept vector_extension = !std::is_class_v<T> && requires(const T v) {
   v* v;
 };
 
-/// Arithmetic is the compiler's, sines and cosines are taken of all lanes at once, other functions lane by
-/// lane. Each lane has the bits of its own evaluation.
+/// Arithmetic is the compiler's; sines, cosines and square roots are taken of all lanes at once, other
+/// functions lane by lane. Each lane has the bits of its own evaluation.
 template <vector_extension T>
 struct scalar_math<T> {
   using element = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
@@ -26,22 +30,26 @@ struct scalar_math<T> {
   [[gnu::always_inline]] static T from(const T& value) { return value; }
   template <class Value>
   [[gnu::always_inline]] static T from(const Value& value) {
-    const element one = of_element::from(value);
-    return each([&](int) { return one; });
+    return of_element::from(value) - T{}; // less zero: zeros keep their sign
   }
 
   [[gnu::always_inline]] static void sincos(const T& angle, T& sine, T& cosine) {
-    if constexpr (has_own_sines<element>) return numeric::sine_and_cosine(angle, sine, cosine);
-    for (int i = 0; i < lanes; ++i) {
-      element s, c;
-      of_element::sincos(angle[i], s, c);
-      sine[i] = s;
-      cosine[i] = c;
-    }
+    const T angles[]{angle};
+    T sines[1], cosines[1];
+    sincos(angles, sines, cosines);
+    sine = sines[0];
+    cosine = cosines[0];
   }
   template <std::size_t count>
   [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
-    for (std::size_t i = 0; i < count; ++i) sincos(angle[i], sine[i], cosine[i]);
+    if constexpr (has_own_sines<element>) return numeric::sines_and_cosines(angle, sine, cosine);
+    for (std::size_t i = 0; i < count; ++i)
+      for (int lane = 0; lane < lanes; ++lane) {
+        element s, c;
+        of_element::sincos(angle[i][lane], s, c);
+        sine[i][lane] = s;
+        cosine[i][lane] = c;
+      }
   }
 
   template <symbolic::operation op>
@@ -49,10 +57,15 @@ struct scalar_math<T> {
     using symbolic::operation;
     if constexpr (has_own_sines<element> && (op == operation::sin || op == operation::cos)) {
       T sine, cosine;
-      numeric::sine_and_cosine(x, sine, cosine);
+      sincos(x, sine, cosine);
       return op == operation::sin ? sine : cosine;
+    } else if constexpr (op == operation::sqrt) {
+      return numeric::square_roots(x);
+    } else if constexpr (op == operation::abs && are_known) {
+      return __builtin_bit_cast(T, __builtin_bit_cast(bits, x) << 1 >> 1);
+    } else {
+      return each([&](int i) { return of_element::template by_name<op>(x[i]); });
     }
-    return each([&](int i) { return of_element::template by_name<op>(x[i]); });
   }
   [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
     const auto exchanged = d > 0;
@@ -69,18 +82,26 @@ struct scalar_math<T> {
 
   /// In all lanes.
   [[gnu::always_inline]] static bool exceeds(const T& x, const T& bound) {
-    bool all = true;
-    for (int i = 0; i < lanes; ++i) all = all && of_element::exceeds(x[i], bound[i]);
-    return all;
+    return numeric::detail::any_of(~(x > bound)) == 0;
   }
 
   [[gnu::always_inline]] static bool is_finite(const T& x) {
+#if !defined(__FINITE_MATH_ONLY__) || !__FINITE_MATH_ONLY__
+    if constexpr (are_known) {
+      constexpr auto infinity =
+          __builtin_bit_cast(numeric::detail::number_bits<T>, std::numeric_limits<element>::infinity());
+      return numeric::detail::any_of((__builtin_bit_cast(bits, x) & infinity) == infinity) == 0;
+    }
+#endif
     bool all = true;
     for (int i = 0; i < lanes; ++i) all = all && of_element::is_finite(x[i]);
     return all;
   }
 
 private:
+  static constexpr bool are_known = std::is_same_v<element, double> || std::is_same_v<element, float>;
+  using bits = numeric::detail::bits_of<T>;
+
   template <class Lane>
   [[gnu::always_inline]] static T each(const Lane& lane) {
     T all{};

@@ -48,7 +48,7 @@ inline mechanics::sentence with_number(std::string_view before, double number, i
 template <class Vector>
 double largest(const Vector& v) {
   if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
-  return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
+  return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
@@ -112,10 +112,10 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
     for (int i = 0; i < residual.size() && !report.failure; ++i)
-      if (!(std::isfinite(residual(i)) && std::abs(residual(i)) <= tolerance * terms(i)))
-        report.failure =
-            with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
-                        residual(i));
+      if (const double left = static_cast<double>(residual(i)), size = static_cast<double>(terms(i));
+          !(std::isfinite(left) && std::abs(left) <= tolerance * size))
+        report.failure = with_number(
+            mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(), left);
     return largest(residual);
   };
   report.configuration_residual =
@@ -123,7 +123,8 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   report.velocity_residual = look_at(c.velocity_residual(x), c.velocity_terms(x), "velocity constraint ");
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
   for (int i = 0; i < halves.size() && !report.failure; ++i)
-    if (const double norm = std::sqrt(1 + 2 * halves(i)); !(std::abs(norm - 1) <= tolerance))
+    if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));
+        !(std::abs(norm - 1) <= tolerance))
       report.failure = with_number(
           mechanics::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
   return report;

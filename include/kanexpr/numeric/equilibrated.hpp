@@ -10,18 +10,19 @@ namespace kanexpr::numeric {
 /// then pivots can be compared, whatever the units of equations and unknowns are.
 template <class Vector>
 struct equilibration {
+  using number = typename Vector::Scalar;
   Vector rows, columns;
 
   template <class Matrix>
   explicit equilibration(const Matrix& a) : rows(Vector::Ones(a.rows())), columns(Vector::Ones(a.cols())) {
     for (int sweeps = 0; sweeps < 3; ++sweeps) {
       for (Eigen::Index i = 0; i < a.rows(); ++i) {
-        double most = 0;
+        number most = 0;
         for (Eigen::Index j = 0; j < a.cols(); ++j) most = (std::max)(most, std::abs(a(i, j)) * columns(j));
         rows(i) = inverse(most);
       }
       for (Eigen::Index j = 0; j < a.cols(); ++j) {
-        double most = 0;
+        number most = 0;
         for (Eigen::Index i = 0; i < a.rows(); ++i) most = (std::max)(most, std::abs(a(i, j)) * rows(i));
         columns(j) = inverse(most);
       }
@@ -34,8 +35,8 @@ struct equilibration {
   }
 
 private:
-  static double inverse(double size) {
-    return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  static number inverse(number size) {
+    return size > 0 && std::isfinite(size) ? std::ldexp(number(1), -std::ilogb(size)) : 1;
   }
 };
 

@@ -12,6 +12,9 @@ namespace kanexpr::numeric {
 /// nothing to compile beside Eigen's, and without a heap where `Vector` has a fixed size.
 template <class Vector>
 class factorized {
+  using number = typename Vector::Scalar;
+  using math = constant_elimination_math;
+
 public:
   template <class Matrix>
   explicit factorized(const Matrix& a) : order_(static_cast<int>(a.rows())), f_(factors{order_}.size()) {
@@ -19,27 +22,27 @@ public:
     for (int i = 0; i < order_; ++i)
       for (int j = 0; j < order_; ++j) f_(place.at(i, j)) = a(i, j);
     largest_ = a.cwiseAbs().maxCoeff();
-    factorize<constant_elimination_math>(order_, f_.data());
+    factorize<math>(order_, f_.data());
   }
 
   /// The least pivot beside the largest entry.
-  double singularity_measure() const { return f_(factors{order_}.least_pivot()) / largest_; }
+  number singularity_measure() const { return f_(factors{order_}.least_pivot()) / largest_; }
 
   /// Whether rounding decides on the least pivot.
   bool is_singular() const {
-    return !(singularity_measure() > order_ * std::numeric_limits<double>::epsilon());
+    return !(singularity_measure() > static_cast<number>(order_) * std::numeric_limits<number>::epsilon());
   }
 
   /// Turns b into the solution of A x = b.
-  void solve(Vector& b) const { solve_factorized<constant_elimination_math>(order_, f_.data(), b.data()); }
+  void solve(Vector& b) const { solve_factorized<math>(order_, f_.data(), b.data()); }
 
 private:
   static constexpr int fixed = Vector::RowsAtCompileTime;
   static constexpr int room = fixed < 0 ? Eigen::Dynamic : factors{fixed < 0 ? 0 : fixed}.size();
 
   int order_;
-  Eigen::Matrix<double, room, 1> f_;
-  double largest_ = 0;
+  Eigen::Matrix<number, room, 1> f_;
+  number largest_ = 0;
 };
 
 } // namespace kanexpr::numeric

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,13 +31,16 @@ struct newton_report {
 template <class Vector, class Function, class Jacobian>
 newton_report newton(Vector& x, const Function& function, const Jacobian& jacobian,
                      const newton_options& options = {}) {
-  using Matrix = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
+  using number = typename Vector::Scalar;
+  using Matrix = Eigen::Matrix<number, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
   newton_report report;
   Vector f = function(x);
   const auto size = [](const Vector& v) {
     if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
-    return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff();
+    return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
   };
+  // no change of the Jacobian is less than its rounding
+  const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
   if (x.size() == 0 || equal(report.residual, 0.0)) report.converged = true;
   if (report.converged || !f.allFinite()) return report;
@@ -52,7 +56,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     Vector step = -scale.rows.cwiseProduct(f);
     if (report.singular) {
       Matrix damped = scaled.transpose().lazyProduct(scaled);
-      damped.diagonal().array() += 1e-6 * damped.trace();
+      damped.diagonal().array() += number(1e-6) * damped.trace();
       step = Vector(scaled.transpose().lazyProduct(step));
       factors = factorized<Vector>(damped);
     }
@@ -61,8 +65,8 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     if (!step.allFinite()) break;
 
     const Vector before = x;
-    const double was = scale.rows.cwiseProduct(f).norm();
-    double part = 1;
+    const number was = scale.rows.cwiseProduct(f).norm();
+    number part = 1;
     bool fell = false;
     for (int halvings = 0; halvings < 30 && !fell; ++halvings, part /= 2) {
       const Vector tried = before + part * step;
@@ -77,7 +81,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     goes_on = fell && !equal(report.residual, 0.0);
     if (!report.singular && (!goes_on || report.steps == options.most_steps)) {
       const Matrix after = scale.applied_to(Matrix(jacobian(before + step)));
-      report.converged = (after - scaled).cwiseAbs().maxCoeff() <= options.tolerance;
+      report.converged = (after - scaled).cwiseAbs().maxCoeff() <= static_cast<number>(least_change);
     }
   }
   if (equal(report.residual, 0.0)) report.converged = true;

@@ -106,10 +106,10 @@ template <class T>
 #endif
 }
 
-/// An angle of `quadrant` quarter turns, in its lowest bits, and the offset `near + rest`.
+/// An angle of `quadrant` quarter turns, in its lowest bits, and `offset + rest` beyond them.
 template <class T>
 struct reduced_angle {
-  T near, rest;
+  T offset, rest;
   bits_of<T> quadrant;
 };
 
@@ -130,9 +130,9 @@ template <class T>
   const T q = rounded<T>(shifted - known::integers);
   const T first = rounded<T>(magnitude - q * 0x1.921fb54440000p+0);
   const T subtracted = rounded<T>(q * 0x1.68c234c4c0000p-39);
-  const T near = rounded<T>(first - subtracted);
-  const T rest = rounded<T>(rounded<T>(first - near) - subtracted) - q * 0x1.98a2e03707344p-77;
-  return {near, rest, __builtin_bit_cast(bits_of<T>, shifted)};
+  const T offset = rounded<T>(first - subtracted);
+  const T rest = rounded<T>(rounded<T>(first - offset) - subtracted) - q * 0x1.98a2e03707344p-77;
+  return {offset, rest, __builtin_bit_cast(bits_of<T>, shifted)};
 }
 
 #if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
@@ -162,7 +162,7 @@ template <class T>
     reduced_angle<T> all;
     for (std::size_t i = 0; i < lanes<T>::count; ++i) {
       const reduced_angle<float> one = reduced<float>(magnitude[i]);
-      all.near[i] = one.near, all.rest[i] = one.rest, all.quadrant[i] = one.quadrant;
+      all.offset[i] = one.offset, all.rest[i] = one.rest, all.quadrant[i] = one.quadrant;
     }
     return all;
   } else {
@@ -170,9 +170,9 @@ template <class T>
     const wide all = converted<wide>(magnitude);
     const wide shifted = rounded<wide>(all * known::quadrants + known::integers);
     const wide q = rounded<wide>(shifted - known::integers);
-    const wide offset = rounded<wide>(all - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
-    const T near = converted<T>(offset);
-    return {near, converted<T>(offset - converted<wide>(near)),
+    const wide exact = rounded<wide>(all - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
+    const T offset = converted<T>(exact);
+    return {offset, converted<T>(exact - converted<wide>(offset)),
             converted<bits_of<T>>(__builtin_bit_cast(bits_of<wide>, shifted))};
   }
 }
@@ -196,15 +196,15 @@ template <class T>
   const bits given = __builtin_bit_cast(bits, angle);
   const T magnitude = __builtin_bit_cast(T, given & ~sign);
   const reduced_angle<T> r = reduced(magnitude);
-  const T square = r.near * r.near;
-  const T cube = r.near * square;
+  const T square = r.offset * r.offset;
+  const T cube = r.offset * square;
   const T falling = square * polynomial<0>(known::C, square) - number(0.5);
   T along, across;
   if constexpr (has_rest<T>) {
-    along = r.near + (r.rest + cube * polynomial<0>(known::S, square));
-    across = number(1) + (square * falling - r.near * r.rest);
+    along = r.offset + (r.rest + cube * polynomial<0>(known::S, square));
+    across = number(1) + (square * falling - r.offset * r.rest);
   } else {
-    along = r.near + cube * polynomial<0>(known::S, square);
+    along = r.offset + cube * polynomial<0>(known::S, square);
     across = number(1) + square * falling;
   }
   // Odd quadrants exchange the two.

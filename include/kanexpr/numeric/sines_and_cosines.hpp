@@ -42,12 +42,12 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
     }
   };
   (keep.template operator()<lane>(), ...);
-  bool far = is_out_of_reach(all);
+  bool is_far = is_out_of_reach(all);
   constexpr std::size_t next = first + sizeof...(lane);
   if constexpr (next < count)
-    far |= sines_and_cosines_from<next>(angle, sine, cosine,
-                                        std::make_index_sequence<taken_at_once<Number>(count - next)>{});
-  return far;
+    is_far |= sines_and_cosines_from<next>(angle, sine, cosine,
+                                           std::make_index_sequence<taken_at_once<Number>(count - next)>{});
+  return is_far;
 }
 
 } // namespace detail
@@ -57,10 +57,10 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
 template <class Number, std::size_t count>
 [[gnu::always_inline]] inline void sines_and_cosines(const Number (&angle)[count], Number (&sine)[count],
                                                      Number (&cosine)[count]) noexcept {
-  [[maybe_unused]] const bool far = detail::sines_and_cosines_from<0>(
+  [[maybe_unused]] const bool is_far = detail::sines_and_cosines_from<0>(
       angle, sine, cosine, std::make_index_sequence<detail::taken_at_once<Number>(count)>{});
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
-  if (far) [[unlikely]] {
+  if (is_far) [[unlikely]] {
     Number angles[count], sines[count], cosines[count];
     for (std::size_t i = 0; i < count; ++i) angles[i] = angle[i], sines[i] = sine[i], cosines[i] = cosine[i];
     detail::by_the_library(count, angles, sines, cosines);

@@ -15,17 +15,18 @@ namespace compiled {
 
 /// The constraints of a system at given arguments, for the numerical methods that satisfy them. Where a
 /// constraint is solved for a coordinate of a quaternion they are taken at norm 1.
-template <class System, class P, class R>
+template <class System, class P, class R, class T = double>
 class constraints_at {
 public:
   static constexpr const deriving::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
-  using coordinate_vector = Eigen::Matrix<double, known.configuration_constraints, 1>;
-  using square = Eigen::Matrix<double, known.configuration_constraints, known.configuration_constraints>;
-  using speed_vector = Eigen::Matrix<double, known.constraints, 1>;
+  using state = kanexpr::state<System, T>;
+  using coordinate_vector = Eigen::Matrix<T, known.configuration_constraints, 1>;
+  using square = Eigen::Matrix<T, known.configuration_constraints, known.configuration_constraints>;
+  using speed_vector = Eigen::Matrix<T, known.constraints, 1>;
 
-  constraints_at(double t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
+  constraints_at(T t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
 
   /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
   /// constraints shares, so that it is compiled once.
@@ -40,50 +41,50 @@ public:
   static constexpr int coordinates() { return known.configuration_constraints; }
   static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
 
-  coordinate_vector configuration_residual(const state<System>& x) const {
+  coordinate_vector configuration_residual(const state& x) const {
     if constexpr (coordinates() == 0)
       return {};
     else
       return std::get<0>(configuration()(t_, at_norm_one(x), p_, r_));
   }
-  coordinate_vector configuration_terms(const state<System>& x) const {
+  coordinate_vector configuration_terms(const state& x) const {
     if constexpr (coordinates() == 0)
       return {};
     else
       return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
   }
-  square configuration_jacobian_by_all(const state<System>& x) const {
+  square configuration_jacobian_by_all(const state& x) const {
     square by_dependent;
     if constexpr (coordinates() != 0) {
-      const state<System> at = at_norm_one(x);
+      const state at = at_norm_one(x);
       auto [residual, by_all] = configuration()(t_, at, p_, r_);
       if constexpr (quaternions::are_bound) quaternions::leave_norms_out(by_all, at);
       for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(place_of_coordinate(i));
     }
     return by_dependent;
   }
-  speed_vector velocity_residual(const state<System>& x) const {
+  speed_vector velocity_residual(const state& x) const {
     if constexpr (known.constraints == 0)
       return {};
     else
       return std::get<0>(velocities()(t_, x, p_, r_));
   }
-  speed_vector velocity_terms(const state<System>& x) const {
+  speed_vector velocity_terms(const state& x) const {
     if constexpr (known.constraints == 0)
       return {};
     else
       return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
   }
   /// What the norms of quaternions are off.
-  Eigen::Matrix<double, quaternions::count, 1> quaternion_residual(const state<System>& x) const {
+  Eigen::Matrix<T, quaternions::count, 1> quaternion_residual(const state& x) const {
     return quaternions::residual(x);
   }
   static mechanics::sentence quaternion_called(int k) { return quaternions::called(k); }
-  kanexpr::status normalize_quaternions(state<System>& x) const {
+  kanexpr::status normalize_quaternions(state& x) const {
     return quaternions::normalize(x, lower::norm_range{});
   }
   /// Gives the state its dependent speeds, if they can be solved for.
-  kanexpr::status solve_speeds(state<System>& x) const {
+  kanexpr::status solve_speeds(state& x) const {
     if constexpr (known.constraints == 0) {
       return {};
     } else {
@@ -97,19 +98,19 @@ public:
 
   /// Where the constraints have no finite value: what of the parameters, the inputs or the list that gave the
   /// state has none.
-  mechanics::sentence gap_before(const state<System>& x) const {
+  mechanics::sentence gap_before(const state& x) const {
     if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
     const bool is_of_list =
-        std::any_of(x.begin(), x.end(), [](double entry) { return gap_in(entry) >= gap::never_set; });
+        std::any_of(x.begin(), x.end(), [](T entry) { return gap_in(entry) >= gap::never_set; });
     const mechanics::sentence found =
         is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::sentence{};
     return found ? found : gap_among<System>(p_, r_);
   }
 
 private:
-  static decltype(auto) at_norm_one(const state<System>& x) {
+  static decltype(auto) at_norm_one(const state& x) {
     if constexpr (quaternions::are_bound) {
-      state<System> at = x;
+      state at = x;
       quaternions::normalize(at, lower::norm_range{});
       return at;
     } else {
@@ -126,7 +127,7 @@ private:
     return found;
   }();
 
-  double t_;
+  T t_;
   const P& p_;
   const R& r_;
 };
@@ -136,22 +137,25 @@ private:
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
 /// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is
 /// left as it was and the report says why. No memory is taken and nothing is thrown.
-template <class System, class P = parameter_values<System>, class R = input_values<System>>
-assembly assemble(state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
+template <class System, class T = double, class P = parameter_values<System, T>,
+          class R = input_values<System, T>>
+assembly assemble(state<System, T>& x, const P& p = {}, const R& r = {}, std::type_identity_t<T> t = 0,
                   const assembly_options& options = {}) {
-  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+  const compiled::constraints_at<System, P, R, T> constraints(t, p, r);
   assembly report = numeric::assemble(constraints, x, options);
   if (report) return report;
   if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
 }
 
-/// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
-/// and its quaternions have norm 1; if not, what is off and by how much.
-template <class System, class P = parameter_values<System>, class R = input_values<System>>
-consistency check_consistency(const state<System>& x, const P& p = {}, const R& r = {}, double t = 0,
-                              double tolerance = 1e-9) {
-  const compiled::constraints_at<System, P, R> constraints(t, p, r);
+/// Whether a state satisfies the constraints to within `tolerance`, by default 1e-9, of floats 1e-5, beside
+/// the terms of which they are sums, and its quaternions have norm 1; if not, what is off and by how much.
+template <class System, class T = double, class P = parameter_values<System, T>,
+          class R = input_values<System, T>>
+consistency check_consistency(const state<System, T>& x, const P& p = {}, const R& r = {},
+                              std::type_identity_t<T> t = 0,
+                              double tolerance = sizeof(T) < sizeof(double) ? 1e-5 : 1e-9) {
+  const compiled::constraints_at<System, P, R, T> constraints(t, p, r);
   consistency report = numeric::check_consistency(constraints, x, tolerance);
   if (report) return report;
   if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;

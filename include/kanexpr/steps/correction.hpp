@@ -50,6 +50,12 @@ public:
     return {};
   }
 
+  /// A norm beyond this is no trace that a step leaves.
+  static constexpr lower::norm_range near_one{0.5, 2};
+
+  /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
+  static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
+
   /// Operations of all evaluations and solutions.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
@@ -72,11 +78,6 @@ private:
     return status_of(change);
   }
 
-  /// A norm beyond this is no trace that a step leaves.
-  static constexpr lower::norm_range near_one{0.5, 2};
-
-  /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
-  static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
   static constexpr auto places = [] {
     std::array<int, static_cast<std::size_t>(unknowns + known.constraints + 1)> found{};
     std::size_t next = 0;

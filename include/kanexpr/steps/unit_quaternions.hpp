@@ -74,6 +74,14 @@ public:
     each([&](int, const auto& places) { lower::leave_norm_out(by_all, x, places); });
   }
 
+  /// Calls f with the number of each and the places of its coordinates.
+  template <class Function>
+  static constexpr void each(const Function& f) {
+    [&]<int... k>(std::integer_sequence<int, k...>) {
+      (f(k, places<k>), ...);
+    }(std::make_integer_sequence<int, count>{});
+  }
+
   /// Operations of giving all of them norm 1.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
@@ -123,13 +131,6 @@ private:
     static_cast<void>(
         (... && (lower::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
     return s;
-  }
-
-  template <class Function>
-  static constexpr void each(const Function& f) {
-    [&]<int... k>(std::integer_sequence<int, k...>) {
-      (f(k, places<k>), ...);
-    }(std::make_integer_sequence<int, count>{});
   }
 };
 

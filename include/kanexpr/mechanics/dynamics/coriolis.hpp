@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
-#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -34,14 +34,12 @@ constexpr symbolic::matrix coriolis_matrix(const mechanism& m, const sequence<in
                                            const symbolic::matrix& mass,
                                            const sequence<expression>& momenta) {
   const int n = mass.rows;
-  symbolic::matrix by_q(*m.g, n, n), c(*m.g, n, n);
+  sequence<expression> q;
+  for (int j : coordinate) q.push(m.coordinates[j]);
+  const symbolic::matrix by_q = symbolic::jacobian(*m.g, momenta, q);
+  symbolic::matrix c(*m.g, n, n);
   symbolic::differentiation change(*m.g);
-  for (int j = 0; j < n; ++j) {
-    change.set_rate(m.coordinates[coordinate[j]], m.one());
-    for (int i = 0; i < n; ++i) by_q(i, j) = change.of(momenta[i]);
-    change.restart();
-  }
-  for (int j = 0; j < n; ++j) change.set_rate(m.coordinates[coordinate[j]], m.speeds[j]);
+  for (int j = 0; j < n; ++j) change.set_rate(q[j], m.speeds[j]);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) {
       const expression rate = change.of(mass(i, j)), turned = by_q(i, j) - by_q(j, i);

@@ -2,7 +2,7 @@
 
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
-#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
@@ -22,12 +22,11 @@ constexpr required_inputs inputs_for(const mechanism& m, const sequence<expressi
         sentence({"inputs follow from accelerations where there are as many as independent speeds; there ",
                   inputs == 1 ? "is " : "are ", counted(inputs).view(), inputs == 1 ? " input" : " inputs",
                   " for ", counted(speeds).view()})};
-  symbolic::matrix on_inputs(*m.g, speeds, inputs), others(*m.g, speeds, 1);
+  const symbolic::matrix on_inputs = symbolic::jacobian(*m.g, forces, m.inputs);
+  symbolic::matrix others(*m.g, speeds, 1);
   symbolic::substitution without_inputs(*m.g);
   for (const expression& r : m.inputs) without_inputs.replace(r, m.zero());
   for (int i = 0; i < speeds; ++i) others(i, 0) = -without_inputs.in(forces[i]);
-  for (int j = 0; j < inputs; ++j)
-    for (int i = 0; i < speeds; ++i) on_inputs(i, j) = symbolic::differentiate(forces[i], m.inputs[j]);
   const sequence<char> live = symbolic::live_nodes(*m.g, symbolic::nodes_of(on_inputs.entries));
   for (const expression& r : m.inputs)
     if (live[r.node()] != 0)

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <utility>
+
+/// Work on many systems, in chunks that threads may share.
+namespace kanexpr::batches {
+
+/// Everything on the thread that calls.
+struct on_this_thread {};
+
+/// How many systems are divided, whoever runs the chunks.
+struct chunks {
+  static constexpr int most = 256;
+  int count = 0;
+  Eigen::Index length = 0; ///< of each but the last
+
+  /// Of so many systems, with no less than `least` of them in a chunk but the last. Chunks end with a cache
+  /// line.
+  static constexpr chunks of(Eigen::Index systems, Eigen::Index least) {
+    constexpr Eigen::Index line = 16;
+    if (systems <= 0) return {};
+    const Eigen::Index wanted = (std::max)(least, (systems + most - 1) / most);
+    const Eigen::Index length = (wanted + line - 1) / line * line;
+    return {static_cast<int>((systems + length - 1) / length), length};
+  }
+};
+
+/// The numbers of all chunks, for what goes over a range.
+inline constexpr auto chunk_numbers = [] {
+  std::array<std::int16_t, chunks::most> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int16_t>(i);
+  return all;
+}();
+
+/// Calls work(i) for the first `count` numbers: here, by a callable, or by an execution policy of the
+/// standard library, which is known to whoever passes it.
+template <class Executor, class Work>
+void run_chunks([[maybe_unused]] Executor&& by, int count, const Work& work) {
+  if constexpr (std::same_as<std::remove_cvref_t<Executor>, on_this_thread>)
+    for (int i = 0; i < count; ++i) work(i);
+  else if constexpr (std::invocable<Executor&, int, const Work&>)
+    by(count, work);
+  else
+    std::for_each(std::forward<Executor>(by), chunk_numbers.data(), chunk_numbers.data() + count, work);
+}
+
+} // namespace kanexpr::batches

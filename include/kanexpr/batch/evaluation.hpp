@@ -1,0 +1,129 @@
+#pragma once
+
+#include <kanexpr/batch/side_by_side.hpp>
+#include <kanexpr/compiled/finite_function.hpp>
+#include <kanexpr/compiled/not_finite.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
+
+#include <limits>
+#include <tuple>
+#include <utility>
+
+/// One evaluation of a compiled function of as many systems as a pack has lanes.
+namespace kanexpr::batches {
+
+/// Whether packs are finite in all lanes, looked at once for all of them.
+template <class Pack>
+class finiteness {
+public:
+  [[gnu::always_inline]] void look_at(const Pack& pack) {
+#if !defined(__FINITE_MATH_ONLY__) || !__FINITE_MATH_ONLY__
+    if constexpr (lower::vector_extension<Pack>) {
+      const auto exponent = __builtin_bit_cast(bits, pack) & infinity;
+      wrong_ |= exponent == infinity;
+      return;
+    }
+#endif
+    is_wrong_ |= !lower::scalar_math<Pack>::is_finite(pack);
+  }
+  [[gnu::always_inline]] bool holds() const {
+    if constexpr (lower::vector_extension<Pack>)
+      return !is_wrong_ && numeric::detail::any_of(wrong_) == 0;
+    else
+      return !is_wrong_;
+  }
+
+private:
+  using number = numeric::detail::number_of<Pack>;
+  using bits = numeric::detail::bits_of<Pack>;
+  static constexpr auto infinity =
+      __builtin_bit_cast(numeric::detail::number_bits<Pack>, std::numeric_limits<number>::infinity());
+
+  decltype(bits{} == bits{}) wrong_{};
+  bool is_wrong_ = false;
+};
+
+/// What of a function is evaluated, and whether its results must be finite.
+template <class Function>
+struct evaluated;
+template <class System_, auto... wanted>
+struct evaluated<function<System_, wanted...>> {
+  using System = System_;
+  using function = kanexpr::function<System, wanted...>;
+  static constexpr bool must_be_finite = false;
+  static constexpr std::size_t results = sizeof...(wanted);
+  template <class Number>
+  using matrices = std::tuple<many<Eigen::Matrix<Number, compiled::result_shape<System, wanted>::rows,
+                                                 compiled::result_shape<System, wanted>::columns>>...>;
+};
+template <class System, auto... wanted>
+struct evaluated<finite_function<System, wanted...>> : evaluated<function<System, wanted...>> {
+  static constexpr bool must_be_finite = true;
+};
+
+/// Where a result of some systems goes: entry i of the first is at `first[i * stride]`.
+template <class Number>
+struct place {
+  Number* first;
+  Eigen::Index stride;
+};
+
+template <class Pack, class Result>
+[[gnu::always_inline]] inline const auto& entry_of(const Result& result, [[maybe_unused]] int i) {
+  if constexpr (requires { result.value; })
+    return result.value;
+  else if constexpr (requires { typename Result::Scalar; })
+    return result.data()[i];
+  else
+    return result;
+}
+
+template <class Pack, class Number, class Result, int... i>
+[[gnu::always_inline]] inline void put(const place<Number>& to, const Result& result,
+                                       [[maybe_unused]] finiteness<Pack>& all,
+                                       std::integer_sequence<int, i...>) {
+  const auto one = [&](int entry) __attribute__((always_inline)) {
+    const Pack& pack = entry_of<Pack>(result, entry);
+    all.look_at(pack);
+    put_at(to.first + entry * to.stride, pack);
+  };
+  (one(i), ...);
+}
+
+/// Evaluates a function and leaves its results in their places. The status is that of the first result that
+/// could not be formed in all lanes.
+template <class Function, class Pack, class Number, class... Arguments>
+[[gnu::noinline]] status evaluate_pack(const place<Number>* to, const Arguments&... arguments) noexcept {
+  using described = evaluated<Function>;
+  using matrices = typename described::template matrices<Number>;
+  const auto found = typename described::function{}(arguments...);
+  finiteness<Pack> all;
+  status first;
+  const auto keep = [&]<std::size_t k>(const auto& result) __attribute__((always_inline)) {
+    put<Pack>(to[k], result, all,
+              std::make_integer_sequence<int, std::tuple_element_t<k, matrices>::entries>{});
+    if (first) first = compiled::status_of(result);
+  };
+  if constexpr (described::results == 1)
+    keep.template operator()<0>(found);
+  else
+    [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
+      (keep.template operator()<k>(std::get<k>(found)), ...);
+    }(std::make_index_sequence<described::results>{});
+  if (described::must_be_finite && first && !all.holds())
+    return status("a result is not finite at this state");
+  return first;
+}
+
+/// The cause of a failure as the function of one system would say it.
+template <class Function, class X, class P = compiled::not_given, class R = compiled::not_given,
+          class... Rates>
+status cause_of(const status& failure, const X& x, const P& p = {}, const R& r = {}, const Rates&...) {
+  using described = evaluated<Function>;
+  if constexpr (described::must_be_finite)
+    return compiled::not_finite<typename described::System>::cause_of(failure, x, p, r);
+  else
+    return failure;
+}
+
+} // namespace kanexpr::batches

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <kanexpr/batch/batch.hpp>
+
+#include <type_traits>
+
+namespace kanexpr::batches {
+
+namespace detail {
+
+template <class State, class Law, class Result, class Time, class X>
+constexpr bool takes(Result (Law::*)(Time, X) const) {
+  return std::is_same_v<std::remove_cvref_t<X>, State>;
+}
+template <class State, class Law, class Result, class Time, class X>
+constexpr bool takes(Result (Law::*)(Time, X) const noexcept) {
+  return std::is_same_v<std::remove_cvref_t<X>, State>;
+}
+template <class State>
+constexpr bool takes(...) {
+  return false;
+}
+
+} // namespace detail
+
+/// Whether a function (t, x) of the inputs takes the states of a batch: one that says of which type x is
+/// takes that alone, another takes any.
+template <class Law, class State>
+constexpr bool takes_batches() {
+  if constexpr (requires { &Law::operator(); })
+    return detail::takes<State>(&Law::operator());
+  else
+    return std::is_class_v<Law>;
+}
+
+/// Calls a function of one state for each lane.
+template <class Batch, class Inputs, class Law>
+struct lane_by_lane {
+  const Law& law;
+
+  template <class Time, class State>
+  auto operator()(const Time& t, const State& x) const {
+    with_scalar<Inputs, typename Batch::number> all;
+    for (std::size_t lane = 0; lane < Batch::lanes; ++lane)
+      Batch::set(all, lane, law(t, Batch::get(x, lane)));
+    return all;
+  }
+};
+
+} // namespace kanexpr::batches

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <kanexpr/compiled/place.hpp>
+#include <kanexpr/compiled/state.hpp>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace kanexpr {
+
+namespace batches {
+
+template <class System, compiled::symbols_of which, class Scalar, class Symbol>
+constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, const Symbol&) {
+  return compiled::place_in<System, which, Symbol>::place;
+}
+
+} // namespace batches
+
+/// The states, parameters, inputs or results of many systems as a structure of arrays: the numbers that an
+/// entry has in all of them lie one after another, as a row, `x[q1]`.
+///
+///     many<eom::state> x(1000);
+///     x[q1] = 0.3;              // of all
+///     x[u1][17] = 2;            // of one
+///     eom::state one = x.get(17);
+///
+/// It takes memory when it is made. Rows begin on a cache line, at distances that do not crowd a cache.
+template <class Vector>
+class many {
+public:
+  using number = typename Vector::Scalar;
+  static_assert(std::is_same_v<number, double> || std::is_same_v<number, float>,
+                "many systems have numbers of type double or float");
+  static_assert(Vector::SizeAtCompileTime != Eigen::Dynamic, "many need vectors or matrices of a fixed size");
+  static constexpr int rows = Vector::RowsAtCompileTime, columns = Vector::ColsAtCompileTime,
+                       entries = rows * columns;
+
+  using row = Eigen::Map<Eigen::Array<number, 1, Eigen::Dynamic>>;
+  using const_row = Eigen::Map<const Eigen::Array<number, 1, Eigen::Dynamic>>;
+
+  /// All are the same at first: states zero, parameters and inputs not numbers until they are set.
+  explicit many(Eigen::Index count) : many(count, at_first()) {}
+  many(Eigen::Index count, const Vector& each)
+      : size_(count), lines_in_row_(lines_for(count)),
+        lines_(static_cast<std::size_t>(entries * lines_in_row_)) {
+    for (int i = 0; i < entries; ++i) row_at(i) = each.data()[i];
+  }
+
+  /// How many systems there are.
+  Eigen::Index size() const { return size_; }
+
+  /// What a symbol is in all systems.
+  template <describe::expression_of_a_model Symbol>
+  row operator[](const Symbol& symbol) {
+    return row_at(batches::place_of(static_cast<const Vector*>(nullptr), symbol));
+  }
+  template <describe::expression_of_a_model Symbol>
+  const_row operator[](const Symbol& symbol) const {
+    return row_at(batches::place_of(static_cast<const Vector*>(nullptr), symbol));
+  }
+
+  /// What an entry is in all systems.
+  row operator()(int i, int j = 0) { return row_at(i + rows * j); }
+  const_row operator()(int i, int j = 0) const { return row_at(i + rows * j); }
+
+  /// That of one system.
+  Vector get(Eigen::Index system) const {
+    Vector one;
+    for (int i = 0; i < entries; ++i) one.data()[i] = data()[i * stride() + system];
+    return one;
+  }
+  void set(Eigen::Index system, const Vector& one) {
+    for (int i = 0; i < entries; ++i) data()[i * stride() + system] = one.data()[i];
+  }
+
+  /// Sets every entry of all systems.
+  void fill(number all) {
+    for (int i = 0; i < entries; ++i) row_at(i) = all;
+  }
+
+  /// Entry (i, j) of a system is `data()[(i + rows * j) * stride() + system]`.
+  number* data() { return reinterpret_cast<number*>(lines_.data()); }
+  const number* data() const { return reinterpret_cast<const number*>(lines_.data()); }
+  Eigen::Index stride() const { return lines_in_row_ * in_line; }
+
+private:
+  static constexpr Eigen::Index in_line = 64 / sizeof(number);
+  struct alignas(64) cache_line {
+    number numbers[in_line];
+  };
+
+  static Vector at_first() {
+    if constexpr (requires(const Vector& v) { v.mistake(); })
+      return Vector();
+    else
+      return Vector::Zero();
+  }
+  /// An odd number, so that rows are not mapped to the same few lines of a cache.
+  static Eigen::Index lines_for(Eigen::Index count) { return ((count + in_line - 1) / in_line) | 1; }
+
+  row row_at(int i) { return row(data() + i * stride(), size_); }
+  const_row row_at(int i) const { return const_row(data() + i * stride(), size_); }
+
+  Eigen::Index size_ = 0, lines_in_row_ = 0;
+  std::vector<cache_line> lines_;
+};
+
+namespace batches {
+
+template <class T>
+inline constexpr bool is_many = false;
+template <class Vector>
+inline constexpr bool is_many<many<Vector>> = true;
+
+} // namespace batches
+
+} // namespace kanexpr

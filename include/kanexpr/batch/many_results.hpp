@@ -1,0 +1,196 @@
+#pragma once
+
+#include <kanexpr/batch/chunks.hpp>
+#include <kanexpr/batch/evaluation.hpp>
+#include <kanexpr/batch/system_statuses.hpp>
+
+#include <array>
+#include <limits>
+
+namespace kanexpr {
+
+/// The results of a compiled function for many systems, with a status of each of them:
+///
+///     many_results rates(eom::udot, 1000);
+///     rates.evaluate(x, p, r);             // many<eom::state> x(1000); one p for all, or one for each; …
+///     rates(2);                            // the third entry of all systems, as a row
+///     if (!rates.status_of(17)) …
+///
+/// Memory is taken when it is made; an evaluation takes none and throws nothing. Systems are evaluated in
+/// batches, and a batch in which something fails system by system: so the others keep their results, those of
+/// a system that failed are not numbers, and neither depends on its neighbours or on the threads.
+template <class Function, class Number = double, std::size_t lanes = batches::widest<Number>>
+class many_results {
+  using described = batches::evaluated<Function>;
+  using matrices = typename described::template matrices<Number>;
+  using pack = typename batch<lanes, Number>::number;
+  static constexpr Eigen::Index width = static_cast<Eigen::Index>(lanes);
+
+public:
+  explicit many_results(Eigen::Index systems) : many_results(Function{}, systems) {}
+  many_results(const Function&, Eigen::Index systems)
+      : results_(made(systems, std::make_index_sequence<described::results>{})), statuses_(systems) {}
+
+  Eigen::Index size() const { return statuses_.size(); }
+
+  /// Evaluates the function for all systems: evaluate(x), (x, p), (x, p, r) or (x, p, r, a), with the time in
+  /// front where it needs that. The states are `many`; parameters, inputs and rates are `many` or one for
+  /// all. The status is that of the first system that failed.
+  ///
+  /// Before them may stand what shares the work among threads: an execution policy of the standard library,
+  /// `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 … count − 1, in
+  /// any order, on any threads, and returns when all calls have.
+  template <class First, class... More>
+  status evaluate(First&& first, const More&... more) {
+    if constexpr (is_argument<std::remove_cvref_t<First>>)
+      return evaluate_by(batches::on_this_thread{}, first, more...);
+    else
+      return evaluate_by(std::forward<First>(first), more...);
+  }
+
+  /// The result, of several one of them: entry (i, j) of it in all systems is a row.
+  template <std::size_t which = 0>
+  const auto& result() const {
+    return std::get<which>(results_);
+  }
+  /// An entry of the first result in all systems.
+  auto operator()(int i = 0, int j = 0) const { return result()(i, j); }
+
+  /// Why a system has no result.
+  const status& status_of(Eigen::Index system) const { return statuses_.of(system); }
+  /// How many have none.
+  Eigen::Index failures() const { return statuses_.failures(); }
+
+private:
+  template <class T>
+  static constexpr bool is_argument = batches::is_many<T> || std::is_arithmetic_v<T>;
+
+  template <std::size_t... k>
+  static matrices made(Eigen::Index systems, std::index_sequence<k...>) {
+    return matrices(std::tuple_element_t<k, matrices>(systems)...);
+  }
+
+  template <class Executor, class... Arguments>
+  status evaluate_by(Executor&& by, const Arguments&... arguments) {
+    if (!(... && batches::is_for(arguments, size())))
+      return refuse(status("the arguments are of another number of systems than the results"));
+    statuses_.run(std::forward<Executor>(by), chunk_of_systems, [&](Eigen::Index begin, Eigen::Index end) {
+      return evaluate_range(begin, end, arguments...);
+    });
+    return statuses_.first();
+  }
+
+  status refuse(const status& why) {
+    std::apply([](auto&... each) { (each.fill(std::numeric_limits<Number>::quiet_NaN()), ...); }, results_);
+    return statuses_.refuse(why);
+  }
+
+  /// About ten microseconds of work.
+  static constexpr Eigen::Index chunk_of_systems = [] {
+    const auto& c = Function::cost();
+    return 40000 / (c.multiplications + c.additions + 10 * c.divisions + 20 * c.trigonometric + 20);
+  }();
+
+  using places = std::array<batches::place<Number>, described::results>;
+
+  template <std::size_t... k>
+  places places_at(Eigen::Index system, std::index_sequence<k...>) {
+    return {batches::place<Number>{std::get<k>(results_).data() + system, std::get<k>(results_).stride()}...};
+  }
+  places places_at(Eigen::Index system) {
+    return places_at(system, std::make_index_sequence<described::results>{});
+  }
+
+  /// How many of them failed.
+  template <class... Arguments>
+  Eigen::Index evaluate_range(Eigen::Index begin, Eigen::Index end, const Arguments&... arguments) noexcept {
+    Eigen::Index failed = 0;
+    for (Eigen::Index first = begin; first < end; first += width) {
+      const Eigen::Index count = (std::min)(width, end - first);
+      const status all = count == width
+                             ? batches::evaluate_pack<Function, pack>(
+                                   places_at(first).data(), batches::from_rows<pack>(arguments, first)...)
+                             : evaluate_copies(first, count, first + count - 1, arguments...);
+      if (all) continue;
+      for (Eigen::Index system = first; system < first + count; ++system)
+        failed += !evaluate_one(system, arguments...);
+    }
+    return failed;
+  }
+
+  /// Systems from `first` on; lanes that are left over are given the last.
+  template <class... Arguments>
+  status evaluate_copies(Eigen::Index first, Eigen::Index count, Eigen::Index last,
+                         const Arguments&... arguments) noexcept {
+    return evaluate_gathered(first, count, batches::gather<pack>(arguments, first, last)...);
+  }
+  template <class... Copies>
+  status evaluate_gathered(Eigen::Index first, Eigen::Index count, const Copies&... copies) noexcept {
+    scratch of_all;
+    const status found =
+        batches::evaluate_pack<Function, pack>(of_all.at().data(), batches::from_copies(copies)...);
+    if (found) of_all.move_to(places_at(first), count);
+    return found;
+  }
+
+  /// The same system in all lanes.
+  template <class... Arguments>
+  bool evaluate_one(Eigen::Index system, const Arguments&... arguments) noexcept {
+    const status found = evaluate_copies(system, 1, system, arguments...);
+    if (found) return true;
+    statuses_.set(system, cause(found, system, arguments...));
+    leave_no_numbers(places_at(system));
+    return false;
+  }
+
+  template <class First, class... More>
+  static status cause(const status& found, Eigen::Index system, const First& first, const More&... more) {
+    if constexpr (std::is_arithmetic_v<First>)
+      return batches::cause_of<Function>(found, batches::of_system(more, system)...);
+    else
+      return batches::cause_of<Function>(found, batches::of_system(first, system),
+                                         batches::of_system(more, system)...);
+  }
+
+  static constexpr std::array<int, described::results> entries =
+      []<std::size_t... k>(std::index_sequence<k...>) {
+        return std::array{std::tuple_element_t<k, matrices>::entries...};
+      }(std::make_index_sequence<described::results>{});
+  static constexpr std::size_t all_entries = [] {
+    std::size_t sum = 0;
+    for (const int each : entries) sum += static_cast<std::size_t>(each);
+    return sum;
+  }();
+
+  /// Room for the results of one batch.
+  struct scratch {
+    alignas(pack) Number numbers[all_entries > 0 ? all_entries : 1][lanes];
+
+    places at() {
+      places found{};
+      std::size_t begin = 0;
+      for (std::size_t k = 0; k < entries.size(); ++k) {
+        found[k] = {numbers[begin], width};
+        begin += static_cast<std::size_t>(entries[k]);
+      }
+      return found;
+    }
+    void move_to(const places& to, Eigen::Index systems) const {
+      const Number(*entry)[lanes] = numbers;
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        for (int i = 0; i < entries[k]; ++i, ++entry)
+          std::copy_n(*entry, systems, to[k].first + i * to[k].stride);
+    }
+  };
+
+  static void leave_no_numbers(const places& at) {
+    for (std::size_t k = 0; k < entries.size(); ++k)
+      for (int i = 0; i < entries[k]; ++i)
+        at[k].first[i * at[k].stride] = std::numeric_limits<Number>::quiet_NaN();
+  }
+
+  matrices results_;
+  batches::system_statuses statuses_;
+};
+
+} // namespace kanexpr

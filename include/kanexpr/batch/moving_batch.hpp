@@ -1,0 +1,129 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/batch/inputs_by_law.hpp>
+#include <kanexpr/batch/side_by_side.hpp>
+#include <kanexpr/compiled/fitting.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kanexpr::batches {
+
+/// What is given for a batch of systems: one for all of them, or one for each, side by side.
+template <class Batch, class Given>
+class given_to_batch {
+public:
+  given_to_batch(const Given& given, Eigen::Index, Eigen::Index) : given_(given) {}
+
+  const Given& get() const { return given_; }
+  void copy_lane(std::size_t, std::size_t) {}
+
+private:
+  const Given& given_;
+};
+template <class Batch, class Vector>
+class given_to_batch<Batch, many<Vector>> {
+public:
+  /// Lanes behind the last system are given the same as it.
+  given_to_batch(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+    for (std::size_t lane = 0; lane < Batch::lanes; ++lane)
+      Batch::set(values_, lane, all.get((std::min)(first + static_cast<Eigen::Index>(lane), last)));
+  }
+
+  auto& get() { return values_; }
+  void copy_lane(std::size_t from, std::size_t to) { Batch::set(values_, to, Batch::get(values_, from)); }
+
+private:
+  with_scalar<Vector, typename Batch::number> values_;
+};
+
+/// A batch of systems on its way through steps of a fixed length. A system of which a step fails leaves it,
+/// and its lane goes on as a copy of another.
+template <class Step, class Batch, class P, class R>
+class moving_batch {
+  static constexpr std::size_t lanes = Batch::lanes;
+
+public:
+  template <class State>
+  moving_batch(const many<State>& x, Eigen::Index first, Eigen::Index count, const P& p, const R& r, double t)
+      : t_(t), x_(x, first, first + count - 1), p_(p, first, first + count - 1),
+        r_(r, first, first + count - 1) {
+    std::fill_n(lives_.begin(), count, true);
+  }
+
+  bool lives(std::size_t lane) const { return lives_[lane]; }
+  Eigen::Index living() const { return std::count(lives_.begin(), lives_.end(), true); }
+  auto state_in(std::size_t lane) { return Batch::get(x_.get(), lane); }
+
+  /// False: some systems could not make the step, and the others have not yet made it. Of those that could
+  /// not, leave(lane, why) is called.
+  template <class Leave>
+  bool step(double h, const Leave& leave) {
+    const status all = made(t_, x_.get(), h, p_.get(), r_.get());
+    if (all) return true;
+    const Eigen::Index before = living();
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      if (lives(lane))
+        if (const status own = try_alone(lane, h); !own) remove(lane, own, leave);
+    if (living() == before) // inputs that differ from call to call
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (lives(lane)) remove(lane, all, leave);
+    const auto other = std::find(lives_.begin(), lives_.end(), true);
+    if (other == lives_.end()) return false;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      if (!lives(lane)) copy_lane(static_cast<std::size_t>(other - lives_.begin()), lane);
+    return false;
+  }
+
+  /// The states of those that live; others are not numbers.
+  template <class State>
+  void put_into(many<State>& all, Eigen::Index first) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Eigen::Index system = first + static_cast<Eigen::Index>(lane);
+      if (system >= all.size()) return;
+      State one = state_in(lane);
+      if (!lives(lane)) one.setConstant(std::numeric_limits<typename State::Scalar>::quiet_NaN());
+      all.set(system, one);
+    }
+  }
+
+private:
+  template <class X, class Parameters, class Inputs>
+  [[gnu::noinline]] static status made(double& t, X& x, double h, const Parameters& p, const Inputs& r) {
+    if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given> ||
+                  takes_batches<Inputs, X>())
+      return Step{}(t, x, h, p, r);
+    else
+      return Step{}(t, x, h, p, lane_by_lane<Batch, typename Step::eom::inputs, Inputs>{r});
+  }
+
+  /// The step of one system, which is in all lanes then; nothing is kept of it but its status.
+  status try_alone(std::size_t lane, double h) const {
+    moving_batch alone = *this;
+    for (std::size_t other = 0; other < lanes; ++other)
+      if (other != lane) alone.copy_lane(lane, other);
+    return made(alone.t_, alone.x_.get(), h, alone.p_.get(), alone.r_.get());
+  }
+
+  template <class Leave>
+  void remove(std::size_t lane, const status& why, const Leave& leave) {
+    leave(lane, why);
+    lives_[lane] = false;
+  }
+
+  void copy_lane(std::size_t from, std::size_t to) {
+    x_.copy_lane(from, to), p_.copy_lane(from, to), r_.copy_lane(from, to);
+  }
+
+  using state = with_scalar<typename Step::eom::state, typename Batch::element>;
+
+  double t_;
+  given_to_batch<Batch, many<state>> x_;
+  given_to_batch<Batch, P> p_;
+  given_to_batch<Batch, R> r_;
+  std::array<bool, lanes> lives_{};
+};
+
+} // namespace kanexpr::batches

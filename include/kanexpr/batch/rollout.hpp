@@ -1,0 +1,130 @@
+#pragma once
+
+#include <kanexpr/batch/chunks.hpp>
+#include <kanexpr/batch/moving_batch.hpp>
+#include <kanexpr/batch/system_statuses.hpp>
+#include <kanexpr/steps/fixed_step.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace kanexpr {
+
+/// How far a rollout goes.
+struct rollout_options {
+  double step = 0; ///< in seconds, as the unit of time of the model is
+  int steps = 0;
+  int store_every = 0; ///< so many steps; 0: only the last state is kept
+  double start = 0;    ///< the time at which it begins
+};
+
+/// Moves many systems by steps of a fixed length, a batch at a time:
+///
+///     rollout<runge_kutta_4<System>> ahead(1000, {.step = 1e-3, .steps = 500, .store_every = 50});
+///     ahead.run(x, p, r);                  // many<eom::state> x(1000) are 500 steps further
+///     ahead.stored(0)[q1];                 // after 50 steps, of all systems
+///
+/// Every system goes through the states that single steps `step(t, x, h, p, r)` give it. Memory is taken when
+/// it is made; a run takes none and throws nothing. A system of which a step fails stays at its last sound
+/// state, has a status, and is not a number where states are stored later; the others go on.
+template <class Step, class Number = double, std::size_t lanes = batches::widest<Number>>
+class rollout {
+  using side_by_side = batch<lanes, Number>;
+  static constexpr Eigen::Index width = static_cast<Eigen::Index>(lanes);
+
+public:
+  using state = batches::with_scalar<typename Step::eom::state, Number>;
+
+  rollout(Eigen::Index systems, const rollout_options& how)
+      : how_(how), statuses_(systems), steps_(static_cast<std::size_t>(systems)) {
+    const int count = how.store_every > 0 ? how.steps / how.store_every : 0;
+    stored_.assign(static_cast<std::size_t>(count), many<state>(systems));
+    times_.assign(stored_.size(), how.start);
+  }
+
+  Eigen::Index size() const { return statuses_.size(); }
+
+  /// Moves the states x: run(x), (x, p) or (x, p, r). Parameters are `many` or one for all; the inputs are
+  /// too, and hold all the time, or come from a function (t, x). The latter is asked for a batch of states at
+  /// once if x may be of any type, `[](double t, const auto& x) { … }`, else for one state after another.
+  /// Before them may stand what shares the work among threads, as in `many_results::evaluate`. The status is
+  /// that of the first system that failed.
+  template <class First, class... More>
+  status run(First&& first, More&&... more) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<First>, many<state>>)
+      return run_by(batches::on_this_thread{}, first, more...);
+    else
+      return run_by(std::forward<First>(first), more...);
+  }
+
+  /// How many times states were stored, and those of the k-th with the time.
+  int stored() const { return static_cast<int>(stored_.size()); }
+  const many<state>& stored(int k) const { return stored_[static_cast<std::size_t>(k)]; }
+  double time(int k) const { return times_[static_cast<std::size_t>(k)]; }
+
+  /// Why a system did not go on.
+  const status& status_of(Eigen::Index system) const { return statuses_.of(system); }
+  /// How many did not.
+  Eigen::Index failures() const { return statuses_.failures(); }
+  /// How many steps a system has made.
+  int steps_of(Eigen::Index system) const { return steps_[static_cast<std::size_t>(system)]; }
+
+private:
+  using none = compiled::not_given;
+
+  template <class Executor, class P = none, class R = none>
+  status run_by(Executor&& by, many<state>& x, const P& p = {}, const R& r = {}) {
+    if (x.size() != size() || !batches::is_for(p, size()) || !batches::is_for(r, size()))
+      return refuse(status("the arguments are of another number of systems than the rollout"));
+    if (how_.steps < 0) return refuse(status("the number of steps is negative"));
+    double t = how_.start;
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      for (int i = 0; i < how_.store_every; ++i) t += how_.step;
+      times_[k] = t;
+    }
+    statuses_.run(std::forward<Executor>(by), 2 * width, [&](Eigen::Index begin, Eigen::Index end) {
+      Eigen::Index failed = 0;
+      for (Eigen::Index first = begin; first < end; first += width)
+        failed += move(x, first, (std::min)(width, end - first), p, r);
+      return failed;
+    });
+    return statuses_.first();
+  }
+
+  status refuse(const status& why) {
+    for (many<state>& each : stored_) each.fill(std::numeric_limits<Number>::quiet_NaN());
+    std::fill(steps_.begin(), steps_.end(), 0);
+    return statuses_.refuse(why);
+  }
+
+  /// Moves the systems from `first` on; how many of them did not reach the end.
+  template <class P, class R>
+  Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const P& p, const R& r) {
+    batches::moving_batch<Step, side_by_side, P, R> all(x, first, count, p, r, how_.start);
+    int made = 0;
+    const auto leave = [&](std::size_t lane, const status& why) {
+      const Eigen::Index system = first + static_cast<Eigen::Index>(lane);
+      statuses_.set(system, why);
+      steps_[static_cast<std::size_t>(system)] = made;
+      x.set(system, all.state_in(lane));
+    };
+    auto store = stored_.begin();
+    while (made < how_.steps && all.living() > 0) {
+      if (!all.step(how_.step, leave)) continue;
+      ++made;
+      if (store != stored_.end() && made % how_.store_every == 0) all.put_into(*store++, first);
+    }
+    while (store != stored_.end()) all.put_into(*store++, first); // none lives
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      if (all.lives(lane)) leave(lane, {});
+    return count - all.living();
+  }
+
+  std::vector<many<state>> stored_;
+  std::vector<double> times_;
+  rollout_options how_;
+  batches::system_statuses statuses_;
+  std::vector<int> steps_;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kanexpr/batch/batch.hpp>
+#include <kanexpr/batch/many.hpp>
+#include <kanexpr/compiled/value_vector.hpp>
+
+#include <cstring>
+
+namespace kanexpr::batches {
+
+template <class Pack, class Number>
+[[gnu::always_inline]] inline Pack pack_at(const Number* first) {
+  Pack pack;
+  std::memcpy(&pack, first, sizeof pack);
+  return pack;
+}
+template <class Pack, class Number>
+[[gnu::always_inline]] inline void put_at(Number* first, const Pack& pack) {
+  std::memcpy(first, &pack, sizeof pack);
+}
+
+/// The vectors of neighbouring systems, one in each lane, read from the rows where they lie: an argument of a
+/// compiled function.
+template <class Vector, class Pack>
+struct side_by_side {
+  using Scalar = Pack;
+  static constexpr int SizeAtCompileTime = Vector::SizeAtCompileTime;
+  using number = typename Vector::Scalar;
+
+  const number* first;
+  Eigen::Index stride;
+
+  [[gnu::always_inline]] Pack operator[](Eigen::Index i) const { return pack_at<Pack>(first + i * stride); }
+};
+
+using compiled::belonging_of;
+template <class Vector, class Pack>
+decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const side_by_side<Vector, Pack>*);
+
+/// What the lanes of a batch are given in one argument, in memory of its own: some lanes may be copies of
+/// others.
+template <class Vector, class Pack>
+struct gathered {
+  using number = typename Vector::Scalar;
+  static constexpr std::size_t lanes = sizeof(Pack) / sizeof(number);
+  static constexpr std::size_t entries = static_cast<std::size_t>(many<Vector>::entries);
+  alignas(Pack) number numbers[entries > 0 ? entries : 1][lanes];
+
+  /// Lane i is given system first + i, but none behind the last.
+  gathered(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+    for (std::size_t i = 0; i < entries; ++i)
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        numbers[i][lane] = all.data()[static_cast<Eigen::Index>(i) * all.stride() +
+                                      (std::min)(first + static_cast<Eigen::Index>(lane), last)];
+  }
+};
+
+/// An argument of a compiled function for the systems from `first` on.
+template <class Pack, class Vector>
+side_by_side<Vector, Pack> from_rows(const many<Vector>& all, Eigen::Index first) {
+  return {all.data() + first, all.stride()};
+}
+template <class Pack, class Given>
+const Given& from_rows(const Given& given, Eigen::Index) {
+  return given;
+}
+
+/// The same of copies.
+template <class Pack, class Vector>
+gathered<Vector, Pack> gather(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+  return {all, first, last};
+}
+template <class Pack, class Given>
+const Given& gather(const Given& given, Eigen::Index, Eigen::Index) {
+  return given;
+}
+template <class Vector, class Pack>
+side_by_side<Vector, Pack> from_copies(const gathered<Vector, Pack>& copies) {
+  return {copies.numbers[0], static_cast<Eigen::Index>(copies.lanes)};
+}
+template <class Given>
+const Given& from_copies(const Given& given) {
+  return given;
+}
+
+/// Whether there is a vector for each of so many systems.
+template <class Given>
+bool is_for(const Given&, Eigen::Index) {
+  return true;
+}
+template <class Vector>
+bool is_for(const many<Vector>& all, Eigen::Index systems) {
+  return all.size() == systems;
+}
+
+/// That of one system.
+template <class Vector>
+Vector of_system(const many<Vector>& all, Eigen::Index system) {
+  return all.get(system);
+}
+template <class Given>
+const Given& of_system(const Given& given, Eigen::Index) {
+  return given;
+}
+
+} // namespace kanexpr::batches

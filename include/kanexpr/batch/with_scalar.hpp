@@ -1,0 +1,27 @@
+#pragma once
+
+#include <kanexpr/compiled/state.hpp>
+
+#include <type_traits>
+
+namespace kanexpr::batches {
+
+namespace detail {
+
+template <class Scalar, class System, class T>
+std::type_identity<state<System, Scalar>> exchanged(const state<System, T>*);
+template <class Scalar, class System, class T>
+std::type_identity<parameter_values<System, Scalar>> exchanged(const parameter_values<System, T>*);
+template <class Scalar, class System, class T>
+std::type_identity<input_values<System, Scalar>> exchanged(const input_values<System, T>*);
+template <class Scalar, class T, int rows, int columns, int options, int most_rows, int most_columns>
+std::type_identity<Eigen::Matrix<Scalar, rows, columns, options, most_rows, most_columns>>
+exchanged(const Eigen::Matrix<T, rows, columns, options, most_rows, most_columns>*);
+
+} // namespace detail
+
+/// A vector of a system, or a matrix, with another scalar type; of a result with a status the result.
+template <class Vector, class Scalar>
+using with_scalar = typename decltype(detail::exchanged<Scalar>(static_cast<const Vector*>(nullptr)))::type;
+
+} // namespace kanexpr::batches

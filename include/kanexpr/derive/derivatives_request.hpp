@@ -1,0 +1,22 @@
+#pragma once
+
+#include <kanexpr/derive/request.hpp>
+
+namespace kanexpr::deriving {
+
+/// The derivatives of a result, entry by entry in the order of rows, by the state [q; u], the inputs, or the
+/// rates of the speeds where it holds them.
+struct derivatives_of_result {
+  quantity of;
+  with_respect_to symbols;
+
+  constexpr std::string_view result_name() const { return mechanics::row_of(of).called; }
+};
+
+template <derivatives_of_result wanted>
+struct requested<wanted> {
+  static constexpr request value{
+      .what = request::kind::derivatives, .wanted = wanted.of, .symbols = wanted.symbols};
+};
+
+} // namespace kanexpr::deriving

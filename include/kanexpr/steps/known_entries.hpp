@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kanexpr/compiled/function.hpp>
+
+#include <utility>
+
+namespace kanexpr::compiled {
+
+/// A matrix among the results of compiled code, of which the compiler knows which entries are 0 or 1. Its
+/// entries are results from `first` on.
+template <class Code, int first, int rows, int inner>
+struct known_entries {
+  /// Products with it leave out what is known.
+  template <class Matrix, class Right>
+  static Right product(const Matrix& left, const Right& right) {
+    Right sum;
+    fill(sum, left, right, std::make_integer_sequence<int, rows>{});
+    return sum;
+  }
+
+  /// Entries that a product multiplies by.
+  static constexpr int multiplications() {
+    int count = 0;
+    for (int i = 0; i < rows; ++i)
+      for (int k = 0; k < inner; ++k) count += !is(i, k, 0) && !is(i, k, 1) ? 1 : 0;
+    return count;
+  }
+
+private:
+  static constexpr bool is(int i, int k, int number) {
+    const int slot = Code::tape.results[first + i * inner + k];
+    return slot < Code::tape.sizes.numbers && Code::tape.numbers[slot] == symbolic::exactly(number);
+  }
+
+  template <class Matrix, class Right, int... i>
+  static void fill(Right& sum, const Matrix& left, const Right& right, std::integer_sequence<int, i...>) {
+    (fill_row<i>(sum, left, right, std::make_integer_sequence<int, inner>{}), ...);
+  }
+  template <int i, class Matrix, class Right, int... k>
+  static void fill_row(Right& sum, const Matrix& left, const Right& right, std::integer_sequence<int, k...>) {
+    sum.row(i).setZero();
+    (add<i, k>(sum, left, right), ...);
+  }
+  template <int i, int k, class Matrix, class Right>
+  static void add(Right& sum, const Matrix& left, const Right& right) {
+    if constexpr (is(i, k, 1))
+      sum.row(i) += right.row(k);
+    else if constexpr (!is(i, k, 0))
+      sum.row(i) += left(i, k) * right.row(k);
+  }
+};
+
+} // namespace kanexpr::compiled

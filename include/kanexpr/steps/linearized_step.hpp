@@ -1,0 +1,218 @@
+#pragma once
+
+#include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/steps/fixed_step.hpp>
+#include <kanexpr/steps/known_entries.hpp>
+
+namespace kanexpr {
+
+/// The state after a step of fixed length, with its derivatives by the state before it and by the inputs,
+/// which hold during the step: A_d and B_d of the step itself.
+template <class System, class T>
+struct linearized_state {
+  static constexpr int size = equations_of_motion<System>::coordinates + equations_of_motion<System>::speeds;
+
+  kanexpr::state<System, T> state;
+  Eigen::Matrix<T, size, size> by_state;
+  Eigen::Matrix<T, size, compiled::survey_of<System>.inputs> by_inputs;
+  kanexpr::status status{}; ///< where it fails, the rest means nothing
+};
+
+namespace compiled {
+
+/// A state on its way through a step with its derivatives by the state before it and by the inputs, side by
+/// side.
+template <class System, class T>
+struct varied_state {
+  static constexpr int size = linearized_state<System, T>::size, inputs = survey_of<System>.inputs;
+  using derivatives = Eigen::Matrix<T, size, size + inputs>;
+
+  state<System, T> x;
+  derivatives by_all;
+
+  explicit varied_state(const state<System, T>& before) : x(before) {
+    by_all.setZero();
+    for (int i = 0; i < size; ++i) by_all(i, i) = lower::scalar_math<T>::from(1);
+  }
+};
+
+/// ẋ with its derivatives by the state and by the inputs. The general form of the equations gives them in
+/// fewer operations than ẋ itself, but only where quaternions have norm 1, which they lose within a step.
+template <class System>
+struct rates_with_derivatives {
+  using quantity = mechanics::quantity;
+  using by = deriving::with_respect_to;
+  static constexpr int size = linearized_state<System, double>::size;
+  static constexpr bool has_quaternions = survey_of<System>.quaternions > 0;
+  using evaluated = std::conditional_t<
+      has_quaternions,
+      function<System, quantity::rhs, deriving::derivatives_of_result{quantity::rhs, by::state},
+               deriving::derivatives_of_result{quantity::rhs, by::inputs}>,
+      function<System, quantity::rhs, quantity::state_jacobian, quantity::input_jacobian>>;
+  /// ẋ comes before the matrix.
+  using by_state = known_entries<typename evaluated::code, size, size, size>;
+};
+
+/// Carries derivatives through the correction that ends a step.
+template <class System, int corrections>
+struct varied_correction {
+  using quantity = mechanics::quantity;
+  using by = deriving::with_respect_to;
+  static constexpr const deriving::survey& known = survey_of<System>;
+  using correct = correction<System, corrections>;
+  template <quantity of>
+  using varied = function<System, of, deriving::derivatives_of_result{of, by::state},
+                          deriving::derivatives_of_result{of, by::inputs}>;
+
+  template <class Time, class T, class P, class R>
+  static status apply(const Time& t, varied_state<System, T>& next, const P& p, const R& r) {
+    if constexpr (!correct::is_needed) return {};
+    if (const status s = normalize(next); !s) return s;
+    if constexpr (known.configuration_constraints > 0)
+      for (int done = 0; done < corrections; ++done) {
+        const auto s = add<varied<quantity::configuration_step>>(t, next, 0, p, r, true);
+        if (!s) return s;
+        if constexpr (unit_quaternions<System>::are_bound)
+          if (const status n = normalize(next); !n) return n;
+      }
+    if constexpr (known.constraints > 0)
+      return add<varied<quantity::dependent_speeds>>(t, next, known.configuration_constraints, p, r, false);
+    return {};
+  }
+
+private:
+  /// Adds a function of the state to what is dependent, from its place `first` on among all that is, or puts
+  /// it there.
+  template <class Function, class Time, class T, class P, class R>
+  static status add(const Time& t, varied_state<System, T>& next, int first, const P& p, const R& r,
+                    bool to_what_is_there) {
+    using state_type = varied_state<System, T>;
+    const auto [change, by_state, by_inputs] = out_of_line<Function>{}(t, next.x, p, r);
+    if (const status s = status_of(change); !s) return s;
+    constexpr int rows = std::remove_cvref_t<decltype(by_state)>::RowsAtCompileTime;
+    Eigen::Matrix<T, rows, state_type::size + state_type::inputs> by_all = by_state.lazyProduct(next.by_all);
+    by_all.template rightCols<state_type::inputs>() += by_inputs;
+    for (int i = 0; i < rows; ++i) {
+      const int to = correct::place(first + i);
+      if (to_what_is_there) {
+        next.x(to) += change(i);
+        next.by_all.row(to) += by_all.row(i);
+      } else {
+        next.x(to) = change(i);
+        next.by_all.row(to) = by_all.row(i);
+      }
+    }
+    return {};
+  }
+
+  /// x/|x| of each quaternion, with (1 − x xᵀ/x²)/|x|.
+  template <class T>
+  static status normalize(varied_state<System, T>& next) {
+    using quaternions = unit_quaternions<System>;
+    if constexpr (quaternions::count == 0) return {};
+    const state<System, T> before = next.x;
+    if (const status s = quaternions::normalize(next.x, correct::near_one); !s) return s;
+    quaternions::each([&](int, const auto& places) {
+      T along_square = lower::scalar_math<T>::from(0);
+      for (const int place : places) along_square = T(along_square + T(before(place) * next.x(place)));
+      auto along = (next.by_all.row(0) * lower::scalar_math<T>::from(0)).eval(); // |x| of it
+      for (const int place : places) along += next.x(place) * next.by_all.row(place);
+      for (const int place : places)
+        next.by_all.row(place) = ((next.by_all.row(place) - next.x(place) * along) / along_square).eval();
+    });
+    return {};
+  }
+};
+
+/// Ends a step, as `conclude` does.
+template <class System, int corrections, class Time, class T, class P, class R>
+linearized_state<System, T> concluded(const Time& after, varied_state<System, T>& next, const P& p,
+                                      const R& r) {
+  using result = linearized_state<System, T>;
+  status s = varied_correction<System, corrections>::apply(after, next, p, r);
+  for (int i = 0; s && i < result::size; ++i)
+    if (!lower::scalar_math<T>::is_finite(next.x(i))) s = status(state_not_finite);
+  return {next.x, next.by_all.template leftCols<result::size>(),
+          next.by_all.template rightCols<varied_state<System, T>::inputs>(), s};
+}
+
+template <class Step>
+struct varied_step;
+
+/// By the chain rule through the four stages. The Jacobian of ẋ is multiplied into the derivatives so far,
+/// but for entries that are known to be 0 or 1.
+template <class System, int corrections>
+struct varied_step<runge_kutta_4<System, corrections>> {
+  template <class T, class P, class R>
+  static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
+                                               const R& r) {
+    using rates = rates_with_derivatives<System>;
+    using varied = varied_state<System, T>;
+    constexpr int size = varied::size, inputs = varied::inputs;
+    const T reach[]{T(0), T(h / 2), T(h / 2), h}, weight[]{T(h / 6), T(h / 3), T(h / 3), T(h / 6)};
+    varied at(x), next(x);
+    const varied before(x);
+    for (int stage = 0; stage < 4; ++stage) {
+      const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(T(t + reach[stage]), at.x, p, r);
+      if (const status s = status_of(rate); !s) return {x, {}, {}, s};
+      typename varied::derivatives by_all = rates::by_state::product(by_state, at.by_all);
+      by_all.template rightCols<inputs>() += by_inputs;
+      if (stage < 3) {
+        advance<0, size>(at.x, x, reach[stage + 1], rate);
+        at.by_all = before.by_all + reach[stage + 1] * by_all;
+      }
+      advance<0, size>(next.x, next.x, weight[stage], rate);
+      next.by_all += weight[stage] * by_all;
+    }
+    return concluded<System, corrections>(T(t + h), next, p, r);
+  }
+};
+
+template <class System, int corrections>
+struct varied_step<semi_implicit_euler<System, corrections>> {
+  template <class T, class P, class R>
+  static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
+                                               const R& r) {
+    using eom = equations_of_motion<System>;
+    using quantity = mechanics::quantity;
+    using by = deriving::with_respect_to;
+    using varied = varied_state<System, T>;
+    constexpr int n = eom::coordinates, speeds = eom::speeds, inputs = varied::inputs;
+    const varied before(x);
+    varied next(x);
+    const auto [udot, u_by_state, u_by_inputs] =
+        function<System, quantity::udot, deriving::derivatives_of_result{quantity::udot, by::state},
+                 deriving::derivatives_of_result{quantity::udot, by::inputs}>{}(t, x, p, r);
+    if (const status s = status_of(udot); !s) return {x, {}, {}, s};
+    advance<n, speeds>(next.x, x, h, udot);
+    next.by_all.template bottomLeftCorner<speeds, varied::size>() += h * u_by_state;
+    next.by_all.template bottomRightCorner<speeds, inputs>() += h * u_by_inputs;
+    const auto [qdot, q_by_state, q_by_inputs] =
+        function<System, quantity::qdot, deriving::derivatives_of_result{quantity::qdot, by::state},
+                 deriving::derivatives_of_result{quantity::qdot, by::inputs}>{}(t, next.x, p, r);
+    if (const status s = status_of(qdot); !s) return {x, {}, {}, s};
+    advance<0, n>(next.x, x, h, qdot);
+    const typename varied::derivatives here = next.by_all;
+    next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
+    next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
+    return concluded<System, corrections>(T(t + h), next, p, r);
+  }
+};
+
+} // namespace compiled
+
+/// A step of fixed length with its derivatives, exact for the step as it is made, corrections included:
+/// `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` Nothing is advanced.
+template <class Step>
+struct linearized {
+  template <class System, class T, class P = compiled::not_given, class R = compiled::not_given>
+  linearized_state<System, T> operator()(std::type_identity_t<T> t, const state<System, T>& x,
+                                         std::type_identity_t<T> h, const P& p = {}, const R& r = {}) const {
+    if (!lower::scalar_math<T>::is_finite(T(t + h))) return {x, {}, {}, status(compiled::step_not_finite)};
+    linearized_state<System, T> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
+    if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
+    return next;
+  }
+};
+
+} // namespace kanexpr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+
+namespace kanexpr::symbolic {
+
+/// The derivatives of expressions, a row for each, by symbols: column by column along the symbols, or row by
+/// row by reverse accumulation where there are fewer rows.
+constexpr matrix jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
+  matrix all(g, of.size(), by.size());
+  if (all.entries.empty()) return all;
+  if (all.rows < all.columns) {
+    accumulation back(g, of);
+    for (int i = 0; i < all.rows; ++i) {
+      back.restart();
+      back.seed(of[i], {g, graph::one});
+      back.run();
+      for (int j = 0; j < all.columns; ++j) all(i, j) = back.by(by[j]);
+    }
+    return all;
+  }
+  differentiation along(g);
+  for (int j = 0; j < all.columns; ++j) {
+    along.set_rate(by[j], {g, graph::one});
+    for (int i = 0; i < all.rows; ++i) all(i, j) = along.of(of[i]);
+    along.restart();
+  }
+  return all;
+}
+
+} // namespace kanexpr::symbolic

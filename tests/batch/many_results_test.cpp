@@ -1,0 +1,218 @@
+// builds: sanitize no-exceptions
+#include "no_heap.hpp"
+
+#include <kanexpr/batch.hpp>
+#include <kanexpr/kanexpr.hpp>
+#include <models/double_pendulum.hpp>
+#include <models/four_bar.hpp>
+#include <models/simple_pendulum.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace kanexpr;
+using bars = equations_of_motion<double_pendulum::System>;
+using pendulum = equations_of_motion<simple_pendulum::System>;
+
+// Different in every system, and the same in every run.
+template <class Vector>
+many<Vector> varied(Eigen::Index systems, double from, double to) {
+  many<Vector> all(systems);
+  unsigned seed = 12345;
+  for (int i = 0; i < many<Vector>::entries; ++i)
+    for (Eigen::Index system = 0; system < systems; ++system) {
+      seed = seed * 1664525 + 1013904223;
+      all(i)(system) = static_cast<typename Vector::Scalar>(from + (to - from) * (seed >> 8) / 16777216.0);
+    }
+  return all;
+}
+
+template <class Number>
+void expect_the_bits_of_single_systems() {
+  using System = double_pendulum::System;
+  constexpr auto all = bars::together(bars::mass_matrix, bars::rhs, bars::kinetic_energy);
+  for (Eigen::Index systems = 0; systems <= 20; ++systems) {
+    const auto x = varied<state<System, Number>>(systems, -2, 2);
+    const auto p = varied<parameter_values<System, Number>>(systems, 0.5, 2);
+    const auto r = varied<input_values<System, Number>>(systems, -1, 1);
+    many_results<std::remove_const_t<decltype(all)>, Number> found(systems);
+    {
+      no_heap::guard guard;
+      EXPECT_TRUE(found.evaluate(x, p, r));
+    }
+    EXPECT_EQ(found.failures(), 0);
+    for (Eigen::Index i = 0; i < systems; ++i) {
+      const auto [M, rates, energy] = all(x.get(i), p.get(i), r.get(i));
+      EXPECT_EQ(found.template result<0>().get(i), M);
+      EXPECT_EQ(found.template result<1>().get(i), rates);
+      EXPECT_EQ(found.template result<2>()(0)(i), energy.value);
+      EXPECT_EQ(found(1, 0)(i), M(1, 0));
+      EXPECT_TRUE(found.status_of(i));
+    }
+  }
+}
+
+TEST(many_results, have_the_bits_of_single_systems) {
+  expect_the_bits_of_single_systems<double>();
+  expect_the_bits_of_single_systems<float>();
+}
+
+TEST(many_results, take_one_vector_for_all) {
+  const auto x = varied<bars::state>(13, -2, 2);
+  const bars::parameters p = varied<bars::parameters>(1, 0.5, 2).get(0);
+  const bars::inputs r(1, -2);
+  many_results udot(bars::udot, 13);
+  EXPECT_TRUE(udot.evaluate(x, p, r));
+  for (int i = 0; i < 13; ++i) EXPECT_EQ(udot.result().get(i), bars::udot(x.get(i), p, r));
+  many_results T(bars::kinetic_energy, 13);
+  EXPECT_TRUE(T.evaluate(x, p));
+  for (int i = 0; i < 13; ++i) EXPECT_EQ(T()(i), bars::kinetic_energy(x.get(i), p));
+}
+
+TEST(many_results, take_rates_and_the_time) {
+  const auto x = varied<bars::state>(9, -2, 2);
+  const auto a = varied<Eigen::Vector2d>(9, -3, 3);
+  const bars::parameters p = varied<bars::parameters>(1, 0.5, 2).get(0);
+  const bars::inputs r(1, -2);
+  many_results forces(bars::inertia_forces, 9);
+  EXPECT_TRUE(forces.evaluate(0.5, x, p, r, a));
+  for (int i = 0; i < 9; ++i)
+    EXPECT_EQ(forces.result().get(i), bars::inertia_forces(0.5, x.get(i), p, r, a.get(i)));
+}
+
+TEST(many_results, are_of_linearizations) {
+  using linear = linearization<double_pendulum::System>;
+  const auto x = varied<bars::state>(7, -2, 2);
+  const bars::parameters p = varied<bars::parameters>(1, 0.5, 2).get(0);
+  auto r = varied<bars::inputs>(7, -1, 1);
+  r[double_pendulum::T2](4) = std::numeric_limits<double>::infinity();
+  many_results AB(linear::explicit_form, 7);
+  EXPECT_EQ(AB.evaluate(x, p, r).cause(), "T2 has no finite value");
+  EXPECT_EQ(AB.failures(), 1);
+  for (int i = 0; i < 7; ++i) {
+    const auto [A, B] = linear::explicit_form(x.get(i), p, r.get(i));
+    EXPECT_EQ(AB.status_of(i).cause(), A.status.cause());
+    if (i == 4) continue;
+    EXPECT_EQ(AB.result<0>().get(i), A);
+    EXPECT_EQ(AB.result<1>().get(i), B);
+  }
+}
+
+// Masses of zero in lanes with others, in the last of a batch and in what is left over.
+TEST(many_results, say_which_systems_failed_and_why) {
+  using namespace simple_pendulum;
+  const auto x = varied<pendulum::state>(11, -2, 2);
+  auto p = varied<pendulum::parameters>(11, 0.5, 2);
+  const pendulum::inputs r(0.3);
+  for (const int singular : {1, 4, 7, 10}) p[m](singular) = 0;
+  p[l](9) = std::numeric_limits<double>::quiet_NaN();
+  many_results udot(pendulum::udot, 11);
+  const status first = udot.evaluate(x, p, r);
+  EXPECT_EQ(first.cause(), pendulum::udot(x.get(1), p.get(1), r).status.cause());
+  EXPECT_EQ(first.cause(), "the mass matrix is singular at this state: its elimination fails at the speed u");
+  EXPECT_EQ(udot.failures(), 5);
+  for (int i = 0; i < 11; ++i) {
+    const auto own = pendulum::udot(x.get(i), p.get(i), r);
+    EXPECT_EQ(udot.status_of(i).cause(), own.status.cause()) << i;
+    EXPECT_EQ(std::isnan(udot(0)(i)), !own.status);
+    if (own.status) {
+      EXPECT_EQ(udot(0)(i), own(0));
+    }
+  }
+
+  p[m] = 1, p[l] = 1;
+  EXPECT_TRUE(udot.evaluate(x, p, r));
+  EXPECT_EQ(udot.failures(), 0);
+  for (int i = 0; i < 11; ++i) EXPECT_TRUE(udot.status_of(i));
+}
+
+TEST(many_results, fail_where_single_systems_do_near_a_singular_state) {
+  using eom = equations_of_motion<four_bar::System>;
+  many<eom::state> x(40);
+  for (int i = 0; i < 40; ++i) {
+    eom::state one = eom::state::Constant(0.1 + 1e-3 * i);
+    if (i % 3 == 0) one.setZero(); // all bars along one line
+    x.set(i, one);
+  }
+  eom::parameters p = eom::parameters::Constant(1);
+  many_results speeds(eom::dependent_speeds, 40);
+  const status first = speeds.evaluate(x, p);
+  EXPECT_FALSE(first);
+  for (int i = 0; i < 40; ++i) {
+    const auto own = eom::dependent_speeds(x.get(i), p);
+    EXPECT_EQ(speeds.status_of(i).cause(), own.status.cause()) << i;
+    if (own.status) {
+      EXPECT_EQ(speeds.result().get(i), own);
+    }
+  }
+}
+
+TEST(many_results, refuse_other_numbers_of_systems) {
+  many_results udot(bars::udot, 3);
+  const bars::parameters p = bars::parameters::Constant(1);
+  const bars::inputs r(0, 0);
+  EXPECT_TRUE(udot.evaluate(many<bars::state>(3), p, r));
+  const status s = udot.evaluate(many<bars::state>(4), p, r);
+  EXPECT_EQ(s.cause(), "the arguments are of another number of systems than the results");
+  EXPECT_EQ(udot.failures(), 3);
+  EXPECT_FALSE(udot.status_of(2));
+  EXPECT_TRUE(udot.result()(0).isNaN().all());
+  EXPECT_TRUE(udot.evaluate(many<bars::state>(3), p, r));
+}
+
+// Chunks in reverse order on some threads.
+struct threads {
+  int count;
+  template <class Chunk>
+  void operator()(int chunks, const Chunk& chunk) const {
+    std::vector<std::jthread> all;
+    for (int k = 0; k < count; ++k)
+      all.emplace_back([&, k] {
+        for (int i = chunks - 1 - k; i >= 0; i -= count) chunk(i);
+      });
+  }
+};
+
+TEST(many_results, do_not_depend_on_threads) {
+  const Eigen::Index systems = 20011;
+  const auto x = varied<bars::state>(systems, -2, 2);
+  auto p = varied<bars::parameters>(systems, 0.5, 2);
+  for (Eigen::Index i = 5; i < systems; i += 999) p.set(i, bars::parameters::Zero());
+  const bars::inputs r(1, -2);
+  many_results alone(bars::rhs, systems), shared(bars::rhs, systems);
+  const status first = alone.evaluate(x, p, r);
+  EXPECT_FALSE(first);
+  for (const int count : {1, 2, 3, 7}) {
+    EXPECT_EQ(shared.evaluate(threads{count}, x, p, r).cause(), first.cause());
+    EXPECT_EQ(shared.failures(), alone.failures());
+    for (int i = 0; i < 4; ++i)
+      EXPECT_EQ(std::memcmp(shared.result()(i).data(), alone.result()(i).data(), sizeof(double) * systems),
+                0);
+    for (Eigen::Index i = 0; i < systems; ++i)
+      ASSERT_EQ(shared.status_of(i).cause(), alone.status_of(i).cause());
+  }
+}
+
+TEST(many_results, say_which_systems_were_left_out) {
+  const Eigen::Index systems = 20011;
+  const auto x = varied<bars::state>(systems, -2, 2);
+  const bars::parameters p = bars::parameters::Constant(1);
+  const bars::inputs r(1, -2);
+  many_results rhs(bars::rhs, systems);
+  const auto careless = [](int chunks, const auto& chunk) {
+    EXPECT_GT(chunks, 2);
+    for (int i = 0; i < chunks; i += 2) chunk(i);
+  };
+  EXPECT_EQ(rhs.evaluate(careless, x, p, r).cause(), "the chunk of this system was not run");
+  EXPECT_GT(rhs.failures(), systems / 4);
+  EXPECT_TRUE(rhs.status_of(0));
+}
+
+} // namespace
