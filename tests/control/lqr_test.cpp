@@ -135,8 +135,8 @@ TEST(lqr, takes_weights_as_diagonals) {
   static_assert(found && found.K(0, 0) > 2 - 1e-14 && found.K(0, 0) < 2 + 1e-14);
 }
 
-constexpr std::string_view not_stabilizable =
-    "the system is not stabilizable: its inputs do not reach a motion that does not decay";
+constexpr std::string_view not_stabilizable = "the system is not stabilizable, as far as numbers can tell: "
+                                              "its inputs do not reach a motion that does not decay";
 
 template <class Regulator>
 std::string_view cause(const Regulator& none) {

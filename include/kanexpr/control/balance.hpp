@@ -11,6 +11,10 @@ template <class T, int n>
 struct units {
   T of[n > 0 ? n : 1]{};
 
+  constexpr units() {
+    for (T& each : of) each = 1;
+  }
+
   /// D⁻¹ M D of a matrix that takes states to states.
   constexpr fixed_matrix<T, n, n> scaled(fixed_matrix<T, n, n> m) const {
     for (int i = 0; i < n; ++i)
@@ -73,7 +77,6 @@ constexpr units<T, n> balanced_units(const fixed_matrix<T, n, n>& a, const fixed
   constexpr auto magnitude = [](T x) { return numeric::constant_elimination_math::magnitude(x); };
   constexpr int most_sweeps = 20;
   units<T, n> found;
-  for (int i = 0; i < n; ++i) found.of[i] = 1;
   bool changes = true;
   for (int sweep = 0; sweep < most_sweeps && changes; ++sweep) {
     changes = false;

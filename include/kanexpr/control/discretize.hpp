@@ -21,6 +21,22 @@ struct discrete_form {
 
 namespace control {
 
+/// Beyond this a step is doubled.
+template <class T>
+inline constexpr T longest = T(0.5);
+
+/// The norm of A h by columns.
+template <class T, int n>
+constexpr T size_over(const fixed_matrix<T, n, n>& a, T h) {
+  T most = 0;
+  for (int j = 0; j < n; ++j) {
+    T sum = 0;
+    for (int i = 0; i < n; ++i) sum += numeric::constant_elimination_math::magnitude(h * a(i, j));
+    if (sum > most) most = sum;
+  }
+  return most;
+}
+
 template <class T, int n>
 struct exponential {
   fixed_matrix<T, n, n> change{};   ///< exp(A h) − 1
@@ -41,8 +57,7 @@ constexpr exponential<T, n> exponential_of(const fixed_matrix<T, n, n>& a, T h) 
   }();
   int doublings = 0;
   T length = h;
-  for (T size = T(n) * numeric::largest_entry(h * a); size > T(0.5) && doublings < limits::max_exponent;
-       size /= 2) {
+  for (T size = size_over(a, h); size > longest<T> && doublings < limits::max_exponent; size /= 2) {
     ++doublings;
     length /= 2;
   }
@@ -85,7 +100,9 @@ discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
   const fixed_discrete_form<T, n, inputs> none{no_numbers<T, n, n>(), no_numbers<T, n, inputs>(),
                                                no_numbers<T, n, 1>(), given ? check(a, b, c, h) : given};
   if (!none) return none;
-  const units<T, n> unit = balanced_units(a, fixed_matrix<T, n, n>{}, fixed_matrix<T, n, n>{});
+  units<T, n> unit;
+  if (size_over(a, h) > longest<T>)
+    unit = balanced_units(a, fixed_matrix<T, n, n>{}, fixed_matrix<T, n, n>{});
   const exponential<T, n> e = exponential_of(unit.scaled(a), h);
   fixed_discrete_form<T, n, inputs> found = none;
   if (numeric::is_finite(e.change) && numeric::is_finite(e.integral))

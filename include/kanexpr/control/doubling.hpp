@@ -34,13 +34,14 @@ constexpr T power_of_two_near_root(T x) {
 /// periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes the motion of
 /// the closed loop over 2ᵏ steps. Nothing is found where it grows so far that only rounding reaches it, does
 /// not vanish, or halves from step to step, as it does for a closed loop on the unit circle (Chiang et al.,
-/// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009).
+/// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). From that rounding
+/// tells no loop that is closer to it than the root of ε, hence so many steps.
 template <class T, int n>
 constexpr riccati_solution<T, n> doubled(riccati_equation<T, n> e) {
   using limits = std::numeric_limits<T>;
   constexpr T root = power_of_two_near_root(limits::epsilon()), most = 8 / root, little = 8 * root,
               medium = power_of_two_near_root(little);
-  constexpr int most_steps = limits::digits * 7 / 8, most_slow_steps = limits::digits / 9;
+  constexpr int most_steps = limits::digits / 2, most_slow_steps = limits::digits / 9;
   int slow_steps = 0;
   T size = numeric::largest_entry(e.a);
   for (int k = 0; k < most_steps && size < most && slow_steps <= most_slow_steps; ++k) {

@@ -7,8 +7,8 @@
 namespace kanexpr::control {
 
 /// What a Riccati equation may lack.
-inline constexpr status
-    not_stabilizable("the system is not stabilizable: its inputs do not reach a motion that does not decay"),
+inline constexpr status not_stabilizable("the system is not stabilizable, as far as numbers can tell: its "
+                                         "inputs do not reach a motion that does not decay"),
     not_detectable_on_axis(
         "the system is not detectable on the imaginary axis: the weights of the states leave "
         "out a motion that neither grows nor decays"),
@@ -67,13 +67,16 @@ constexpr fixed_matrix<T, n, n> magnitudes(fixed_matrix<T, n, n> m) {
 }
 
 /// Refines a solution by Newton's method (Kleinman, On an iterative technique for Riccati equation
-/// computations, IEEE Trans. Autom. Control 13, 1968). False where it does not converge, or where the closed
-/// loop does not decay whatever rounding does to it: then only that reaches a motion that grows.
+/// computations, IEEE Trans. Autom. Control 13, 1968), until rounding is all that moves it. False where that
+/// is much, or where the closed loop does not decay whatever rounding does to it: then only that reaches a
+/// motion that grows.
 template <time_domain domain, class T, int n>
 constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x) {
   using limits = std::numeric_limits<T>;
   constexpr T accurate = power_of_two_near_root(limits::epsilon());
+  constexpr T tolerable = T(1) / 1024; // of what rounding leaves to do, again and again
   constexpr int most_steps = 4;
+  T before = limits::max();
   for (int i = 0; i < most_steps; ++i) {
     const riccati_equation<T, n> rest = defect<domain>(e, x);
     const T size = numeric::largest_entry(x);
@@ -88,10 +91,13 @@ constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x)
         const T both = rounding(k, j) + rounding(j, k);
         if (!(both * both <= weight(k, k) * weight(j, j))) return false;
       }
+    const T moved = numeric::largest_entry(change);
+    if (moved > before / 2) break;
     x = x + change;
-    if (numeric::largest_entry(change) <= accurate * numeric::largest_entry(x)) return true;
+    if (moved <= accurate * size) return true;
+    before = moved;
   }
-  return false;
+  return before <= tolerable * numeric::largest_entry(x);
 }
 
 /// The solution of a balanced equation, with Q positive semidefinite.
