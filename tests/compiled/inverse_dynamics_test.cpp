@@ -115,7 +115,7 @@ TEST(required_inputs, tell_where_they_do_not_act) {
   const auto found = eom::required_inputs(at.x, at.p, at.r, Eigen::Vector3d(1, 0, 0));
   EXPECT_FALSE(found.status);
   EXPECT_EQ(found.status.cause(),
-            "the equations of motion cannot be solved for inputs bow, stern and push at this state");
+            "the equations of motion cannot be solved for inputs bow and stern at this state");
 }
 
 template <class System>

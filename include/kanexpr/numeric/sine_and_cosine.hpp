@@ -143,6 +143,22 @@ template <class T>
 inline constexpr bool has_rest = true;
 #endif
 
+template <class T>
+  requires std::is_same_v<number_of<T>, float>
+constexpr reduced_angle<T> reduced(const T& magnitude);
+
+/// Of many lanes, half of them at a time.
+template <class T, std::size_t... i>
+[[gnu::always_inline]] constexpr reduced_angle<T> reduced_by_halves(const T& magnitude,
+                                                                    std::index_sequence<i...>) {
+  constexpr std::size_t half = sizeof...(i);
+  const auto first = reduced(__builtin_shufflevector(magnitude, magnitude, i...));
+  const auto second = reduced(__builtin_shufflevector(magnitude, magnitude, (half + i)...));
+  return {__builtin_shufflevector(first.offset, second.offset, i..., (half + i)...),
+          __builtin_shufflevector(first.rest, second.rest, i..., (half + i)...),
+          __builtin_shufflevector(first.quadrant, second.quadrant, i..., (half + i)...)};
+}
+
 /// By way of `double`; where there is no such arithmetic, fused operations leave exact remainders.
 template <class T>
   requires std::is_same_v<number_of<T>, float>
@@ -158,9 +174,12 @@ template <class T>
   }
 #endif
   using wide = lanes_as<T, double>;
-  if constexpr (sizeof(wide) > (std::max)(widest_vector, sizeof(double))) {
+  if constexpr (constexpr std::size_t count = lanes<T>::count;
+                sizeof(wide) > (std::max)(widest_vector, sizeof(double)) && widest_vector > 0) {
+    return reduced_by_halves(magnitude, std::make_index_sequence<count / 2>{});
+  } else if constexpr (count > 1 && widest_vector == 0) {
     reduced_angle<T> all;
-    for (std::size_t i = 0; i < lanes<T>::count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const reduced_angle<float> one = reduced<float>(magnitude[i]);
       all.offset[i] = one.offset, all.rest[i] = one.rest, all.quadrant[i] = one.quadrant;
     }

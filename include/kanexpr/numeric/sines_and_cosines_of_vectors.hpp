@@ -22,44 +22,11 @@ template <class Bits>
   return any;
 }
 
-template <std::size_t first, class T, std::size_t... i>
-[[gnu::always_inline]] inline auto half_of(const T& whole, std::index_sequence<i...>) {
-  return __builtin_shufflevector(whole, whole, (first + i)...);
-}
-
-template <class T, class Half, std::size_t... i>
-[[gnu::always_inline]] inline T joined(const Half& first, const Half& second, std::index_sequence<i...>) {
-  return __builtin_shufflevector(first, second, i...);
-}
-
-/// Whether what is computed with has room in the vectors of the processor: angles of single precision are
-/// reduced by way of `double`.
-template <class T>
-inline constexpr bool has_room =
-    !std::is_same_v<number_of<T>, float> || lanes<T>::count * sizeof(double) <= widest_vector;
-
-/// In halves, until they have room: else single-precision angles would be reduced one by one.
-template <class T>
-[[gnu::always_inline]] inline void sine_and_cosine_by_halves(const T& angle, T& sine, T& cosine) {
-  if constexpr (constexpr std::size_t count = lanes<T>::count; count == 2 || has_room<T>) {
-    sine_and_cosine_within_reach(angle, sine, cosine);
-  } else {
-    using half = typename vector_of<number_of<T>, count / 2>::type;
-    constexpr std::make_index_sequence<count / 2> in_half;
-    constexpr std::make_index_sequence<count> in_all;
-    half s[2], c[2];
-    sine_and_cosine_by_halves<half>(half_of<0>(angle, in_half), s[0], c[0]);
-    sine_and_cosine_by_halves<half>(half_of<count / 2>(angle, in_half), s[1], c[1]);
-    sine = joined<T>(s[0], s[1], in_all);
-    cosine = joined<T>(c[0], c[1], in_all);
-  }
-}
-
 template <class T, std::size_t count, std::size_t... i>
 [[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const T (&angle)[count], T (&sine)[count],
                                                                 T (&cosine)[count],
                                                                 std::index_sequence<i...>) {
-  (sine_and_cosine_by_halves(angle[i], sine[i], cosine[i]), ...);
+  (sine_and_cosine_within_reach(angle[i], sine[i], cosine[i]), ...);
   return any_of((beyond_reach(angle[i]) | ...)) >> (8 * sizeof(number_of<T>) - 1) != 0;
 }
 
