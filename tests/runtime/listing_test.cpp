@@ -66,7 +66,7 @@ private:
     for (const symbolic::function_properties& f : symbolic::functions)
       if (called == f.name)
         return symbolic::with_function(
-            f.op, [&]<symbolic::operation op>() { return symbolic::scalar_function<op>::of(x); });
+            f.op, [&]<symbolic::operation op>() { return lower::scalar_math<double>::by_name<op>(x); });
     ADD_FAILURE() << called;
     return 0;
   }

@@ -80,8 +80,8 @@ constexpr exponential<T, n> exponential_of(const fixed_matrix<T, n, n>& a, T h) 
 
 /// What is wrong with what a discrete form is asked of.
 template <class T, int n, int inputs>
-constexpr status check(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
-                       const fixed_matrix<T, n, 1>& c, T h) {
+constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
+                            const fixed_matrix<T, n, 1>& c, T h) {
   if (!numeric::is_finite(fixed_matrix<T, 1, 1>{{h}})) return status("the length of the step is not finite");
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
@@ -98,7 +98,7 @@ constexpr fixed_discrete_form<T, n, inputs>
 discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
             const fixed_matrix<T, n, 1>& c, T h, const status& given) {
   const fixed_discrete_form<T, n, inputs> none{no_numbers<T, n, n>(), no_numbers<T, n, inputs>(),
-                                               no_numbers<T, n, 1>(), given ? check(a, b, c, h) : given};
+                                               no_numbers<T, n, 1>(), given ? mistake_in(a, b, c, h) : given};
   if (!none) return none;
   units<T, n> unit;
   if (size_over(a, h) > longest<T>)

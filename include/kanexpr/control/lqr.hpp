@@ -22,8 +22,8 @@ namespace control {
 
 /// What is wrong with what a regulator is asked for.
 template <class T, int n, int m>
-constexpr status check(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b,
-                       const fixed_matrix<T, n, n>& q, const fixed_matrix<T, m, m>& r) {
+constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b,
+                            const fixed_matrix<T, n, n>& q, const fixed_matrix<T, m, m>& r) {
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
   if (!numeric::is_finite(q)) return status("the weights of the states are not finite");
@@ -42,7 +42,7 @@ regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const 
           const fixed_matrix<T, m, m>& r, const status& given) {
   linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>> found{no_numbers<T, m, n>(),
                                                                        no_numbers<T, n, n>(), given};
-  if (found) found.status = check(a, b, q, r);
+  if (found) found.status = mistake_in(a, b, q, r);
   if (!found) return found;
   const fixed_matrix<T, m, n> bt = numeric::transposed(b);
   const numeric::positive_factors<T, m> inputs(r);
