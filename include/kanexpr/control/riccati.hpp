@@ -76,7 +76,7 @@ constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x)
   constexpr T accurate = power_of_two_near_root(limits::epsilon());
   constexpr T tolerable = T(1) / 1024; // of what rounding leaves to do, again and again
   constexpr int most_steps = 4;
-  T before = limits::max();
+  T before = (limits::max)();
   for (int i = 0; i < most_steps; ++i) {
     const riccati_equation<T, n> rest = defect<domain>(e, x);
     const T size = numeric::largest_entry(x);

@@ -1,13 +1,10 @@
 #pragma once
 
+#include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
 namespace kanexpr::lower {
-
-using symbolic::graph;
-using symbolic::operation;
-using symbolic::sequence;
 
 /// One step of straight-line code: slot = op(slot a, slot b).
 struct instruction {
@@ -89,7 +86,8 @@ public:
     first_step_ = tape_.first_step();
     tape_.steps.reserve(nodes_in_order_.size());
     gather_angles();
-    for (int id : nodes_in_order_)
+    const sequence<int> order = step_order(g_, nodes_in_order_, slots_, outputs_).run();
+    for (int id : order)
       if (slot_[id] == none) put(id);
     for (int id : outputs_) tape_.results.push(slot_[id]);
     return static_cast<tape&&>(tape_);

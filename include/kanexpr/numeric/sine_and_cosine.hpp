@@ -213,8 +213,11 @@ template <class T>
   constexpr int last = 8 * sizeof(number) - 1;
   constexpr auto sign = number_bits<T>{1} << last;
   const bits given = __builtin_bit_cast(bits, angle);
-  const T magnitude = __builtin_bit_cast(T, given & ~sign);
-  const reduced_angle<T> r = reduced(magnitude);
+  bits magnitude = given & ~sign;
+#if defined(KANEXPR_ANGLES_WITHIN_REACH)
+  magnitude |= 0 - ((__builtin_bit_cast(number_bits<T>, number(farthest_angle)) - magnitude) >> last); // NaN
+#endif
+  const reduced_angle<T> r = reduced(__builtin_bit_cast(T, magnitude));
   const T square = r.offset * r.offset;
   const T cube = r.offset * square;
   const T falling = square * polynomial<0>(known::C, square) - number(0.5);
@@ -229,16 +232,8 @@ template <class T>
   // Odd quadrants exchange the two.
   const bits s = __builtin_bit_cast(bits, along), c = __builtin_bit_cast(bits, across);
   const bits exchanged = (s ^ c) & (0 - (r.quadrant & 1));
-  bits found_sine = s ^ exchanged ^ (r.quadrant << (last - 1) & sign) ^ (given & sign);
-  bits found_cosine = c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign);
-#if defined(KANEXPR_ANGLES_WITHIN_REACH)
-  const bits farther =
-      0 - ((__builtin_bit_cast(number_bits<T>, number(farthest_angle)) - (given & ~sign)) >> last);
-  found_sine |= farther;
-  found_cosine |= farther;
-#endif
-  sine = __builtin_bit_cast(T, found_sine);
-  cosine = __builtin_bit_cast(T, found_cosine);
+  sine = __builtin_bit_cast(T, s ^ exchanged ^ ((r.quadrant << (last - 1) ^ given) & sign));
+  cosine = __builtin_bit_cast(T, c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign));
 }
 
 /// Whether some lane is farther than the farthest angle, or no number.

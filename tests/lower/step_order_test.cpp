@@ -1,0 +1,126 @@
+// The order of the steps of straight-line code: few values at once, and nothing before what it needs.
+#include <kanexpr/lower/step_order.hpp>
+#include <kanexpr/symbolic.hpp>
+#include <models/bicycle.hpp>
+#include <models/iiwa.hpp>
+#include <models/rolling_disc.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using kanexpr::symbolic::graph;
+using kanexpr::symbolic::operation;
+using kanexpr::symbolic::sequence;
+
+sequence<int> in_order(const graph& g, const sequence<int>& results) {
+  const sequence<int> live = kanexpr::symbolic::live_values(g, results);
+  const sequence<int> slots(g.size(), -1);
+  return kanexpr::lower::step_order(g, live, slots, results).run();
+}
+
+/// The most values that are held at once, of code that runs in an order.
+int most_at_once(const graph& g, const sequence<int>& order) {
+  std::vector<int> last_use(static_cast<std::size_t>(g.size()), -1);
+  const auto operands = [&](int id) {
+    const kanexpr::symbolic::node& n = g[id];
+    std::vector<int> all{n.a};
+    if (kanexpr::symbolic::is_binary(n.op)) all.push_back(n.b);
+    return all;
+  };
+  for (int i = 0; i < order.size(); ++i)
+    for (int each : operands(order[i])) last_use[static_cast<std::size_t>(each)] = i;
+  int held = 0, most = 0;
+  for (int i = 0; i < order.size(); ++i) {
+    std::vector<int> ended = operands(order[i]);
+    std::sort(ended.begin(), ended.end());
+    ended.erase(std::unique(ended.begin(), ended.end()), ended.end());
+    for (int each : ended)
+      if (g[each].op > operation::symbol && last_use[static_cast<std::size_t>(each)] == i) --held;
+    if (last_use[static_cast<std::size_t>(order[i])] >= 0) ++held;
+    most = std::max(most, held);
+  }
+  return most;
+}
+
+int symbol(graph& g, std::string_view called, int position) {
+  return g.variable({kanexpr::symbolic::symbol_kind::coordinate, kanexpr::symbolic::name(called), position});
+}
+
+/// A graph of sums, products and functions, at random.
+struct random_code {
+  graph g{};
+  sequence<int> results{};
+
+  explicit random_code(unsigned seed) {
+    std::mt19937 random(seed);
+    sequence<int> all;
+    for (int i = 0; i < 6; ++i) all.push(symbol(g, std::string(1, static_cast<char>('a' + i)), i));
+    const auto any = [&] { return all[static_cast<int>(random() % static_cast<unsigned>(all.size()))]; };
+    for (int i = 0; i < 200; ++i) {
+      const operation op = std::array{operation::add, operation::subtract, operation::multiply,
+                                      operation::negate, operation::sin}[random() % 5];
+      all.push(g.find_or_append({op, any(), kanexpr::symbolic::is_binary(op) ? any() : 0}));
+    }
+    for (int i = 0; i < 5; ++i) results.push(any());
+  }
+};
+
+TEST(step_order, has_each_step_once_behind_its_operands) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const random_code code(seed);
+    const sequence<int> order = in_order(code.g, code.results);
+    std::vector<bool> there(static_cast<std::size_t>(code.g.size()));
+    const auto is_there = [&](int id) {
+      return code.g[id].op <= operation::symbol || there[static_cast<std::size_t>(id)];
+    };
+    for (int id : order) {
+      const kanexpr::symbolic::node& n = code.g[id];
+      EXPECT_FALSE(is_there(id));
+      EXPECT_TRUE(is_there(n.a));
+      EXPECT_TRUE(!kanexpr::symbolic::is_binary(n.op) || is_there(n.b));
+      there[static_cast<std::size_t>(id)] = true;
+    }
+    for (int id : kanexpr::symbolic::live_values(code.g, code.results)) EXPECT_TRUE(is_there(id));
+    for (int id : code.results) EXPECT_TRUE(is_there(id));
+  }
+}
+
+TEST(step_order, holds_fewer_values_than_the_graph) {
+  const auto check = [](kanexpr::model&& m) {
+    const kanexpr::symbolic::matrix udot = m.udot();
+    const graph& g = udot.entries[0].owner();
+    const sequence<int> results = kanexpr::symbolic::nodes_of(udot.entries);
+    sequence<int> as_derived;
+    for (int id : kanexpr::symbolic::live_values(g, results))
+      if (g[id].op > operation::symbol) as_derived.push(id);
+    EXPECT_LT(most_at_once(g, in_order(g, results)), most_at_once(g, as_derived));
+  };
+  check(kanexpr::derive<iiwa::System>());
+  check(kanexpr::derive<bicycle::System>());
+  check(kanexpr::derive<rolling_disc::System>());
+}
+
+TEST(step_order, puts_products_before_their_sum) {
+  graph g;
+  const int a = symbol(g, "a", 0), b = symbol(g, "b", 1), c = symbol(g, "c", 2);
+  const int product = g.find_or_append({operation::multiply, a, b});
+  const int sine = g.find_or_append({operation::sin, c, 0});
+  const int cosine = g.find_or_append({operation::cos, sine, 0});
+  const int sum = g.find_or_append({operation::add, product, cosine});
+  const sequence<int> order = in_order(g, {sum});
+  ASSERT_EQ(order.size(), 4);
+  EXPECT_EQ(order[0], sine);
+  EXPECT_EQ(order[1], cosine);
+  EXPECT_EQ(order[2], product);
+  EXPECT_EQ(order[3], sum);
+}
+
+} // namespace
