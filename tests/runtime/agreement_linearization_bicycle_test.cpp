@@ -6,7 +6,7 @@ namespace {
 using lin = kanexpr::linearization<bicycle::System>;
 
 constexpr kanexpr::symbolic::cost cost = lin::cost(lin::explicit_form);
-static_assert(cost.multiplications + cost.additions <= 3700);
+static_assert(cost.multiplications + cost.additions <= 3509);
 
 TEST(agreement, linearization_of_bicycle) {
   using kanexpr::mechanics::quantity;

@@ -95,6 +95,34 @@ TEST_F(differentiate_each, function_by_an_imaginary_step) {
     EXPECT_PRED3(are_close, evaluate(differentiate(e, x), at), complex_step(e, at, by_x), 1e-15L);
 }
 
+/// Components of a vector that is turned by x, with both signs, both orders, and what turns depending on x
+/// too.
+TEST_F(differentiate_each, turned_component_forward_and_reverse) {
+  const std::vector<real> at(static_cast<std::size_t>(g.symbols().size()), 0.3L);
+  std::vector<real> apart = at;
+  for (std::size_t i = 0; i < apart.size(); ++i) apart[i] += 0.1L * static_cast<real>(i);
+  const expression angle = x * y, s = sin(angle), co = cos(angle), first = a + x, second = b * x;
+  for (const expression e :
+       {co * a - s * b, co * a + s * b, s * a + co * b, s * a - co * b, co * first - s * second,
+        co * first + s * second, s * first + co * second, first * s - second * co,
+        (co * first - s * second) * (s * first + co * second), co * first - s * second + co * first}) {
+    accumulation reverse(g, {e});
+    reverse.seed(e, number(1));
+    reverse.run();
+    for (const expression by : {x, y, a, b}) {
+      const real expected = complex_step(e, apart, along(apart.size(), g[by.node()].a));
+      EXPECT_PRED3(are_close, evaluate(differentiate(e, by), apart), expected, 1e-15L);
+      EXPECT_PRED3(are_close, evaluate(reverse.by(by), apart), expected, 1e-15L);
+    }
+  }
+}
+
+TEST_F(differentiate_each, turned_component_is_the_other_one) {
+  const expression along_x = cos(x) * a - sin(x) * b, across = sin(x) * a + cos(x) * b;
+  EXPECT_EQ(differentiate(along_x, x), -across);
+  EXPECT_EQ(differentiate(across, x), along_x);
+}
+
 TEST_F(differentiate_each, function_with_corners_by_differences) {
   for (const real value : {-0.7L, 0.4L}) {
     std::vector<real> at(static_cast<std::size_t>(g.symbols().size()), value);

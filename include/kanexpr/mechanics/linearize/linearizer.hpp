@@ -45,7 +45,15 @@ public:
     sequence<expression> unknowns = form_.qdot;
     for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
       for (const expression& e : *more) unknowns.push(e);
-    const explicit_linearization change = along_all(zero);
+    // each group by itself, as what is cheap for one is not for another
+    explicit_linearization change(g_, zero.size(), variations_.states(), form_.inputs());
+    int row = 0;
+    for (const sequence<expression>& group :
+         {summed(form_.f_0, form_.f_1), form_.f_a, summed(summed(form_.f_2, form_.f_3), form_.f_4)}) {
+      const explicit_linearization rows = along_all(group);
+      for (int i = 0; i < group.size(); ++i, ++row)
+        for (int j = 0; j < variations_.size(); ++j) change(row, j) = rows(i, j);
+    }
     implicit_ = {derivatives(zero, unknowns), change.state, change.input};
     for (expression& e : implicit_.state.entries) e = -e;
     for (expression& e : implicit_.input.entries) e = -e;
@@ -109,8 +117,21 @@ private:
     return out;
   }
 
+  /// One direction after another; back from one expression after another where these are fewer and no
+  /// direction has a dependent one in it.
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
+    if (nothing_follows() && of.size() < felt_directions(of)) {
+      symbolic::accumulation back(g_, of);
+      for (int i = 0; i < of.size(); ++i) {
+        back.restart();
+        back.seed(of[i], {g_, graph::one});
+        back.run();
+        for (int j = 0; j < variations_.size(); ++j)
+          out(i, j) = variations_.contracted(j, [&](expression symbol) { return back.by(symbol); });
+      }
+      return out;
+    }
     for (int j = 0; j < variations_.size(); ++j) {
       symbolic::differentiation d = variations_.along(j);
       for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
@@ -157,26 +178,63 @@ private:
   constexpr symbolic::matrix accelerations() {
     const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
     symbolic::matrix change;
-    if (force.size() < felt_directions(force))
+    sequence<expression> all = force;
+    for (const expression& e : form_.f_a) all.push(e);
+    if (force.size() < felt_directions(all))
       change = changes_by_reverse(force);
     else
       change = changes_by_forward(force);
+    const symbolic::symmetric_factorization mass(g_, form_.known.mass);
     symbolic::matrix out(g_, force.size(), variations_.size());
+    sequence<int> moved; // the one speed whose equation a direction changes
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
       for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
-      const symbolic::symmetric_solution rates = symbolic::solve_symmetric(g_, form_.known.mass, right);
+      moved.push(only_entry(right));
+      if (moved[j] != none) continue;
+      const symbolic::symmetric_solution rates = mass.solve(right);
       for (int i = 0; i < out.rows; ++i) out(i, j) = rates.x[i];
       for (const symbolic::pivot& p : rates.pivots) pivots_.push(p);
     }
+    add_columns_of_inverse(out, mass, change, moved);
     return out;
   }
 
-  /// How many directions of the state the dynamics feel.
-  constexpr int felt_directions(const sequence<expression>& force) const {
-    sequence<int> outputs = symbolic::nodes_of(force);
-    for (const expression& e : form_.f_a) outputs.push(e.node());
-    const sequence<char> live = symbolic::live_nodes(g_, outputs);
+  /// The place of the one entry that is not zero, if it is one.
+  static constexpr int only_entry(const sequence<expression>& all) {
+    int found = none;
+    for (int i = 0; i < all.size(); ++i)
+      if (!all[i].is_zero()) {
+        if (found != none) return none;
+        found = i;
+      }
+    return found;
+  }
+
+  /// Where a direction changes the equation of one speed, as the torque of a motor does, its rates are a
+  /// column of the inverse mass matrix.
+  constexpr void add_columns_of_inverse(symbolic::matrix& out, const symbolic::symmetric_factorization& mass,
+                                        const symbolic::matrix& change, const sequence<int>& moved) {
+    sequence<int> columns;
+    for (int i : moved)
+      if (i != none && !columns.contains(i)) columns.push(i);
+    const sequence<symbolic::symmetric_solution> inverse = mass.inverse_columns(columns);
+    for (const symbolic::symmetric_solution& column : inverse)
+      for (const symbolic::pivot& p : column.pivots) pivots_.push(p);
+    for (int j = 0; j < out.columns; ++j) {
+      if (moved[j] == none) continue;
+      const symbolic::symmetric_solution& column = inverse[columns.find(moved[j])];
+      for (int i = 0; i < out.rows; ++i) out(i, j) = change(moved[j], j) * column.x[i];
+    }
+  }
+
+  constexpr bool nothing_follows() const {
+    return variations_.of_coordinates().rows == 0 && variations_.of_speeds().rows == 0;
+  }
+
+  /// How many directions of the state some expressions feel.
+  constexpr int felt_directions(const sequence<expression>& of) const {
+    const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
       return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};
     };

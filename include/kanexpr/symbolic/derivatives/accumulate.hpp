@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/turned_component.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
 
 namespace kanexpr::symbolic {
@@ -12,7 +13,16 @@ namespace kanexpr::symbolic {
 class accumulation {
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
-      : graph_(g), adjoints_(g.size(), graph::zero), order_(users_first(g, nodes_of(outputs))) {}
+      : graph_(g), adjoints_(g.size(), graph::zero), uses_(g.size(), 0),
+        order_(users_first(g, nodes_of(outputs))) {
+    for (const expression& e : outputs) ++uses_[e.node()];
+    for (int id : order_) {
+      const node& n = g[id];
+      if (is_leaf(n.op)) continue;
+      ++uses_[n.a];
+      if (is_binary(n.op)) ++uses_[n.b];
+    }
+  }
 
   constexpr void seed(expression output, expression weight) { collect(output.node(), weight.node()); }
 
@@ -34,6 +44,7 @@ public:
       }
       if (n.op == operation::singularity_measure) continue;
       const int adjoint = adjoints_[id];
+      if (back_through_turn(n, adjoints_[id])) continue;
       if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
         collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
         continue;
@@ -50,6 +61,22 @@ private:
   constexpr void collect(int id, int part) {
     int& adjoint = adjoints_[id];
     adjoint = add(graph_, adjoint, part);
+  }
+
+  /// The angle takes one product, and what is turned one each.
+  constexpr bool back_through_turn(const node& n, int adjoint) {
+    const turned_component x = turned_component_at(graph_, n);
+    if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;
+    const turned_slope slope = slope_by_angle(graph_, x);
+    collect(x.angle, slope.value, adjoint, slope.is_negative);
+    collect(x.value[0], x.circular[0], adjoint, false);
+    collect(x.value[1], x.circular[1], adjoint, !x.adds);
+    return true;
+  }
+
+  constexpr void collect(int id, int slope, int adjoint, bool is_negative) {
+    const int part = multiply(graph_, slope, adjoint);
+    collect(id, is_negative ? negate(graph_, part) : part);
   }
 
   /// The adjoint of b is λ in Aᵀ λ = x̄, and that of A is -λ xᵀ.
@@ -76,6 +103,7 @@ private:
 
   graph& graph_;
   sequence<int> adjoints_;
+  sequence<int> uses_;  ///< among the nodes that the outputs depend on
   sequence<int> order_; ///< of the nodes that the outputs depend on
 };
 

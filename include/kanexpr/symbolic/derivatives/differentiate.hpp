@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/derivatives/turned_component.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
@@ -77,7 +78,15 @@ private:
     if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
     const node n = (*graph_)[id];
     int rate = graph::zero;
-    if (n.op == operation::component) {
+    if (const turned_component x = turned_component_at(*graph_, n); x && of(x.angle) != graph::zero) {
+      graph& g = *graph_;
+      const int first = multiply(g, x.circular[0], of(x.value[0]));
+      const int second = multiply(g, x.circular[1], of(x.value[1]));
+      const turned_slope slope = slope_by_angle(g, x);
+      const int by_angle = multiply(g, slope.value, of(x.angle));
+      rate = x.adds ? add(g, first, second) : subtract(g, first, second);
+      rate = slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);
+    } else if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
     } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
       graph& g = *graph_;

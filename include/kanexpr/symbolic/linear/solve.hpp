@@ -73,61 +73,123 @@ struct symmetric_elimination {
 
 } // namespace detail
 
-/// Solves the symmetric positive definite system M x = f by M = LᵀDL without square roots.
+/// A symmetric positive definite matrix as M = LᵀDL, without square roots, to solve M x = f.
 ///
 /// The order of elimination keeps structural zeros (minimum degree; among equals the last row first, which
 /// runs a chain from its tip to its base). Only the lower triangle of M is read.
-constexpr symmetric_solution solve_symmetric(graph& g, const matrix& m, const sequence<expression>& f) {
-  const int n = m.rows;
-  detail::symmetric_elimination left(m);
-  int* const entry = left.entry;
-  const auto pivot_at = [&](int p, int quotient, sequence<pivot>& all) {
-    detail::note_pivot(all, p, {g, quotient}, {g, entry[p * n + p]}, m(p, p));
-  };
-  sequence<pivot> pivots;
-  sequence<int> order, right = nodes_of(f);
-  sequence<int> is_eliminated(n, 0), inverses(n, graph::zero), factors(n * n, graph::zero);
-  int* const eliminated = is_eliminated.begin();
-  int* const factor = factors.begin(); // row p: the multipliers of pivot p
-  for (int step = 0; step < n; ++step) {
-    int p = -1, least = n + 1;
-    for (int i = n - 1; i >= 0; --i)
-      if (eliminated[i] == 0 && left.degree[i] < least) p = i, least = left.degree[i];
-    eliminated[p] = 1;
-    order.push(p);
-    int inverse = graph::zero;
-    if (least > 0) {
-      inverses[p] = inverse = divide(g, graph::one, entry[p * n + p]);
-      pivot_at(p, inverse, pivots);
+class symmetric_factorization {
+public:
+  constexpr symmetric_factorization(graph& g, const matrix& m)
+      : g_(g), n_(m.rows), left_(m), inverses_(n_, graph::zero), factors_(n_ * n_, graph::zero),
+        positions_(n_, none) {
+    for (int i = 0; i < n_; ++i) diagonal_.push(m(i, i));
+    while (order_.size() < n_) eliminate(next());
+  }
+  symmetric_factorization(const symmetric_factorization&) = delete;
+  symmetric_factorization& operator=(const symmetric_factorization&) = delete;
+
+  constexpr symmetric_solution solve(const sequence<expression>& f) const {
+    symmetric_solution solved;
+    solved.pivots = pivots_;
+    sequence<int> right = nodes_of(f), x(n_, graph::zero);
+    reduce(right);
+    for (int step = n_ - 1; step >= 0; --step) x[order_[step]] = unknown(step, right, x, solved.pivots);
+    for (int id : x) solved.x.push({g_, id});
+    return solved;
+  }
+
+  /// Some columns of the inverse, which is symmetric: of two entries that are equal one is computed. Their
+  /// pivots are those of a solution each, one after another.
+  constexpr sequence<symmetric_solution> inverse_columns(const sequence<int>& columns) const {
+    sequence<symmetric_solution> solved(columns.size());
+    sequence<sequence<int>> right, x;
+    for (int i = 0; i < columns.size(); ++i) {
+      right.push(sequence<int>(n_, graph::zero));
+      x.push(sequence<int>(n_, graph::zero));
+      right[i][columns[i]] = graph::one;
+      reduce(right[i]);
+      solved[i].pivots = pivots_;
+      for (int step = n_ - 1; step >= positions_[columns[i]]; --step)
+        x[i][order_[step]] = unknown(step, right[i], x[i], solved[i].pivots);
     }
-    for (int i = n - 1; i >= 0; --i) {
-      if (eliminated[i] != 0 || entry[p * n + i] == graph::zero) continue;
-      --left.degree[i];
-      const int by = factor[p * n + i] = multiply(g, entry[p * n + i], inverse);
+    for (int i = 0; i < columns.size(); ++i) {
+      for (int step = positions_[columns[i]] - 1; step >= 0; --step) {
+        const int p = order_[step], mirrored = columns.find(p);
+        x[i][p] = mirrored >= 0 ? x[mirrored][columns[i]] : unknown(step, right[i], x[i], solved[i].pivots);
+      }
+      for (int id : x[i]) solved[i].x.push({g_, id});
+    }
+    return solved;
+  }
+
+private:
+  static constexpr int none = -1;
+
+  /// The row with the fewest entries.
+  constexpr int next() const {
+    int p = none, least = n_ + 1;
+    for (int i = n_ - 1; i >= 0; --i)
+      if (positions_[i] == none && left_.degree[i] < least) p = i, least = left_.degree[i];
+    return p;
+  }
+
+  constexpr void eliminate(int p) {
+    int* const entry = left_.entry;
+    positions_[p] = order_.push(p);
+    if (left_.degree[p] == 0) return;
+    const int inverse = inverses_[p] = divide(g_, graph::one, entry[p * n_ + p]);
+    note(p, inverse, pivots_);
+    for (int i = n_ - 1; i >= 0; --i) {
+      if (positions_[i] != none || entry[p * n_ + i] == graph::zero) continue;
+      --left_.degree[i];
+      const int by = factors_[p * n_ + i] = multiply(g_, entry[p * n_ + i], inverse);
       for (int j = i; j >= 0; --j)
-        if (eliminated[j] == 0 && entry[p * n + j] != graph::zero)
-          left.set(i, j, subtract(g, entry[i * n + j], multiply(g, by, entry[p * n + j])));
-      right[i] = subtract(g, right[i], multiply(g, by, right[p]));
+        if (positions_[j] == none && entry[p * n_ + j] != graph::zero)
+          left_.set(i, j, subtract(g_, entry[i * n_ + j], multiply(g_, by, entry[p * n_ + j])));
     }
   }
-  sequence<int> x(n, graph::zero);
-  for (int step = n - 1; step >= 0; --step) {
-    const int p = order[step];
+
+  constexpr void note(int p, int quotient, sequence<pivot>& all) const {
+    detail::note_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
+  }
+
+  constexpr void reduce(sequence<int>& right) const {
+    for (int p : order_)
+      for (int i = n_ - 1; i >= 0; --i)
+        if (factors_[p * n_ + i] != graph::zero)
+          right[i] = subtract(g_, right[i], multiply(g_, factors_[p * n_ + i], right[p]));
+  }
+
+  /// From the unknowns that were eliminated later.
+  constexpr int unknown(int step, const sequence<int>& right, const sequence<int>& x,
+                        sequence<pivot>& pivots) const {
+    const int p = order_[step];
     int sum = graph::zero;
-    if (inverses[p] == graph::zero) { // coupled to nothing that is left: one division does
-      sum = divide(g, right[p], entry[p * n + p]);
-      pivot_at(p, sum, pivots);
+    if (inverses_[p] == graph::zero) { // coupled to nothing that is left: one division does
+      sum = divide(g_, right[p], left_.entry[p * n_ + p]);
+      note(p, sum, pivots);
     } else {
-      sum = multiply(g, right[p], inverses[p]);
+      sum = multiply(g_, right[p], inverses_[p]);
     }
-    for (int i = 0; i < n; ++i)
-      if (factor[p * n + i] != graph::zero) sum = subtract(g, sum, multiply(g, factor[p * n + i], x[i]));
-    x[p] = sum;
+    for (int i = 0; i < n_; ++i)
+      if (factors_[p * n_ + i] != graph::zero)
+        sum = subtract(g_, sum, multiply(g_, factors_[p * n_ + i], x[i]));
+    return sum;
   }
-  symmetric_solution solved;
-  for (int id : x) solved.x.push({g, id});
-  solved.pivots = pivots;
-  return solved;
+
+  graph& g_;
+  int n_;
+  detail::symmetric_elimination left_;
+  sequence<expression> diagonal_{};
+  sequence<int> order_{};
+  sequence<int> inverses_, factors_; ///< row p: the multipliers of pivot p
+  sequence<int> positions_;          ///< in the order of elimination, by row
+  sequence<pivot> pivots_{};
+};
+
+/// Solves one system M x = f.
+constexpr symmetric_solution solve_symmetric(graph& g, const matrix& m, const sequence<expression>& f) {
+  return symmetric_factorization(g, m).solve(f);
 }
 
 } // namespace kanexpr::symbolic
