@@ -90,7 +90,7 @@ public:
 private:
   static constexpr Eigen::Index in_line = 64 / sizeof(number);
   struct alignas(64) cache_line {
-    number numbers[in_line];
+    number numbers[static_cast<std::size_t>(in_line)];
   };
 
   static Vector at_first() {

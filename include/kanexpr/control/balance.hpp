@@ -9,7 +9,7 @@ using numeric::fixed_matrix;
 /// Units of the states, powers of two, so that scaling rounds nothing.
 template <class T, int n>
 struct units {
-  T of[n > 0 ? n : 1]{};
+  T of[static_cast<std::size_t>(n > 0 ? n : 1)]{};
 
   constexpr units() {
     for (T& each : of) each = 1;

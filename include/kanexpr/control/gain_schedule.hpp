@@ -8,7 +8,7 @@ namespace kanexpr {
 template <class T, class Gain, int points>
 struct scheduled_gains {
   T from, to;
-  Gain at[points];
+  Gain at[static_cast<std::size_t>(points)];
   kanexpr::status status; ///< the first of those that could not be found
 
   /// Whether all could be found.

@@ -59,7 +59,7 @@ template <class T, int n>
 constexpr bool is_positive_semidefinite(fixed_matrix<T, n, n> m) {
   const fixed_matrix<T, n, n> given = m;
   const T rounding = 8 * T(n) * std::numeric_limits<T>::epsilon();
-  bool done[n > 0 ? n : 1]{};
+  bool done[static_cast<std::size_t>(n > 0 ? n : 1)]{};
   for (int step = 0; step < n; ++step) {
     int next = -1;
     for (int i = 0; i < n; ++i) {

@@ -16,9 +16,9 @@ using symbolic::sequence;
 class step_order {
 public:
   /// Of the `live` nodes, in the order of the graph, without leaves and those that have a slot already.
-  constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slots,
+  constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slot_of,
                        const sequence<int>& results)
-      : nodes_(g.begin()), slot_(slots.begin()), uses_of_(g.size() + 1, 0), waits_for_(g.size(), 0),
+      : nodes_(g.begin()), slot_(slot_of.begin()), uses_of_(g.size() + 1, 0), waits_for_(g.size(), 0),
         first_user_of_(g.size() + 1, 0), rank_of_(g.size(), none), uses_(uses_of_.begin()),
         waits_(waits_for_.begin()), first_user_(first_user_of_.begin()), rank_(rank_of_.begin()) {
     for (int id : live)

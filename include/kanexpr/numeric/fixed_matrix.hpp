@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/elimination.hpp>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -14,7 +15,8 @@ namespace kanexpr::numeric {
 /// The entries follow each other by columns, as Eigen has them.
 template <class T, int rows, int columns>
 struct fixed_matrix {
-  T entries[rows * columns > 0 ? rows* columns : 1]{};
+  static constexpr std::size_t room = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;
+  T entries[room]{};
 
   constexpr T& operator()(int i, int j = 0) { return entries[i + j * rows]; }
   constexpr const T& operator()(int i, int j = 0) const { return entries[i + j * rows]; }
@@ -25,11 +27,13 @@ struct fixed_matrix {
   }
 
   /// The entries in some rows and columns: `m.at({1, 2}, {0})`.
-  template <int r, int c>
-  constexpr fixed_matrix<T, r, c> at(const int (&in_rows)[r], const int (&in_columns)[c]) const {
-    fixed_matrix<T, r, c> part;
-    for (int j = 0; j < c; ++j)
-      for (int i = 0; i < r; ++i) part(i, j) = (*this)(in_rows[i], in_columns[j]);
+  template <std::size_t r, std::size_t c>
+  constexpr fixed_matrix<T, static_cast<int>(r), static_cast<int>(c)> at(const int (&in_rows)[r],
+                                                                         const int (&in_columns)[c]) const {
+    constexpr int height = static_cast<int>(r), width = static_cast<int>(c);
+    fixed_matrix<T, height, width> part;
+    for (int j = 0; j < width; ++j)
+      for (int i = 0; i < height; ++i) part(i, j) = (*this)(in_rows[i], in_columns[j]);
     return part;
   }
 
@@ -70,11 +74,13 @@ constexpr fixed_matrix<T, n, l> operator*(const fixed_matrix<T, n, m>& a, const 
 }
 
 /// The matrix that is written row by row, `by_rows({{1.0, 2.0}, {3.0, 4.0}})`.
-template <class T, int rows, int columns>
-constexpr fixed_matrix<T, rows, columns> by_rows(const T (&written)[rows][columns]) {
-  fixed_matrix<T, rows, columns> m;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) m(i, j) = written[i][j];
+template <class T, std::size_t rows, std::size_t columns>
+constexpr fixed_matrix<T, static_cast<int>(rows), static_cast<int>(columns)>
+by_rows(const T (&written)[rows][columns]) {
+  constexpr int height = static_cast<int>(rows), width = static_cast<int>(columns);
+  fixed_matrix<T, height, width> m;
+  for (int i = 0; i < height; ++i)
+    for (int j = 0; j < width; ++j) m(i, j) = written[i][j];
   return m;
 }
 
@@ -147,7 +153,7 @@ public:
 
 private:
   static constexpr factors place{n};
-  T f_[factors{n}.size()]{};
+  T f_[static_cast<std::size_t>(factors{n}.size())]{};
 };
 
 /// M = L D Lᵀ of a symmetric matrix, which is positive definite where every pivot is. In which units its rows

@@ -37,10 +37,10 @@ template <class T, std::size_t count>
   requires(detail::lanes<T>::count > 1)
 [[gnu::always_inline]] inline void sines_and_cosines(const T (&angle)[count], T (&sine)[count],
                                                      T (&cosine)[count]) noexcept {
-  [[maybe_unused]] const bool far =
+  [[maybe_unused]] const bool is_far =
       detail::sines_and_cosines_of_vectors(angle, sine, cosine, std::make_index_sequence<count>{});
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
-  if (far) [[unlikely]] {
+  if (is_far) [[unlikely]] {
     constexpr std::size_t lanes = detail::lanes<T>::count;
     // Aligned, and with them the stack: clang++ would put vectors across the lines of a cache.
     alignas(T) detail::number_of<T> angles[count][lanes];
