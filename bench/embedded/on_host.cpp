@@ -1,8 +1,8 @@
 // on_host SCALAR: compares what a board printed, at the input, with what this machine computes for the same
-// points. The reference has more digits than SCALAR; the board may be off by at most four times what this
-// machine is off with the same digits, or by eight units of the last place. An entry is judged beside its
-// largest value over all points, or a thousandth of the largest of all entries. Prints the error of the board
-// and of this machine, in units of the last place.
+// points, and that a loop ends as its program says. The reference has more digits than SCALAR; the board may
+// be off by at most four times what this machine is off with the same digits, or by eight units of the last
+// place. An entry is judged beside its largest value over all points, or a thousandth of the largest of all
+// entries. Prints the error of the board and of this machine, in units of the last place.
 #include "points.hpp"
 
 #include <algorithm>
@@ -79,6 +79,10 @@ int compare() {
   const results<Wide> reference = computed<T, Wide>();
   const double of_board = error(board, reference), of_host = error(computed<T, T>(), reference);
   std::printf("%.1f\t%.1f\n", of_board, of_host);
+  if constexpr (requires(const T* found) { program::is_well(found); })
+    for (const auto& line : board)
+      if (!program::is_well(line.data()))
+        return std::fprintf(stderr, "the loop does not end as it should\n"), 1;
   if (std::isfinite(of_host) && of_board <= std::max(4 * of_host, 8.0)) return 0;
   return std::fprintf(stderr, "the board is off by %.1f units of the last place, the host by %.1f\n",
                       of_board, of_host),
