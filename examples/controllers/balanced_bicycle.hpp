@@ -32,14 +32,14 @@ constexpr auto gains = gain_schedule<9>(slowest, fastest, regulator_at);
 static_assert(gains);
 
 /// The torques until the next call, a period later, at the state x.
-template <class T>
-input_values<Driven, T> torques(const state<Driven, T>& x, T wanted_speed) {
-  static constexpr auto K = in_numbers<T>(gains);
-  const T speed = T(rear_radius) * x[u3];
-  const Eigen::Matrix<T, 4, 1> off(x[q2], x[q5], x[u2], x[u5]);
-  input_values<Driven, T> r;
-  r[bicycle::T] = -(numeric::as_eigen(K(speed)) * off).value();
-  r[D] = T(drive) * (wanted_speed - speed);
+template <class Number>
+input_values<Driven, Number> torques(const state<Driven, Number>& x, Number wanted_speed) {
+  static constexpr auto K = in_numbers<Number>(gains);
+  const Number speed = Number(rear_radius) * x[u3];
+  const Eigen::Matrix<Number, 4, 1> off(x[q2], x[q5], x[u2], x[u5]);
+  input_values<Driven, Number> r;
+  r[T] = -(numeric::as_eigen(K(speed)) * off).value();
+  r[D] = Number(drive) * (wanted_speed - speed);
   return r;
 }
 

@@ -5,7 +5,7 @@
 
 namespace balanced_cart {
 
-/// The cart under its controller, both in numbers of type T. The cart is disturbed as the controller expects.
+/// The cart under its controller, both in the same numbers. The cart is disturbed as the controller expects.
 template <class T>
 class loop {
 public:

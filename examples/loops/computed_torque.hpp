@@ -5,7 +5,7 @@
 
 namespace computed_torque {
 
-/// The arm under its controller, both in numbers of type T.
+/// The arm under its controller, both in the same numbers.
 template <class T>
 class loop {
 public:

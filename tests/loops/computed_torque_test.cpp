@@ -12,7 +12,7 @@ using namespace computed_torque;
 using references::close;
 namespace known = references::arm;
 
-const eom::state start(Eigen::Map<const Eigen::Vector<double, 14>>(known::start));
+const eom::state start(known::start);
 const eom::parameters none;
 
 TEST(computed_torque, moves_as_in_numpy) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
+#include <kanexpr/control/matrices.hpp>
 
 namespace kanexpr {
 
@@ -24,7 +24,7 @@ struct scheduled_gains {
     const int is_before = place > 0 ? 0 : 1; // also of what is no number
     const int i = static_cast<int>(below[is_before + (place > last_but_one ? 2 : 0)]);
     const T part = within[(place < 0 ? 1 : 0) + (place > last ? 2 : 0)] - static_cast<T>(i);
-    return Gain(at[i] + part * (at[i + 1] - at[i]));
+    return control::between(at[i], at[i + 1], part);
   }
 };
 
