@@ -1,8 +1,8 @@
 // on_host SCALAR: compares what a board printed, at the input, with what this machine computes for the same
 // points. The reference has more digits than SCALAR; the board may be off by at most four times what this
 // machine is off with the same digits, or by eight units of the last place. An entry is judged beside its
-// largest value over all points, or a thousandth of the largest of all entries. Prints the error of the board
-// and of this machine, in units of the last place.
+// largest value over all points, or a thousandth of the largest of all entries. A loop has to end as its
+// program says, too. Prints the error of the board and of this machine, in units of the last place.
 #include "points.hpp"
 
 #include <algorithm>
@@ -72,6 +72,15 @@ double error(const results<T>& all, const results<Wide>& reference) {
   return largest;
 }
 
+// Of a program that says what it is to end with.
+template <class Program, class T>
+bool ends_well(const results<T>& all) {
+  if constexpr (requires(const T* found) { Program::is_well(found); })
+    return std::all_of(all.begin(), all.end(),
+                       [](const auto& line) { return Program::is_well(line.data()); });
+  return true;
+}
+
 template <class T, class Wide>
 int compare() {
   results<T> board{};
@@ -79,6 +88,7 @@ int compare() {
   const results<Wide> reference = computed<T, Wide>();
   const double of_board = error(board, reference), of_host = error(computed<T, T>(), reference);
   std::printf("%.1f\t%.1f\n", of_board, of_host);
+  if (!ends_well<program>(board)) return std::fprintf(stderr, "the loop does not end as it should\n"), 1;
   if (std::isfinite(of_host) && of_board <= std::max(4 * of_host, 8.0)) return 0;
   return std::fprintf(stderr, "the board is off by %.1f units of the last place, the host by %.1f\n",
                       of_board, of_host),

@@ -3,10 +3,9 @@
 #include "output.hpp"
 #include "print.hpp"
 
-#include <kanexpr/animate/animated.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
-#include <models/n_pendulum_cart.hpp>
+#include <pictures/n_pendulum_cart.hpp>
 
 #include <Eigen/LU>
 
@@ -17,11 +16,6 @@ namespace {
 using namespace n_pendulum_cart;
 using balanced = System<1>;
 using lin = linearization<balanced>;
-
-using picture_of_cart =
-    kanexpr::picture<balanced, up<N::y>, ground<-0.075>, seen_from<N::z + 0.3 * N::x + 0.2 * N::y>,
-                     trace<P<1>>, show<box<N, P<0>, 0.4, 0.15, 0.2>, colour<"#3d6b99">>,
-                     show<rod<P<0>, P<1>, 0.02>>, show<sphere<P<1>, 0.07>, colour<"#b5382f">>>;
 
 constexpr Eigen::Index order = lin::states;
 using square = Eigen::Matrix<double, order, order>;
@@ -66,5 +60,5 @@ int main(int count, char** words) {
   for (const double t : {0.0, 1.0, 2.0, 4.0, 8.0})
     std::printf("after %g s: cart at %9.6f m, pendulum %9.6f rad off\n", t, run.trajectory.at(t)->x[q<0>],
                 run.trajectory.at(t)->x[q<1>] - upright.x[q<1>]);
-  return files.leave<picture_of_cart>(run.trajectory) ? 0 : 1;
+  return files.leave<n_pendulum_cart::picture>(run.trajectory) ? 0 : 1;
 }

@@ -77,32 +77,37 @@ using bar = show<rod<From, To, radius>, Options...>;
 
 using namespace shapes;
 
-using picture = kanexpr::picture<
-    BoundSystem, up<N::z>, ground<>, carried<WR_mc>, seen_from<N::x - 1.6 * N::y + 0.75 * N::z>,
-    trace<WR_cont, colour<"#2f5d8a">>, trace<WF_cont, colour<"#d98a2b">>,
-    show<wheel<WR, WR_mc, WR::y, WRrad, 0.035>, spinning<u3>, steel, named<"rear wheel">>,
-    show<wheel<WF, WF_mc, WF::y, WFrad, 0.035>, spinning<u6>, steel, named<"front wheel">>,
-    // the frame
-    bar<Cranks, Seat, 0.018, paint>, bar<Seat, HeadTop, 0.018, paint>, bar<Cranks, HeadFoot, 0.022, paint>,
-    bar<HeadTop, HeadFoot, 0.025, paint>, bar<LeftAxleEnd, Seat, 0.009, paint>,
-    bar<RightAxleEnd, Seat, 0.009, paint>, bar<LeftAxleEnd, Cranks, 0.011, paint>,
-    bar<RightAxleEnd, Cranks, 0.011, paint>, bar<SaddleBack, SaddleTip, 0.035, rubber>,
-    bar<LeftCrank, RightCrank, 0.025, steel>, bar<LeftCrank, LeftCrankEnd, 0.012, steel>,
-    bar<RightCrank, RightCrankEnd, 0.012, steel>, bar<LeftCrankEnd, LeftPedal, 0.018, rubber>,
-    bar<RightCrankEnd, RightPedal, 0.018, rubber>,
-    // the fork
-    bar<LeftCrown, LeftTip, 0.014, steel>, bar<RightCrown, RightTip, 0.014, steel>,
-    bar<LeftCrown, RightCrown, 0.018, steel>, bar<Crown, Stem, 0.017, steel>, bar<Stem, Bar, 0.016, steel>,
-    bar<LeftBend, RightBend, 0.013, steel>, bar<LeftBend, LeftGrip, 0.02, rubber>,
-    bar<RightBend, RightGrip, 0.02, rubber>,
-    // the rider, who is one body with the frame
-    bar<Hips, Chest, 0.12, shirt>, bar<LeftHip, RightHip, 0.1, trousers>,
-    bar<LeftShoulder, RightShoulder, 0.075, shirt>, show<sphere<Head, 0.115>, skin>,
-    bar<Chest, Neck, 0.05, skin>, bar<LeftHip, LeftKnee, 0.07, trousers>,
-    bar<RightHip, RightKnee, 0.07, trousers>, bar<LeftKnee, LeftHeel, 0.05, trousers>,
-    bar<RightKnee, RightHeel, 0.05, trousers>, bar<LeftHeel, LeftToe, 0.04, rubber>,
-    bar<RightHeel, RightToe, 0.04, rubber>, bar<LeftShoulder, LeftElbow, 0.045, shirt>,
-    bar<RightShoulder, RightElbow, 0.045, shirt>, bar<LeftElbow, LeftGrip, 0.037, skin>,
-    bar<RightElbow, RightGrip, 0.037, skin>>;
+/// Of the bicycle itself and of those that extend it.
+template <class System>
+using picture_of =
+    kanexpr::picture<System, up<N::z>, ground<>, carried<WR_mc>, seen_from<N::x - 1.6 * N::y + 0.75 * N::z>,
+                     trace<WR_cont, colour<"#2f5d8a">>, trace<WF_cont, colour<"#d98a2b">>,
+                     show<wheel<WR, WR_mc, WR::y, WRrad, 0.035>, spinning<u3>, steel, named<"rear wheel">>,
+                     show<wheel<WF, WF_mc, WF::y, WFrad, 0.035>, spinning<u6>, steel, named<"front wheel">>,
+                     // the frame
+                     bar<Cranks, Seat, 0.018, paint>, bar<Seat, HeadTop, 0.018, paint>,
+                     bar<Cranks, HeadFoot, 0.022, paint>, bar<HeadTop, HeadFoot, 0.025, paint>,
+                     bar<LeftAxleEnd, Seat, 0.009, paint>, bar<RightAxleEnd, Seat, 0.009, paint>,
+                     bar<LeftAxleEnd, Cranks, 0.011, paint>, bar<RightAxleEnd, Cranks, 0.011, paint>,
+                     bar<SaddleBack, SaddleTip, 0.035, rubber>, bar<LeftCrank, RightCrank, 0.025, steel>,
+                     bar<LeftCrank, LeftCrankEnd, 0.012, steel>, bar<RightCrank, RightCrankEnd, 0.012, steel>,
+                     bar<LeftCrankEnd, LeftPedal, 0.018, rubber>,
+                     bar<RightCrankEnd, RightPedal, 0.018, rubber>,
+                     // the fork
+                     bar<LeftCrown, LeftTip, 0.014, steel>, bar<RightCrown, RightTip, 0.014, steel>,
+                     bar<LeftCrown, RightCrown, 0.018, steel>, bar<Crown, Stem, 0.017, steel>,
+                     bar<Stem, Bar, 0.016, steel>, bar<LeftBend, RightBend, 0.013, steel>,
+                     bar<LeftBend, LeftGrip, 0.02, rubber>, bar<RightBend, RightGrip, 0.02, rubber>,
+                     // the rider, who is one body with the frame
+                     bar<Hips, Chest, 0.12, shirt>, bar<LeftHip, RightHip, 0.1, trousers>,
+                     bar<LeftShoulder, RightShoulder, 0.075, shirt>, show<sphere<Head, 0.115>, skin>,
+                     bar<Chest, Neck, 0.05, skin>, bar<LeftHip, LeftKnee, 0.07, trousers>,
+                     bar<RightHip, RightKnee, 0.07, trousers>, bar<LeftKnee, LeftHeel, 0.05, trousers>,
+                     bar<RightKnee, RightHeel, 0.05, trousers>, bar<LeftHeel, LeftToe, 0.04, rubber>,
+                     bar<RightHeel, RightToe, 0.04, rubber>, bar<LeftShoulder, LeftElbow, 0.045, shirt>,
+                     bar<RightShoulder, RightElbow, 0.045, shirt>, bar<LeftElbow, LeftGrip, 0.037, skin>,
+                     bar<RightElbow, RightGrip, 0.037, skin>>;
+
+using picture = picture_of<BoundSystem>;
 
 } // namespace bicycle

@@ -23,25 +23,25 @@ namespace {
 
 using function = void(const scalar*, scalar*);
 
-// The counter of the processor, which counts down. Its ticks are 40 ns; the emulator takes 256 ns for each
+// A timer of the board, which counts down. Its ticks are 40 ns; the emulator takes 256 ns for each
 // instruction.
 class counter {
 public:
   counter() {
-    reload() = mask;
-    control() = 5; // by the clock of the processor, without interrupts
+    reload() = ~std::uint32_t{0};
+    control() = 1; // count, without interrupts
   }
   std::uint32_t operator()() const { return value(); }
   static std::uint32_t instructions(std::uint32_t before, std::uint32_t after) {
-    return (((before - after) & mask) * 40 + 128) / 256;
+    return static_cast<std::uint32_t>((std::uint64_t{before - after} * 40 + 128) / 256);
   }
 
 private:
-  static constexpr std::uint32_t mask = 0xFFFFFF;
   using word = volatile std::uint32_t;
-  static word& control() { return *reinterpret_cast<word*>(0xE000E010); }
-  static word& reload() { return *reinterpret_cast<word*>(0xE000E014); }
-  static word& value() { return *reinterpret_cast<word*>(0xE000E018); }
+  static word& at(std::uint32_t offset) { return *reinterpret_cast<word*>(0x40000000 + offset); }
+  static word& control() { return at(0); }
+  static word& value() { return at(4); }
+  static word& reload() { return at(8); }
 };
 
 [[gnu::noipa]] std::uint32_t instructions_of(function* f, const counter& now, const scalar* given,

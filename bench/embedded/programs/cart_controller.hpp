@@ -1,17 +1,38 @@
 #pragma once
 
-#include "cart.hpp"
+#include "call.hpp"
 
-/// The force that keeps the pendulum of the cart upright, F = -K (x - x0), within what the motor gives. K is
-/// that of the linear-quadratic regulator with the weights 1, 1, 0.1, 0.1 of the state and 0.1 of the force.
-struct program : embedded::cart::calls {
-  static constexpr std::size_t found = 1;
+#include <controllers/balanced_cart.hpp>
+
+#include <array>
+
+/// The force that keeps the pendulum of the cart upright, from what its sensors say: an update of the Kalman
+/// filter, the feedback, and the filter's prediction. It is given the estimate, what the sensors say, and the
+/// covariance of the estimate.
+struct program {
+  static constexpr std::array<double, 22> given{0.2,    balanced_cart::upright + 0.1,
+                                                -0.3,   0.4,
+                                                0.21,   balanced_cart::upright + 0.08,
+                                                1.4e-6, 7e-7,
+                                                4.5e-6, 3.4e-6,
+                                                7e-7,   4.5e-6,
+                                                6.2e-6, 2.3e-5,
+                                                4.5e-6, 6.2e-6,
+                                                9.3e-5, 8e-5,
+                                                3.4e-6, 2.3e-5,
+                                                8e-5,   1.9e-4};
+  static constexpr std::size_t varied = 6, found = 22;
+  static constexpr double spread = 0.3;
 
   template <class T>
   [[gnu::always_inline]] static void run(const T* given, T* found) {
-    const Eigen::Matrix<T, 4, 1> K{T(-3.16227766), T(60.30706731), T(-5.27859908), T(16.06793682)};
-    const Eigen::Matrix<T, 4, 1> x0{T(0), T(upright), T(0), T(0)};
-    const embedded::arguments<embedded::cart::system, T> at(given);
-    *found = embedded::within(-K.dot(at.x - x0), T(-20), T(20));
+    using controller = balanced_cart::controller<T>;
+    const Eigen::Map<const Eigen::Matrix<T, 4, 1>> estimate(given);
+    const Eigen::Map<const Eigen::Matrix<T, 2, 1>> seen(given + 4);
+    const Eigen::Map<const Eigen::Matrix<T, 4, 4>> covariance(given + 6);
+    controller control(typename controller::state(estimate), covariance);
+    const kanexpr::status made = control(seen);
+    T* const rest = embedded::put(embedded::put(found, control.force), control.estimate.x);
+    *embedded::put(rest, control.estimate.P) = embedded::as_number<T>(made);
   }
 };

@@ -1,20 +1,23 @@
 #pragma once
 
-#include "iiwa.hpp"
+#include "call.hpp"
 
-/// The torques of the iiwa that let its joints follow a motion (computed torque). The accelerations are those
-/// that bring the error back by e'' + 20 e' + 100 e = 0. What is wanted comes with the state: the angles and
-/// speeds are zero, the accelerations stand where the torques do.
-struct program : embedded::iiwa::calls {
-  using system = embedded::iiwa::System;
-  using eom = kanexpr::equations_of_motion<system>;
-  static constexpr std::size_t found = eom::speeds;
+#include <controllers/computed_torque.hpp>
+
+#include <array>
+
+/// The torques that let the joints of the iiwa follow a motion. It is given the state and the time.
+struct program {
+  static constexpr std::array<double, 15> given{0.3,  -0.5, 0.7, -0.9, 1.1, -0.6, 0.4, // angles
+                                                -0.2, 0.4,  0.1, 0.5,  0.3, -0.4, 0.2, // speeds
+                                                0.9};
+  static constexpr std::size_t varied = given.size(), found = 7;
+  static constexpr double spread = 0.5;
 
   template <class T>
   [[gnu::always_inline]] static void run(const T* given, T* found) {
-    const embedded::arguments<system, T> at(given);
-    Eigen::Matrix<T, eom::speeds, 1> a;
-    for (int i = 0; i < eom::speeds; ++i) a(i) = at.r(i) - 20 * at.x(eom::coordinates + i) - 100 * at.x(i);
-    embedded::put(found, eom::required_inputs(at.x, at.p, at.r, a));
+    const Eigen::Map<const Eigen::Matrix<T, 14, 1>> measured(given);
+    const kanexpr::state<computed_torque::System, T> x(measured);
+    embedded::put(found, computed_torque::torques(given[14], x));
   }
 };

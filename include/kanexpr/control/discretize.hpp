@@ -3,6 +3,7 @@
 #include <kanexpr/control/balance.hpp>
 #include <kanexpr/control/matrices.hpp>
 
+#include <array>
 #include <tuple>
 
 namespace kanexpr {
@@ -43,6 +44,31 @@ struct exponential {
   fixed_matrix<T, n, n> integral{}; ///< ∫ exp(A s) ds from 0 to h
 };
 
+/// (exp(X) − 1)/X by Taylor's series, in few products of matrices (Paterson & Stockmeyer, On the number of
+/// nonscalar multiplications necessary to evaluate polynomials, SIAM J. Comput. 2, 1973): those of four, or
+/// three, powers of X that follow each other are one factor of a higher power.
+template <class T, int n>
+constexpr fixed_matrix<T, n, n> mean_motion(const fixed_matrix<T, n, n>& x) {
+  constexpr bool is_short = std::numeric_limits<T>::digits <= 24;
+  constexpr int terms = is_short ? 9 : 15; // the next is below rounding, (1/2)ᵏ/(k + 1)!
+  constexpr int block = is_short ? 3 : 4;
+  fixed_matrix<T, n, n> powers[block + 1]{numeric::identity<T, n>(), x};
+  for (int k = 2; k <= block; ++k) powers[k] = powers[k - 1] * x;
+  constexpr auto weights = [] {
+    std::array<T, terms> found{1};
+    for (std::size_t k = 1; k < terms; ++k) found[k] = found[k - 1] / T(k + 1);
+    return found;
+  }();
+  fixed_matrix<T, n, n> sum;
+  for (int first = (terms - 1) / block * block; first >= 0; first -= block) {
+    if (first + block < terms) sum = sum * powers[block];
+    for (int k = first; k < first + block && k < terms; ++k)
+      for (int i = 0; i < n * n; ++i)
+        sum.entries[i] += weights[static_cast<std::size_t>(k)] * powers[k - first].entries[i];
+  }
+  return sum;
+}
+
 /// Both by Taylor's series of a short step, which is doubled until it is as long as asked (Van Loan,
 /// Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the integral
 /// over two steps is that over one, and what the motion of one makes of it. What is slow beside the rest
@@ -62,12 +88,7 @@ constexpr exponential<T, n> exponential_of(const fixed_matrix<T, n, n>& a, T h) 
     length /= 2;
   }
   exponential<T, n> e;
-  constexpr int terms = limits::digits > 24 ? 15 : 9; // the next is below rounding, (1/2)ᵏ/(k + 1)!
-  fixed_matrix<T, n, n> term = length * numeric::identity<T, n>();
-  for (int k = 1; k <= terms; ++k) {
-    e.integral = e.integral + term;
-    term = (length / T(k + 1)) * (a * term);
-  }
+  e.integral = length * mean_motion(length * a);
   e.change = a * e.integral;
   for (int i = 0; i < doublings; ++i) {
     if (!(numeric::largest_entry(e.change) < most && numeric::largest_entry(e.integral) < most))

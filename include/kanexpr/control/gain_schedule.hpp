@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
+#include <kanexpr/control/matrices.hpp>
 
 namespace kanexpr {
 
@@ -19,13 +19,12 @@ struct scheduled_gains {
   constexpr Gain operator()(T value) const {
     constexpr T last = T(points - 1), last_but_one = T(points - 2);
     const T place = (value - from) * (last / (to - from));
-    T within = place < 0 ? T(0) : place;
-    within = within > last ? last : within;
-    T below = place > 0 ? place : T(0); // also of what is no number
-    below = below < last_but_one ? below : last_but_one;
-    const int i = static_cast<int>(below);
-    const T part = within - static_cast<T>(i);
-    return Gain(at[i] + part * (at[i + 1] - at[i]));
+    // Chosen by an index: of conditions compilers would make branches.
+    const T within[]{place, T(0), last}, below[]{place, T(0), last_but_one};
+    const int is_before = place > 0 ? 0 : 1; // also of what is no number
+    const int i = static_cast<int>(below[is_before + (place > last_but_one ? 2 : 0)]);
+    const T part = within[(place < 0 ? 1 : 0) + (place > last ? 2 : 0)] - static_cast<T>(i);
+    return control::between(at[i], at[i + 1], part);
   }
 };
 

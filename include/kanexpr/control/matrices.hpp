@@ -60,6 +60,19 @@ constexpr const fixed_matrix<T, rows, columns>& fixed(const fixed_matrix<T, rows
   return m;
 }
 
+/// a + part (b − a); of fixed matrices without others between.
+template <class T, class Given>
+constexpr Given between(const Given& a, const Given& b, T part) {
+  return Given(a + part * (b - a));
+}
+template <class T, int rows, int columns>
+constexpr fixed_matrix<T, rows, columns> between(const fixed_matrix<T, rows, columns>& a,
+                                                 const fixed_matrix<T, rows, columns>& b, T part) {
+  fixed_matrix<T, rows, columns> m;
+  for (int i = 0; i < rows * columns; ++i) m.entries[i] = a.entries[i] + part * (b.entries[i] - a.entries[i]);
+  return m;
+}
+
 /// The first of the statuses of results that says that there is none.
 template <class... Result>
 constexpr status first_failure(const Result&... results) {
