@@ -155,8 +155,13 @@ struct varied_step<runge_kutta_4<System, corrections>> {
     for (int stage = 0; stage < 4; ++stage) {
       const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(T(t + reach[stage]), at.x, p, r);
       if (const status s = status_of(rate); !s) return {x, {}, {}, s};
-      typename varied::derivatives by_all = rates::by_state::product(by_state, at.by_all);
-      by_all.template rightCols<inputs>() += by_inputs;
+      typename varied::derivatives by_all;
+      if (stage == 0) {
+        by_all << by_state, by_inputs;
+      } else {
+        by_all = rates::by_state::product(by_state, at.by_all);
+        by_all.template rightCols<inputs>() += by_inputs;
+      }
       if (stage < 3) {
         advance<0, size>(at.x, x, reach[stage + 1], rate);
         at.by_all = before.by_all + reach[stage + 1] * by_all;
