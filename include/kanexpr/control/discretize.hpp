@@ -52,11 +52,11 @@ constexpr fixed_matrix<T, n, n> mean_motion(const fixed_matrix<T, n, n>& x) {
   constexpr bool is_short = std::numeric_limits<T>::digits <= 24;
   constexpr int terms = is_short ? 9 : 15; // the next is below rounding, (1/2)ᵏ/(k + 1)!
   constexpr int block = is_short ? 3 : 4;
-  fixed_matrix<T, n, n> powers[block + 1]{numeric::identity<T, n>(), x};
+  fixed_matrix<T, n, n> powers[std::size_t{block + 1}]{numeric::identity<T, n>(), x};
   for (int k = 2; k <= block; ++k) powers[k] = powers[k - 1] * x;
   constexpr auto weights = [] {
-    std::array<T, terms> found{1};
-    for (std::size_t k = 1; k < terms; ++k) found[k] = found[k - 1] / T(k + 1);
+    std::array<T, std::size_t{terms}> found{1};
+    for (std::size_t k = 1; k < found.size(); ++k) found[k] = found[k - 1] / T(k + 1);
     return found;
   }();
   fixed_matrix<T, n, n> sum;

@@ -2,6 +2,8 @@
 
 #include <kanexpr/symbolic/graph/graph.hpp>
 
+#include <cstdint>
+
 namespace kanexpr::lower {
 
 using symbolic::graph;
@@ -18,187 +20,203 @@ public:
   /// Of the `live` nodes, in the order of the graph, without leaves and those that have a slot already.
   constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slot_of,
                        const sequence<int>& results)
-      : nodes_(g.begin()), slot_(slot_of.begin()), uses_of_(g.size() + 1, 0), waits_for_(g.size(), 0),
-        first_user_of_(g.size() + 1, 0), rank_of_(g.size(), none), uses_(uses_of_.begin()),
-        waits_(waits_for_.begin()), first_user_(first_user_of_.begin()), rank_(rank_of_.begin()) {
+      : nodes_(g.begin()), place_of_(g.size(), none), place_(place_of_.begin()) {
+    values_.reserve(live.size());
     for (int id : live)
-      if (slot_[id] == none && nodes_[id].op > operation::symbol) steps_.push(id);
-    for (int id : results) ++uses_[id];
-    join_products();
+      if (nodes_[id].op > operation::symbol) place_[id] = values_.push(id);
+    const int count = values_.size();
+    for (sequence<int>* each : {&uses_of_, &waits_for_, &joined_to_, &first_operand_of_})
+      each->resize(count, 0);
+    first_user_of_.resize(count + 1, 0);
+    rank_of_.resize(count, waiting);
+    uses_ = uses_of_.begin(), waits_ = waits_for_.begin(), joins_ = joined_to_.begin();
+    first_operand_ = first_operand_of_.begin(), first_user_ = first_user_of_.begin();
+    rank_ = rank_of_.begin();
+    words_ = count / 64 + 1;
+    ready_of_.resize(ranks * words_, 0);
+    ready_ = ready_of_.begin();
+    for (int k = 0; k < count; ++k)
+      if (slot_of[values_[k]] != none) rank_[k] = done;
+    join_products(results);
+    list_operands();
     list_users();
+    order_.reserve(count);
   }
   step_order(const step_order&) = delete;
   step_order& operator=(const step_order&) = delete;
 
   constexpr sequence<int> run() {
-    for (int id : steps_)
-      if (rank_[id] != joined && waits_[id] == 0) offer(id);
+    for (int k = 0, end = values_.size(); k < end; ++k)
+      if (rank_[k] == waiting && waits_[k] == 0) offer(k, rank_now(k));
     while (true) {
-      const int id = take();
-      if (id == none) return static_cast<sequence<int>&&>(order_);
-      put(id);
+      const int k = take();
+      if (k == none) return static_cast<sequence<int>&&>(order_);
+      put(k);
     }
   }
 
 private:
-  static constexpr int none = -1, joined = -2, done = -3;
+  static constexpr int none = -1;
+  static constexpr int waiting = -1, joined = -2, done = -3; ///< in place of a rank
   static constexpr int ranks = 6; ///< a step ends the use of up to four values, and is one or none itself
 
-  /// What a step is made of, with the products that are joined to it, each value once.
-  struct operands {
-    int count = 0;
-    int id[4]{};
-
-    constexpr void add(int operand) {
-      for (int i = 0; i < count; ++i)
-        if (id[i] == operand) return;
-      id[count++] = operand;
-    }
-  };
-
-  constexpr void add_operand(operands& all, int id) const {
-    if (nodes_[id].op <= operation::symbol) return; // no step gives it
-    if (rank_[id] == joined)
-      add_operands(all, id);
-    else
-      all.add(id);
-  }
-  constexpr void add_operands(operands& all, int id) const {
-    const symbolic::node& n = nodes_[id];
-    add_operand(all, n.a);
-    if (symbolic::is_binary(n.op) && !symbolic::is_numbered(n.op)) add_operand(all, n.b);
-  }
-  constexpr operands operands_of(int id) const {
-    operands all;
-    add_operands(all, id);
-    return all;
+  constexpr int second_operand(const symbolic::node& n) const {
+    if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;
+    return symbolic::is_binary(n.op) && !symbolic::is_numbered(n.op) ? n.b : none;
   }
 
-  constexpr void join_products() {
-    for (int id : steps_) {
-      const operands all = operands_of(id);
-      for (int i = 0; i < all.count; ++i) ++uses_[all.id[i]];
-    }
-    for (int id : steps_) {
-      const symbolic::node& n = nodes_[id];
+  /// Products that only one sum uses; a result is used by who asked for it.
+  constexpr void join_products(const sequence<int>& results) {
+    for (int id : results)
+      if (place_[id] != none) ++uses_[place_[id]];
+    for (int k = 0, end = values_.size(); k < end; ++k) {
+      const symbolic::node& n = nodes_[values_[k]];
+      const int a = place_[n.a], second = second_operand(n), b = second == none ? none : place_[second];
+      if (a != none) ++uses_[a];
+      if (b != none) ++uses_[b];
       if (n.op != operation::add && n.op != operation::subtract) continue;
-      for (int product : {n.a, n.b})
-        if (nodes_[product].op == operation::multiply && uses_[product] == 1 && slot_[product] == none)
-          rank_[product] = joined;
+      if (a != none && nodes_[n.a].op == operation::multiply) ++joins_[a];
+      if (b != none && nodes_[n.b].op == operation::multiply) ++joins_[b];
     }
+    for (int k = 0, end = values_.size(); k < end; ++k) {
+      const bool is_joined = joins_[k] == 1 && uses_[k] == 1 && rank_[k] == waiting;
+      joins_[k] = 0;
+      if (is_joined) rank_[k] = joined;
+    }
+  }
+
+  /// Of every step with the products that are joined to it, each value once.
+  constexpr void list_operands() {
+    operands_of_.reserve(3 * values_.size());
+    for (int k = 0, end = values_.size(); k < end; ++k) {
+      if (rank_[k] != waiting) continue;
+      const int first = first_operand_[k] = operands_of_.size();
+      const symbolic::node& n = nodes_[values_[k]];
+      const int second = second_operand(n);
+      list_operand(k, first, n.a);
+      if (second != none && second != n.a) list_operand(k, first, second);
+      operands_of_.push(none); // ends them
+    }
+    operands_ = operands_of_.begin();
+  }
+
+  constexpr void list_operand(int k, int first, int id) {
+    const int operand = place_[id];
+    if (operand == none) return; // no step gives it
+    if (rank_[operand] == joined) {
+      joins_[k] = 1;
+      list_operand(k, first, nodes_[id].a);
+      list_operand(k, first, nodes_[id].b);
+      return;
+    }
+    for (int i = first, end = operands_of_.size(); i < end; ++i)
+      if (operands_of_[i] == operand) return;
+    operands_of_.push(operand);
   }
 
   /// For each value those that use it, one after another.
   constexpr void list_users() {
-    const int end = uses_of_.size();
-    for (int id = 0; id < end; ++id) uses_[id] = 0;
-    for (int id : steps_) {
-      if (rank_[id] == joined) continue;
-      const operands all = operands_of(id);
-      for (int i = 0; i < all.count; ++i) {
-        ++uses_[all.id[i]];
-        if (slot_[all.id[i]] == none) ++waits_[id];
+    const int count = values_.size();
+    for (int k = 0; k < count; ++k) uses_[k] = 0;
+    for (int k = 0; k < count; ++k) {
+      if (rank_[k] != waiting) continue;
+      for (int i = first_operand_[k]; operands_[i] != none; ++i) {
+        ++uses_[operands_[i]];
+        if (rank_[operands_[i]] != done) ++waits_[k];
       }
     }
     int place = 0;
-    for (int id = 0; id + 1 < end; ++id) {
-      first_user_[id] = place;
-      place += uses_[id];
-    }
-    first_user_[end - 1] = place;
+    for (int k = 0; k < count; ++k) first_user_[k] = place += uses_[k];
+    first_user_[count] = place;
     users_of_.resize(place);
     users_ = users_of_.begin();
-    sequence<int> filled(end, 0);
-    int* const count = filled.begin();
-    for (int id : steps_) {
-      if (rank_[id] == joined) continue;
-      const operands all = operands_of(id);
-      for (int i = 0; i < all.count; ++i) users_[first_user_[all.id[i]] + count[all.id[i]]++] = id;
+    for (int k = count - 1; k >= 0; --k) {
+      if (rank_[k] != waiting) continue;
+      for (int i = first_operand_[k]; operands_[i] != none; ++i) users_[--first_user_[operands_[i]]] = k;
     }
   }
 
   /// How many values fewer there are after a step, and one.
-  constexpr int rank_now(int id) const {
-    const operands all = operands_of(id);
-    int rank = uses_[id] > 0 ? 0 : 1;
-    for (int i = 0; i < all.count; ++i) rank += uses_[all.id[i]] == 1;
+  constexpr int rank_now(int k) const {
+    int rank = uses_[k] > 0 ? 0 : 1;
+    for (int i = first_operand_[k]; operands_[i] != none; ++i)
+      if (uses_[operands_[i]] == 1) ++rank;
     return rank;
   }
 
-  constexpr void offer(int id) { offer(id, rank_now(id)); }
-  constexpr void offer(int id, int rank) {
-    rank_[id] = rank;
-    sequence<int>& heap = ready_[rank];
-    int place = heap.push(id);
-    int* const all = heap.begin();
-    for (; place > 0 && all[(place - 1) / 2] > id; place = (place - 1) / 2) all[place] = all[(place - 1) / 2];
-    all[place] = id;
+  constexpr void offer(int k, int rank) {
+    const int word = k / 64;
+    rank_[k] = rank;
+    ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
+    if (count_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
   }
 
-  /// The best that is ready; what has changed its rank since stands in another list too.
+  constexpr void withdraw(int k) {
+    ready_[rank_[k] * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+    --count_[rank_[k]];
+  }
+
+  /// The best that is ready.
   constexpr int take() {
-    for (int rank = ranks - 1; rank >= 0; --rank)
-      while (!ready_[rank].empty()) {
-        const int id = first_of(ready_[rank]);
-        if (rank_[id] == rank) return id;
-      }
-    return none;
+    int rank = ranks - 1;
+    while (rank >= 0 && count_[rank] == 0) --rank;
+    if (rank < 0) return none;
+    const std::uint64_t* const ready = ready_ + rank * words_;
+    int word = first_[rank];
+    while (ready[word] == 0) ++word;
+    first_[rank] = word;
+    const int k = 64 * word + __builtin_ctzll(ready[word]);
+    withdraw(k);
+    return k;
   }
 
-  static constexpr int first_of(sequence<int>& heap) {
-    int* const all = heap.begin();
-    const int first = all[0], last = heap.back();
-    heap.pop();
-    const int size = heap.size();
-    int place = 0;
-    for (int child = 1; child < size; child = 2 * place + 1) {
-      if (child + 1 < size && all[child + 1] < all[child]) ++child;
-      if (all[child] >= last) break;
-      all[place] = all[child];
-      place = child;
-    }
-    if (size > 0) all[place] = last;
-    return first;
-  }
-
-  constexpr void put(int id) {
-    const operands all = operands_of(id);
-    push(id);
-    for (int i = 0; i < all.count; ++i)
-      if (--uses_[all.id[i]] == 1) favour_last_user_of(all.id[i]);
-    for (int i = first_user_[id]; i < first_user_[id + 1]; ++i)
-      if (--waits_[users_[i]] == 0) offer(users_[i]);
-  }
-
-  constexpr void push(int id) {
-    const symbolic::node& n = nodes_[id];
-    if (n.op == operation::add || n.op == operation::subtract)
-      for (int product : {n.a, n.b})
-        if (rank_[product] == joined) push(product);
+  constexpr void put(int k) {
+    const int id = values_[k];
+    if (joins_[k] != 0)
+      for (int product : {nodes_[id].a, nodes_[id].b})
+        if (place_[product] != none && rank_[place_[product]] == joined) {
+          order_.push(product);
+          rank_[place_[product]] = done;
+        }
     order_.push(id);
-    rank_[id] = done;
+    rank_[k] = done;
+    for (int i = first_operand_[k]; operands_[i] != none; ++i)
+      if (--uses_[operands_[i]] == 1) favour_last_user_of(operands_[i]);
+    for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i)
+      if (--waits_[users_[i]] == 0) offer(users_[i], rank_now(users_[i]));
   }
 
   constexpr void favour_last_user_of(int value) {
     for (int i = first_user_[value]; i < first_user_[value + 1]; ++i) {
       const int user = users_[i];
       if (rank_[user] == done) continue;
-      if (rank_[user] >= 0) offer(user, rank_[user] + 1);
+      if (rank_[user] >= 0) {
+        withdraw(user);
+        offer(user, rank_[user] + 1);
+      }
       return;
     }
   }
 
   const symbolic::node* nodes_;
-  const int* slot_;
-  sequence<int> steps_{}; ///< to be ordered
-  sequence<int> uses_of_, waits_for_, first_user_of_, rank_of_;
-  sequence<int> users_of_{};
-  sequence<int> ready_[ranks]{};
+  sequence<int> place_of_; ///< among the values, by node
+  sequence<int> values_{}; ///< nodes that are given by steps
+  sequence<int> uses_of_{}, waits_for_{}, joined_to_{}, first_operand_of_{}, first_user_of_{}, rank_of_{};
+  sequence<int> operands_of_{}, users_of_{};
+  sequence<std::uint64_t> ready_of_{}; ///< a bit for each value, by rank
   sequence<int> order_{};
-  int* uses_;       ///< that are left, by value
-  int* waits_;      ///< operands that are not there yet, by step
-  int* first_user_; ///< where the users of a value begin
-  int* rank_;       ///< of what is ready; else why it is not
+  int* place_;
+  int* uses_ = nullptr;          ///< that are left, by value
+  int* waits_ = nullptr;         ///< operands that are not there yet, by value
+  int* joins_ = nullptr;         ///< whether products are done with it
+  int* first_operand_ = nullptr; ///< where its operands begin
+  int* first_user_ = nullptr;    ///< where its users begin
+  int* rank_ = nullptr;          ///< of what is ready; else why it is not
+  std::uint64_t* ready_ = nullptr;
+  int words_ = 0;      ///< of 64 bits, for a rank
+  int count_[ranks]{}; ///< of the bits that are set
+  int first_[ranks]{}; ///< no word before it has one
+  const int* operands_ = nullptr;
   int* users_ = nullptr;
 };
 
