@@ -164,9 +164,18 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
   EXPECT_EQ(cause(estimate.update(y, parameters, r, infinite * of.R)),
             "the covariance of the innovation is not finite");
   EXPECT_EQ(cause(estimate.update(y, parameters, r, -1e4 * of.R)),
+            "the covariance of the noise has a negative variance");
+  auto too_alike = of.R;
+  too_alike(0, 1) = too_alike(1, 0) = 1e4;
+  EXPECT_EQ(cause(estimate.update(y, parameters, r, too_alike)),
             "the covariance of the innovation is not positive definite");
+  EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, -of.Q)),
+            "the covariance of what disturbs the states has a negative variance");
   EXPECT_TRUE(estimate.expected(parameters, r).status);
   EXPECT_EQ(estimate.expected(parameters, r)(0), 0);
+  filter<double> impossible(before.x, -of.P);
+  EXPECT_EQ(impossible.predict(0, 0.02, parameters, r, of.Q).cause(),
+            "the covariance of the state has a negative variance");
 }
 
 } // namespace cart

@@ -79,6 +79,13 @@ TEST(gain_schedule, has_other_numbers) {
 TEST(gain_schedule, takes_matrices_of_eigen_while_the_program_runs) {
   const auto table = gain_schedule<2>(0.0f, 4.0f, [](float v) { return Eigen::RowVector2f(v, 1); });
   EXPECT_EQ(table(1.0f), Eigen::RowVector2f(1, 1));
+  EXPECT_EQ(in_numbers<double>(table)(1.0), Eigen::RowVector2d(1, 1));
+  EXPECT_EQ(numeric::as_eigen(table(1.0f)), Eigen::RowVector2f(1, 1));
+}
+
+TEST(gain_schedule, one_gain_has_other_numbers_too) {
+  constexpr auto single = in_numbers<float>(gains.at[0]);
+  EXPECT_EQ(single(0, 1), static_cast<float>(gains.at[0](0, 1)));
 }
 
 TEST(gain_schedule, says_where_there_is_no_gain) {

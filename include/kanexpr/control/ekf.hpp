@@ -47,6 +47,9 @@ public:
                  const Step& step = {}) {
     static_assert(Noise::RowsAtCompileTime == states && Noise::ColsAtCompileTime == states,
                   "the covariance Q has a row and a column for each independent coordinate and speed");
+    if (has_negative_variance(P)) return status("the covariance of the state has a negative variance");
+    if (has_negative_variance(Q))
+      return status("the covariance of what disturbs the states has a negative variance");
     constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
     const auto& inputs = compiled::inputs_at(r, from, x);
     const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<T, states, 0>(), h);
@@ -77,6 +80,7 @@ public:
     static_assert(Given::SizeAtCompileTime == measurements && Noise::RowsAtCompileTime == measurements &&
                       Noise::ColsAtCompileTime == measurements,
                   "y and its covariance R have a row for each number that is measured");
+    if (has_negative_variance(R)) return status("the covariance of the noise has a negative variance");
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
@@ -153,6 +157,13 @@ private:
       for (int i = 0; i < static_cast<int>(found.size()); ++i) into(row++) = found(i);
     else
       into(row++) = static_cast<T>(found);
+  }
+
+  template <class Matrix>
+  static bool has_negative_variance(const Matrix& m) {
+    bool found = false;
+    for (int i = 0; i < static_cast<int>(m.rows()); ++i) found |= m(i, i) < 0;
+    return found;
   }
 
   template <class Matrix>

@@ -28,12 +28,23 @@ struct scheduled_gains {
   }
 };
 
-/// A table of the compiler in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
+/// A gain in other numbers.
+template <class Other, class T, int rows, int columns>
+constexpr numeric::fixed_matrix<Other, rows, columns>
+in_numbers(const numeric::fixed_matrix<T, rows, columns>& gain) {
+  return gain.template cast<Other>();
+}
+template <class Other, class Derived>
+auto in_numbers(const Eigen::MatrixBase<Derived>& gain) {
+  return gain.template cast<Other>().eval();
+}
+
+/// A table in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
 template <class Other, class T, class Gain, int points>
 constexpr auto in_numbers(const scheduled_gains<T, Gain, points>& table) {
-  scheduled_gains<Other, decltype(table.at[0].template cast<Other>()), points> same{
+  scheduled_gains<Other, decltype(in_numbers<Other>(table.at[0])), points> same{
       static_cast<Other>(table.from), static_cast<Other>(table.to), {}, table.status};
-  for (int i = 0; i < points; ++i) same.at[i] = table.at[i].template cast<Other>();
+  for (int i = 0; i < points; ++i) same.at[i] = in_numbers<Other>(table.at[i]);
   return same;
 }
 

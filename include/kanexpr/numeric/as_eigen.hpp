@@ -14,6 +14,12 @@ Eigen::Matrix<T, rows, columns> as_eigen(const fixed_matrix<T, rows, columns>& m
   return same;
 }
 
+/// What is one of Eigen's already.
+template <class Derived>
+const Derived& as_eigen(const Eigen::MatrixBase<Derived>& m) {
+  return m.derived();
+}
+
 template <class Matrix>
 inline constexpr bool has_fixed_size =
     Matrix::RowsAtCompileTime != Eigen::Dynamic && Matrix::ColsAtCompileTime != Eigen::Dynamic;
