@@ -83,6 +83,20 @@ TEST(gain_schedule, takes_matrices_of_eigen_while_the_program_runs) {
   EXPECT_EQ(numeric::as_eigen(table(1.0f)), Eigen::RowVector2f(1, 1));
 }
 
+TEST(gain_schedule, takes_whole_numbers_as_ends) {
+  constexpr auto square = [](double v) { return numeric::fixed_matrix<double, 1, 1>{{v * v}}; };
+  constexpr auto table = gain_schedule<9>(2, 6, square);
+  EXPECT_EQ(table(3)(0, 0), 9);
+  EXPECT_EQ(gain_schedule<9>(2, 6.0, square)(3)(0, 0), 9);
+}
+
+TEST(gain_schedule, says_what_cannot_be_a_schedule) {
+  const auto inverse = [](double v) { return Eigen::Matrix<double, 1, 1>(1 / v); };
+  EXPECT_EQ(gain_schedule<3>(0.0, 1.0, inverse).status.cause(), "a gain of the schedule is not finite");
+  EXPECT_EQ(gain_schedule<3>(2.0, 2.0, inverse).status.cause(),
+            "the ends of the schedule are equal, or no numbers");
+}
+
 TEST(gain_schedule, one_gain_has_other_numbers_too) {
   constexpr auto single = in_numbers<float>(gains.at[0]);
   EXPECT_EQ(single(0, 1), static_cast<float>(gains.at[0](0, 1)));

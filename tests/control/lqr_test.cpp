@@ -260,6 +260,7 @@ TEST(lqr, says_what_is_wrong_with_its_matrices) {
   EXPECT_EQ(cause(lqr(A, B, {1, -1e-9}, Q)), indefinite);
   EXPECT_EQ(cause(lqr(A, B, Eigen::Matrix2d{{1, 2}, {2, 1}}, Q)), indefinite);
   EXPECT_EQ(cause(lqr(A, B, Eigen::Matrix2d{{0, 1e-3}, {1e-3, 1}}, Q)), indefinite);
+  EXPECT_EQ(cause(lqr(A, B, Eigen::Matrix2d{{0, 1e-200}, {1e-200, 0}}, Q)), indefinite);
   EXPECT_TRUE(lqr(A, B, Eigen::Matrix2d{{1e12, 1}, {1, 1e-12}}, Q));
   EXPECT_TRUE(lqr(A, B, Eigen::Matrix2d{{1, 0.1}, {0.1, 0.01}}, Q));
   EXPECT_EQ(cause(lqr(A, B, Q, {1, 0})), "the weights of the inputs are not positive definite");

@@ -2,6 +2,8 @@
 
 #include <kanexpr/control/matrices.hpp>
 
+#include <type_traits>
+
 namespace kanexpr {
 
 /// Gains at equal distances of a parameter, and between them by straight lines: `K(v)`.
@@ -51,9 +53,12 @@ constexpr auto in_numbers(const scheduled_gains<T, Gain, points>& table) {
 /// A table of gains over a parameter, made while the program runs or by the compiler: `constexpr auto K =
 /// gain_schedule<21>(2.0, 8.0, [](double v) { return lqr(…); });`. The function gives a gain, or a regulator
 /// with a gain K and a status.
-template <int points, class T, class GainAt>
-constexpr auto gain_schedule(T from, T to, const GainAt& gain_at) {
+template <int points, class From, class To, class GainAt>
+constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
   static_assert(points >= 2, "a gain schedule has two points or more");
+  using common = std::common_type_t<From, To>;
+  using T = std::conditional_t<std::is_floating_point_v<common>, common, double>;
+  const T from = static_cast<T>(first), to = static_cast<T>(last);
   const auto regulated = [&](int i) {
     return gain_at(static_cast<T>(from + (to - from) * (T(i) / T(points - 1))));
   };
@@ -69,7 +74,11 @@ constexpr auto gain_schedule(T from, T to, const GainAt& gain_at) {
     table.at[i] = gain_of(found);
     if constexpr (requires { found.status; })
       if (table.status) table.status = found.status;
+    if (table.status && !control::is_finite_gain(table.at[i]))
+      table.status = status("a gain of the schedule is not finite");
   }
+  if (table.status && !(from < to || to < from))
+    table.status = status("the ends of the schedule are equal, or no numbers");
   return table;
 }
 

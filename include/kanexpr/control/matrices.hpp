@@ -3,6 +3,8 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
+#include <concepts>
+
 /// Functions of this room take matrices of Eigen while the program runs and `numeric::fixed_matrix` in a
 /// constant expression, and give what they take.
 namespace kanexpr::control {
@@ -71,6 +73,20 @@ constexpr fixed_matrix<T, rows, columns> between(const fixed_matrix<T, rows, col
   fixed_matrix<T, rows, columns> m;
   for (int i = 0; i < rows * columns; ++i) m.entries[i] = a.entries[i] + part * (b.entries[i] - a.entries[i]);
   return m;
+}
+
+/// Whether a gain can be used.
+template <class T, int rows, int columns>
+constexpr bool is_finite_gain(const fixed_matrix<T, rows, columns>& gain) {
+  return numeric::is_finite(gain);
+}
+template <class Derived>
+bool is_finite_gain(const Eigen::MatrixBase<Derived>& gain) {
+  return numeric::is_finite(numeric::as_fixed(gain));
+}
+template <std::floating_point T>
+constexpr bool is_finite_gain(T gain) {
+  return numeric::is_finite(fixed_matrix<T, 1, 1>{{gain}});
 }
 
 /// The first of the statuses of results that says that there is none.

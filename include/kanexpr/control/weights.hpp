@@ -71,8 +71,11 @@ constexpr bool is_positive_semidefinite(fixed_matrix<T, n, n> m) {
     done[next] = true;
     if (!(pivot > rounding * given(next, next))) {
       // Of what is left the diagonal is rounding; so must be all beside it.
-      for (int i = 0; i < n; ++i)
-        if (!done[i] && m(i, next) * m(i, next) > rounding * given(i, i) * given(next, next)) return false;
+      for (int i = 0; i < n; ++i) {
+        if (done[i] || m(i, next) == 0) continue;
+        if (given(i, i) == 0 || given(next, next) == 0) return false;
+        if (m(i, next) / given(i, i) * (m(i, next) / given(next, next)) > rounding) return false;
+      }
       continue;
     }
     for (int i = 0; i < n; ++i)
