@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
 namespace kanexpr::mechanics {
