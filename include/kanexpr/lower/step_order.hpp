@@ -161,11 +161,11 @@ private:
     int rank = ranks - 1;
     while (rank >= 0 && count_[rank] == 0) --rank;
     if (rank < 0) return none;
-    const std::uint64_t* const ready = ready_ + rank * words_;
+    const int begin = rank * words_;
     int word = first_[rank];
-    while (ready[word] == 0) ++word;
+    while (ready_[begin + word] == 0) ++word;
     first_[rank] = word;
-    const int k = 64 * word + __builtin_ctzll(ready[word]);
+    const int k = 64 * word + __builtin_ctzll(ready_[begin + word]);
     withdraw(k);
     return k;
   }
