@@ -12,6 +12,7 @@ namespace embedded::bicycle {
 using namespace ::bicycle;
 
 struct calls {
+  using system = BoundSystem;
   // The dependent ones, q4 and u1, u4, u6, satisfy the constraints.
   static constexpr std::array<double, 10> given{0.3,
                                                 0.2,
@@ -23,7 +24,7 @@ struct calls {
                                                 1.42235879983108, // u2, u3, u5, u1
                                                 -0.020394201599669273,
                                                 13.869403258938132}; // u4, u6
-  static constexpr std::size_t varied = state_and_inputs<BoundSystem>;
+  static constexpr std::size_t varied = state_and_inputs<system>;
   static constexpr double spread = 0.05;
 };
 

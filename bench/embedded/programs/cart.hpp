@@ -11,9 +11,8 @@
 namespace embedded::cart {
 
 using namespace n_pendulum_cart;
-using system = System<1>;
-
 struct calls {
+  using system = System<1>;
   static constexpr double upright = std::numbers::pi / 2;
   static constexpr std::array<double, 9> given{0.2, upright + 0.1, -0.3, 0.4,   // q0, q1, u0, u1
                                                0.7,                             // F

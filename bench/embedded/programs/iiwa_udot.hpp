@@ -1,16 +1,7 @@
 #pragma once
 
 #include "iiwa.hpp"
+#include "udot.hpp"
 
 /// u̇ of the iiwa.
-struct program : embedded::iiwa::calls {
-  using system = embedded::iiwa::System;
-  using eom = kanexpr::equations_of_motion<system>;
-  static constexpr std::size_t found = eom::speeds;
-
-  template <class T>
-  [[gnu::always_inline]] static void run(const T* given, T* found) {
-    const embedded::arguments<system, T> at(given);
-    embedded::put(found, eom::udot(at.x, at.p, at.r));
-  }
-};
+struct program : embedded::udot_of<embedded::iiwa::calls> {};

@@ -4,7 +4,6 @@
 
 /// ẋ of the pendulum.
 struct program : embedded::pendulum::calls {
-  using system = embedded::pendulum::System;
   using eom = kanexpr::equations_of_motion<system>;
   static constexpr std::size_t found = 2;
 
