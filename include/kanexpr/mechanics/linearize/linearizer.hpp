@@ -122,14 +122,7 @@ private:
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
     if (nothing_follows() && of.size() < felt_directions(of)) {
-      symbolic::accumulation back(g_, of);
-      for (int i = 0; i < of.size(); ++i) {
-        back.restart();
-        back.seed(of[i], {g_, graph::one});
-        back.run();
-        for (int j = 0; j < variations_.size(); ++j)
-          out(i, j) = variations_.contracted(j, [&](expression symbol) { return back.by(symbol); });
-      }
+      for_each_gradient(of, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
       return out;
     }
     for (int j = 0; j < variations_.size(); ++j) {
@@ -244,20 +237,28 @@ private:
     return felt;
   }
 
-  constexpr symbolic::matrix changes_by_reverse(const sequence<expression>& force) {
-    const symbolic::matrix weights = constraint_weights();
-    symbolic::matrix out(g_, force.size(), variations_.size());
-    sequence<expression> all = force;
-    for (const expression& e : form_.f_a) all.push(e);
+  /// The derivatives along all directions of each expression, with the weighted sum of some more: a column of
+  /// weights for each. They come back from one after another.
+  template <class Take>
+  constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
+                                   const symbolic::matrix& weights, const Take& take) const {
+    sequence<expression> all = of;
+    for (const expression& e : more) all.push(e);
     symbolic::accumulation back(g_, all);
-    for (int i = 0; i < out.rows; ++i) {
+    for (int i = 0; i < of.size(); ++i) {
       back.restart();
-      back.seed(force[i], {g_, graph::one});
-      for (int d = 0; d < weights.rows; ++d) back.seed(form_.f_a[d], weights(d, i));
+      back.seed(of[i], {g_, graph::one});
+      for (int d = 0; d < weights.rows; ++d) back.seed(more[d], weights(d, i));
       back.run();
-      for (int j = 0; j < out.columns; ++j)
-        out(i, j) = variations_.contracted(j, [&](expression symbol) { return back.by(symbol); });
+      for (int j = 0; j < variations_.size(); ++j)
+        take(i, j, variations_.contracted(j, [&](expression symbol) { return back.by(symbol); }));
     }
+  }
+
+  constexpr symbolic::matrix changes_by_reverse(const sequence<expression>& force) {
+    symbolic::matrix out(g_, force.size(), variations_.size());
+    for_each_gradient(force, form_.f_a, constraint_weights(),
+                      [&](int i, int j, expression slope) { out(i, j) = slope; });
     return out;
   }
 
