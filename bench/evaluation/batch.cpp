@@ -2,59 +2,17 @@
 #include "models/iiwa.hpp"
 #include "models/puma.hpp"
 #include "side_by_side.hpp"
+#include "two_threads.hpp"
 
 #include <kanexpr/batch.hpp>
 
-#include <atomic>
 #include <memory>
-#include <thread>
 
 namespace {
 
 using namespace kanexpr;
 
 constexpr int systems = 256;
-
-/// A second thread that waits for its half of the chunks.
-class pair_of_threads {
-public:
-  pair_of_threads() : other_([this](const std::stop_token& stop) { run(stop); }) {}
-  pair_of_threads(const pair_of_threads&) = delete;
-  pair_of_threads& operator=(const pair_of_threads&) = delete;
-  ~pair_of_threads() {
-    other_.request_stop();
-    hand(this);
-  }
-
-  template <class Chunk>
-  void operator()(int count, const Chunk& chunk) {
-    const auto from = [&](int first) {
-      for (int i = first; i < count; i += 2) chunk(i);
-    };
-    call_ = [](const void* of, int first) { (*static_cast<const decltype(from)*>(of))(first); };
-    hand(&from);
-    from(0);
-    work_.wait(&from);
-  }
-
-private:
-  void hand(const void* work) {
-    work_ = work;
-    work_.notify_all();
-  }
-  void run(const std::stop_token& stop) {
-    for (;;) {
-      work_.wait(nullptr);
-      if (stop.stop_requested()) return;
-      call_(work_, 1);
-      hand(nullptr);
-    }
-  }
-
-  void (*call_)(const void*, int) = nullptr;
-  std::atomic<const void*> work_ = nullptr;
-  std::jthread other_;
-};
 
 /// Registers what `begin()` gives, which is made when it is measured.
 template <class Begin>
@@ -96,7 +54,7 @@ void add_function(const std::string& name, const Function& f) {
   add(name + "/side by side, float",
       [] { return [] { benchmark::DoNotOptimize(results_float.evaluate(x_float, p, r)); }; });
   add(name + "/side by side, 2 threads", [] {
-    return [both = std::make_shared<pair_of_threads>()] {
+    return [both = std::make_shared<bench::two_threads>()] {
       benchmark::DoNotOptimize(results.evaluate(*both, x, p, r));
     };
   });

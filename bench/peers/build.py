@@ -68,7 +68,7 @@ class Shop:
         path = self.folder / f"{Path(source).stem}-{key}{'.so' if link is None else ''}"
         record = path.with_suffix(".json")
         if record.exists():
-            return Built(**json.loads(record.read_text()))
+            return Built(**json.loads(record.read_text()) | {"path": str(path)})  # the folder may have moved
         object_file = path.with_suffix(".o")
         seconds, megabytes = run_measured(
             [*self.nice, compiler, *flags, "-fPIC", "-c", source, "-o", object_file])

@@ -29,22 +29,41 @@ REFERENCE = with_kanexpr.Compiled("g++")
 
 
 def peers():
-    return [with_kanexpr.Compiled("clang++-19"), with_kanexpr.Interpreted(), with_pinocchio.Traced("gcc"),
+    return [with_kanexpr.Compiled("clang++-19"), with_kanexpr.Compiled("g++", lanes=4),
+            with_kanexpr.Compiled("clang++-19", lanes=4), with_kanexpr.Many("g++", MANY), with_kanexpr.Interpreted(), with_pinocchio.Traced("gcc"),
             with_pinocchio.Traced("clang-19"), with_pinocchio.Algorithms(), with_casadi.Generated(),
             with_mujoco.Algorithms(), with_sympy.Generated(), with_sympy.Lambdified()]
 
 
-def evaluated(offer, state, room):
+ROOM = 64  # numbers beside a result: statuses
+MANY = 256  # systems at once
+
+
+def parts(values, places):
+    """The parts of a result one after another."""
+    return [entry for first, count in places for entry in values[first:first + count]]
+
+
+def evaluated(offer, states, room):
+    """The results at all states."""
     if offer.is_python:
-        return [float(e) for e in offer.call(state)]
-    argument = (ctypes.c_double * len(state))(*state)
-    result = (ctypes.c_double * room)(*[float("nan")] * room)
-    offer.call(argument, result)
-    return list(result)
+        return [[float(e) for e in offer.call(x)] for x in states]
+    results = []
+    for group in timing.side_by_side(states, offer.lanes):
+        argument = timing.aligned(group)
+        result = timing.aligned([float("nan")] * ((room + ROOM) * offer.lanes))
+        offer.call(argument, result)
+        if offer.found:
+            offer.found(result)
+        each = [result[lane::offer.lanes] for lane in range(offer.lanes)]
+        results += [parts(one, offer.places) if offer.places else trimmed(one) for one in each]
+    return results
 
 
 def states_of(offer, states):
-    return [offer.state_of(x) for x in states] if offer.state_of else states
+    """In the coordinates of a peer, and as many as its calls take."""
+    theirs = [offer.state_of(x) for x in states] if offer.state_of else states
+    return theirs * max(1, offer.lanes // len(theirs))
 
 
 def trimmed(values):
@@ -62,13 +81,13 @@ class Comparison:
         states = states_of(offer, self.states)
         if offer.is_python:
             return timing.PythonLoop(offer.call, states)
-        return timing.NativeLoop(self.timer, offer.call, states, room)
+        return timing.NativeLoop(self.timer, offer.call, states, room + ROOM, offer.lanes)
 
     def of(self, result, reference, offer):
         """One cell of the table."""
         room = agreement.room(self.model, result)
-        theirs = [trimmed(evaluated(offer, x, room)) for x in states_of(offer, self.states)]
-        ours = [trimmed(evaluated(reference, x, room)) for x in self.states]
+        theirs = evaluated(offer, states_of(offer, self.states), room)
+        ours = evaluated(reference, self.states, room)
         apart = max(agreement.apart(self.model, result, offer.form, *each)
                     for each in zip(self.states, ours, theirs))
         ratio = timing.compare(self.loop(reference, room), self.loop(offer, room), self.pairs)

@@ -30,6 +30,9 @@ class Offer:
     is_python: bool = False
     state_of: object = None  # from a state [q; u; r] to what the call takes
     form: str = "kanexpr"  # in which coordinates and speeds, see agreement.py
+    lanes: int = 1  # states side by side in one call: first entry of all, second entry of all, …
+    places: list | None = None  # where the result has its parts, as pairs of a first entry and a number of entries
+    found: object = None  # what copies the result of the last call, if it stays in the library
 
 
 @dataclass
@@ -38,9 +41,12 @@ class Without:
     reason: str
 
 
-def symbol(path, name, load=None):
-    """A function of a library; `load` is the file of the model, which libraries that hold all models are told."""
+def symbol(path, name, load=None, optional=False):
+    """A function of a library; `load` is the file of the model, which libraries that hold all models are told. None
+    for one that is not there and need not be."""
     library = ctypes.CDLL(path)
+    if optional and not hasattr(library, name):
+        return None
     if load is not None:
         library.load.restype = None
         library.load(str(load).encode())

@@ -12,7 +12,7 @@ set logscale y
 set format y "%g"
 set datafile columnheaders
 set xrange [-0.5:4.5]
-set yrange [0.5:*]
+set yrange [0.2:*]
 set ytics nomirror
 set grid ytics linecolor rgb "#dddddd"
 set xtics ("pendulum" 0, "Puma" 1, "iiwa" 2, "quadruped" 3, "bicycle" 4) nomirror out
@@ -20,7 +20,7 @@ set arrow from -0.5, 1 to 4.5, 1 nohead back linecolor rgb grey linewidth 0.8
 
 stats data using 0 nooutput
 peers = STATS_blocks
-array colour = ["#1f5fa8", "#6fa8dc", "#7a4fa3", "#c0392b", "#e59866", "#7b241c", "#2e7d4f", "#d08a1d", "#555555", "#aaaaaa"]
+array colour = ["#1f5fa8", "#6fa8dc", "#17becf", "#9edae5", "#e377c2", "#7a4fa3", "#c0392b", "#e59866", "#7b241c", "#2e7d4f", "#d08a1d", "#555555", "#aaaaaa"]
 array result = ["M + f", "u̇", "∂u̇"]
 set multiplot layout 3, 1 margins 0.08, 0.75, 0.05, 0.97 spacing 0.06, 0.06
 do for [r = 0:2] {
@@ -28,6 +28,6 @@ do for [r = 0:2] {
   set ylabel (r == 1 ? "time of a call, kanexpr by g++ = 1" : "")
   if (r == 0) { set key at screen 0.76, 0.96 left top reverse Left samplen 1 noenhanced } else { unset key }
   plot for [k = 0:(peers - 1)] data index k \
-       using ($2 == r ? $1 + 0.07 * (k - 0.5 * (peers - 1)) : NaN):3:4:5 with yerrorbars \
+       using ($2 == r ? $1 + 0.06 * (k - 0.5 * (peers - 1)) : NaN):3:4:5 with yerrorbars \
        pointtype 7 pointsize 0.5 linecolor rgb colour[k + 1] title columnheader(1)
 }

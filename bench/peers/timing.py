@@ -19,20 +19,41 @@ class Ratio:
     reference: float  # nanoseconds of one call of the reference, the median
 
 
-class NativeLoop:
-    """Calls a function of a library for each of some states."""
+PAGE, LINE = 4096, 64  # bytes
 
-    def __init__(self, timer, call, states, room):
+
+def aligned(numbers):
+    """An array of C that begins with a page of memory, so that where it lies does not matter."""
+    memory = (ctypes.c_double * (len(numbers) + PAGE // 8))()
+    begin = (ctypes.c_double * len(numbers)).from_buffer(memory, -ctypes.addressof(memory) % PAGE)
+    begin[:] = numbers
+    return begin
+
+
+def side_by_side(states, lanes):
+    """Groups of states, each as one: the first entry of all, the second entry of all, …"""
+    return [[entry for entries in zip(*states[i:i + lanes]) for entry in entries]
+            for i in range(0, len(states), lanes)]
+
+
+class NativeLoop:
+    """Calls a function of a library for each of some states, or for groups of them."""
+
+    def __init__(self, timer, call, states, room, lanes=1):
         self.timer = timer.nanoseconds
         self.timer.restype = ctypes.c_double
-        flat = [entry for state in states for entry in state]
+        groups = side_by_side(states, lanes)
         self.call = ctypes.cast(call, ctypes.c_void_p)
-        self.states = (ctypes.c_double * len(flat))(*flat)
-        self.count, self.width = len(states), len(states[0])
-        self.result = (ctypes.c_double * room)()
+        entries = [entry for group in groups for entry in group]
+        begin = -len(entries) % (LINE // 8) + len(entries)  # of the result, on the next line of the cache
+        self.states = aligned([*entries, *[0.0] * (begin - len(entries) + room * lanes)])
+        self.groups, self.width, self.count = len(groups), len(groups[0]), len(states)
+        self.result = ctypes.byref(self.states, 8 * begin)
 
     def take(self, turns):
-        return self.timer(self.call, self.states, self.count, self.width, self.result, turns)
+        """Nanoseconds for one state."""
+        taken = self.timer(self.call, self.states, self.groups, self.width, self.result, turns)
+        return taken * self.groups / self.count
 
 
 class PythonLoop:

@@ -1,5 +1,7 @@
 """kanexpr, compiled and interpreted."""
 
+import ctypes
+
 from peer import CXX, HERE, KANEXPR, RESULTS, ROOT, Offer, limits_of, symbol
 
 SYSTEMS = {"pendulum6": "pendulum6::System", "puma": "puma::System", "iiwa": "iiwa::System",
@@ -8,7 +10,7 @@ SYSTEMS = {"pendulum6": "pendulum6::System", "puma": "puma::System", "iiwa": "ii
 
 def headers():
     return sorted([*(ROOT / "include").rglob("*.hpp"), *(ROOT / "examples/models").glob("*.hpp"),
-                   *(HERE / "kanexpr").glob("*.hpp")])
+                   *(HERE / "kanexpr").glob("*.hpp"), ROOT / "bench/evaluation/two_threads.hpp"])
 
 
 def write_models(shop, compiler, folder, flags=None):
@@ -22,19 +24,52 @@ def write_models(shop, compiler, folder, flags=None):
     return folder
 
 
+def command(compiler, flags, model, *definitions):
+    return [*flags, *limits_of(compiler), *KANEXPR, "-include", f"models/{model.name}.hpp",
+            f"-DSYSTEM={SYSTEMS[model.name]}", *definitions]
+
+
+def places_of(path, name):
+    """Where a function leaves the parts of its result, if it says so."""
+    told = symbol(path, f"{name}_places", optional=True)
+    if told is None:
+        return None
+    numbers = (ctypes.c_int * 8)(*[-1] * 8)
+    told(numbers)
+    return [(first, count) for first, count in zip(numbers[::2], numbers[1::2]) if first >= 0]
+
+
 class Compiled:
-    def __init__(self, compiler, flags=None):
-        self.compiler, self.name = compiler, f"kanexpr, {compiler}"
+    """Of one state, or of some side by side, by `batch`."""
+
+    def __init__(self, compiler, flags=None, lanes=1, results=RESULTS):
+        self.compiler, self.lanes, self.results = compiler, lanes, results
+        self.name = f"kanexpr, {compiler}" + (f", {lanes} at once" if lanes > 1 else "")
         self.flags = CXX if flags is None else flags
 
     def offers(self, model, shop, _):
         found = {}
-        for result in RESULTS:
+        for result in self.results:
             built = shop.build(self.compiler, HERE / f"kanexpr/{result}.cpp",
-                               [*self.flags, *limits_of(self.compiler), *KANEXPR, "-include",
-                                f"models/{model.name}.hpp", f"-DSYSTEM={SYSTEMS[model.name]}"], headers())
-            found[result] = Offer(symbol(built.path, result), model.operations[result], built)
+                               command(self.compiler, self.flags, model, f"-DLANES={self.lanes}"), headers())
+            found[result] = Offer(symbol(built.path, result), model.operations[result], built, lanes=self.lanes,
+                                  places=places_of(built.path, result))
         return found
+
+
+class Many:
+    """The derivatives of many systems, on two threads."""
+
+    def __init__(self, compiler, count, flags=None):
+        self.compiler, self.count, self.name = compiler, count, f"kanexpr, {compiler}, {count} on two threads"
+        self.flags = CXX if flags is None else flags
+
+    def offers(self, model, shop, _):
+        result = "udot_derivatives"
+        built = shop.build(self.compiler, HERE / f"kanexpr/{result}_of_many.cpp",
+                           command(self.compiler, self.flags, model, f"-DMANY={self.count}"), headers())
+        return {result: Offer(symbol(built.path, result), model.operations[result], built, lanes=self.count,
+                              found=symbol(built.path, f"{result}_found"))}
 
 
 class Interpreted:

@@ -49,6 +49,16 @@ TEST(many, is_made_as_one_is) {
   EXPECT_EQ(many<eom::state>(0).size(), 0);
 }
 
+TEST(many, has_no_systems_once_it_is_moved_from) {
+  many<eom::state> x(9);
+  x[q2] = 3;
+  const many<eom::state> taken = std::move(x);
+  EXPECT_EQ(taken.get(8)[q2], 3);
+  EXPECT_EQ(x.size(), 0); // NOLINT(bugprone-use-after-move): what it promises
+  x = many<eom::state>(2);
+  EXPECT_EQ(x.size(), 2);
+}
+
 TEST(many, begins_rows_on_cache_lines_at_odd_distances) {
   for (const int count : {1, 8, 100, 512, 1024}) {
     const many<state<System, float>> x(count);

@@ -4,7 +4,7 @@
 #include "control/references.hpp"
 #include "no_heap.hpp"
 
-#include <kanexpr/control/discretize.hpp>
+#include <kanexpr/control/lqr.hpp>
 
 #include <models/simple_pendulum.hpp>
 
@@ -99,6 +99,34 @@ TEST(discretize, takes_a_linearization) {
   EXPECT_EQ(discretize(a, b, 0.1).status.cause(), "m has no finite value");
   EXPECT_EQ(discretize(lin::explicit_form(x, lin::parameters(), r), 0.1).status.cause(),
             "m has no finite value");
+}
+
+// A regulator of either takes them as they are, with what is wrong with them.
+TEST(lqr, takes_a_linearization_and_its_discrete_form) {
+  using lin = linearization<simple_pendulum::System>;
+  const lin::state x;
+  const lin::parameters p(2, 0.5, 9.81, 0);
+  const lin::inputs r(0.0);
+  const auto [a, b] = lin::explicit_form(x, p, r);
+  EXPECT_EQ(lqr(lin::explicit_form(x, p, r), {10, 1}, {0.1}).K, lqr(a, b, {10, 1}, {0.1}).K);
+  const auto form = discretize(a, b, 0.1);
+  EXPECT_EQ(dlqr(form, {10, 1}, {0.1}).K, dlqr(form.A, form.B, {10, 1}, {0.1}).K);
+  const auto unknown = lin::explicit_form(x, lin::parameters(), r);
+  EXPECT_EQ(lqr(unknown, {10, 1}, {0.1}).status.cause(), "m has no finite value");
+  EXPECT_EQ(dlqr(discretize(unknown, 0.1), {10, 1}, {0.1}).status.cause(), "m has no finite value");
+
+  constexpr auto constant = lqr(lin::explicit_form.constant({0, 0}, {1, 1, 4, 0}, {0}), {10, 1}, {0.1});
+  static_assert(constant);
+}
+
+// Weights of fewer digits lose nothing.
+TEST(lqr, takes_weights_of_fewer_digits) {
+  const Eigen::Matrix2d a{{0, 1}, {0, 0}};
+  const Eigen::Vector2d b(0, 1);
+  const auto expected = lqr(a, b, {4, 3}, {1});
+  EXPECT_EQ(lqr(a, b, Eigen::Vector2f(4, 3), Eigen::Matrix<float, 1, 1>(1)).K, expected.K);
+  EXPECT_EQ(lqr(a, b, Eigen::Vector2i(4, 3), {1}).K, expected.K);
+  EXPECT_EQ(lqr(a, b, numeric::by_rows({{4.0f, 0.0f}, {0.0f, 3.0f}}), {1}).K, expected.K);
 }
 
 TEST(discretize, passes_on_the_status_of_a_matrix) {

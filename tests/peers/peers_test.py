@@ -16,6 +16,7 @@ import agreement
 import compare
 import operations
 import report
+import timing
 import with_kanexpr
 from build import Built, Shop
 from model import read_model, read_states
@@ -100,6 +101,10 @@ class Agreement(unittest.TestCase):
 
 
 class Harness(unittest.TestCase):
+    def test_states_stand_side_by_side(self):
+        self.assertEqual(timing.side_by_side([[1, 2], [3, 4], [5, 6], [7, 8]], 2), [[1, 3, 2, 4], [5, 7, 6, 8]])
+        self.assertEqual(compare.parts([6, 7, 0, 5], [(3, 1), (0, 2)]), [5, 6, 7])
+
     def test_compiled_beside_interpreted(self):
         shop, flags = Shop(FOLDER / "built"), ["-O0", "-std=c++20"]
         models = with_kanexpr.write_models(shop, COMPILER, FOLDER / "models", flags)
@@ -108,11 +113,15 @@ class Harness(unittest.TestCase):
         model = read_model(models / "pendulum6.model")
         self.assertEqual((model.coordinates, model.speeds, model.inputs, len(model.links)), (6, 6, 0, 6))
         self.assertEqual(model.links[5].joint, [1, 0, 0])
-        measured = compare.compare(model, read_states(models / "pendulum6.states"), [interpreted], compiled, shop,
-                                   models, compare.timer_of(shop, COMPILER), pairs=3)
+        at_once = with_kanexpr.Compiled(COMPILER, flags, lanes=2, results=["mass_matrix_and_forcing"])
+        many = with_kanexpr.Many(COMPILER, 64, flags)
+        measured = compare.compare(model, read_states(models / "pendulum6.states"), [interpreted, at_once, many],
+                                   compiled, shop, models, compare.timer_of(shop, COMPILER), pairs=3)
         cells = measured[interpreted.name]
         self.assertEqual(list(cells), RESULTS)
-        for cell in cells.values():
+        self.assertEqual(list(measured[at_once.name]), ["mass_matrix_and_forcing"])
+        self.assertEqual(list(measured[many.name]), ["udot_derivatives"])
+        for cell in [cell for peer in (interpreted, at_once, many) for cell in measured[peer.name].values()]:
             self.assertLess(cell["apart"], 1e-13)
             self.assertGreater(cell["ratio"], 0)
         self.assertGreater(measured[compiled.name]["udot"]["code"], 0)

@@ -70,12 +70,12 @@ double most_off_one_of_a_body(Step step, int steps) {
                                     input_values<body::System>(0, 0, 0));
 }
 
-TEST(fixed_step, keeps_the_norms_of_quaternions_for_1000_seconds) {
-  EXPECT_LT(most_off_one_of_a_body(runge_kutta_4<pivot_body::System>{}, 1'000'000), 1e-15);
-  EXPECT_LT(most_off_one_of_a_body(semi_implicit_euler<pivot_body::System>{}, 1'000'000), 1e-15);
+TEST(fixed_step, keeps_the_norms_of_quaternions_for_100_seconds) {
+  EXPECT_LT(most_off_one_of_a_body(runge_kutta_4<pivot_body::System>{}, 100'000), 1e-15);
+  EXPECT_LT(most_off_one_of_a_body(semi_implicit_euler<pivot_body::System>{}, 100'000), 1e-15);
   EXPECT_GT(most_off_one_of_a_body(semi_implicit_euler<pivot_body::System, 0>{}, 1000), 1e-4);
-  EXPECT_LT(most_off_one<Two>(runge_kutta_4<Two>{}, tumbling(), 100'000), 1e-15);
-  EXPECT_LT(most_off_one<Two>(semi_implicit_euler<Two>{}, tumbling(), 50'000), 1e-15);
+  EXPECT_LT(most_off_one<Two>(runge_kutta_4<Two>{}, tumbling(), 20'000), 1e-15);
+  EXPECT_LT(most_off_one<Two>(semi_implicit_euler<Two>{}, tumbling(), 20'000), 1e-15);
 }
 
 struct sliding {

@@ -21,12 +21,12 @@ struct chunks {
   Eigen::Index length = 0; ///< of each but the last
 
   /// Of so many systems, with no less than `least` of them in a chunk but the last. Chunks end with a cache
-  /// line.
-  static constexpr chunks of(Eigen::Index systems, Eigen::Index least) {
-    constexpr Eigen::Index line = 16;
+  /// line, and with a batch of `width`.
+  static constexpr chunks of(Eigen::Index systems, Eigen::Index least, Eigen::Index width) {
     if (systems <= 0) return {};
+    const Eigen::Index unit = (std::max)(Eigen::Index{16}, width); // both are powers of two
     const Eigen::Index wanted = (std::max)(least, (systems + most - 1) / most);
-    const Eigen::Index length = (wanted + line - 1) / line * line;
+    const Eigen::Index length = (wanted + unit - 1) / unit * unit;
     return {static_cast<int>((systems + length - 1) / length), length};
   }
 };

@@ -61,6 +61,10 @@ struct evaluated<finite_function<System, wanted...>> : evaluated<function<System
   static constexpr bool must_be_finite = true;
 };
 
+/// What `decltype` says of a function that is a constant.
+template <class Function>
+struct evaluated<const Function> : evaluated<Function> {};
+
 /// Where a result of some systems goes: entry i of the first is at `first[i * stride]`.
 template <class Number>
 struct place {

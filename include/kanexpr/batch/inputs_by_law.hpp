@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/batch/batch.hpp>
+#include <kanexpr/batch/many.hpp>
 
 #include <type_traits>
 
@@ -32,6 +33,18 @@ constexpr bool takes_batches() {
   else
     return std::is_class_v<Law>;
 }
+
+/// Whether something can stand for inputs: those of one system or of many, none, or a function (t, x).
+template <class Given, class State, class Batch>
+inline constexpr bool serves_as_inputs = [] {
+  if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||
+                std::is_same_v<Given, compiled::not_given>)
+    return true;
+  else if constexpr (takes_batches<Given, with_scalar<State, typename Batch::number>>())
+    return std::is_invocable_v<const Given&, double, const with_scalar<State, typename Batch::number>&>;
+  else
+    return std::is_invocable_v<const Given&, double, const State&>;
+}();
 
 /// Calls a function of one state for each lane.
 template <class Batch, class Inputs, class Law>

@@ -6,7 +6,10 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace kanexpr {
@@ -16,6 +19,16 @@ namespace batches {
 template <class System, compiled::symbols_of which, class Scalar, class Symbol>
 constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, const Symbol&) {
   return compiled::place_in<System, which, Symbol>::place;
+}
+
+/// By its bits: with -ffast-math compilers take it that no number is NaN, and leave out what writes one.
+inline void leave_no_number(double* to) {
+  constexpr std::uint64_t none = 0x7ff8'0000'0000'0000;
+  std::memcpy(to, &none, sizeof none);
+}
+inline void leave_no_number(float* to) {
+  constexpr std::uint32_t none = 0x7fc0'0000;
+  std::memcpy(to, &none, sizeof none);
 }
 
 } // namespace batches
@@ -50,6 +63,19 @@ public:
     for (int i = 0; i < entries; ++i) row_at(i) = each.data()[i];
   }
 
+  many(const many&) = default;
+  many& operator=(const many&) = default;
+  /// What is moved from has no systems.
+  many(many&& from) noexcept
+      : size_(std::exchange(from.size_, 0)), lines_in_row_(std::exchange(from.lines_in_row_, 0)),
+        lines_(std::move(from.lines_)) {}
+  many& operator=(many&& from) noexcept {
+    size_ = std::exchange(from.size_, 0);
+    lines_in_row_ = std::exchange(from.lines_in_row_, 0);
+    lines_ = std::move(from.lines_);
+    return *this;
+  }
+
   /// How many systems there are.
   Eigen::Index size() const { return size_; }
 
@@ -80,6 +106,13 @@ public:
   /// Sets every entry of all systems.
   void fill(number all) {
     for (int i = 0; i < entries; ++i) row_at(i) = all;
+  }
+
+  /// Leaves no number in the entries of the systems [begin, end).
+  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
+    for (int i = 0; i < entries; ++i)
+      for (Eigen::Index system = begin; system < end; ++system)
+        batches::leave_no_number(data() + i * stride() + system);
   }
 
   /// Entry (i, j) of a system is `data()[(i + rows * j) * stride() + system]`.
@@ -115,6 +148,16 @@ template <class T>
 inline constexpr bool is_many = false;
 template <class Vector>
 inline constexpr bool is_many<many<Vector>> = true;
+
+/// Whether what is given to systems of these numbers has such numbers, if it is `many`.
+template <class Given, class Number>
+inline constexpr bool is_of_numbers = true;
+template <class Vector, class Number>
+inline constexpr bool is_of_numbers<many<Vector>, Number> = std::is_same_v<typename Vector::Scalar, Number>;
+
+/// One vector or matrix in the place of many.
+template <class T>
+concept single = !is_many<T> && requires { typename T::Scalar; };
 
 } // namespace batches
 

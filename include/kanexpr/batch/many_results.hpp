@@ -5,7 +5,6 @@
 #include <kanexpr/batch/system_statuses.hpp>
 
 #include <array>
-#include <limits>
 
 namespace kanexpr {
 
@@ -42,7 +41,14 @@ public:
   /// any order, on any threads, and returns when all calls have.
   template <class First, class... More>
   status evaluate(First&& first, const More&... more) {
-    if constexpr (is_argument<std::remove_cvref_t<First>>)
+    constexpr bool are_many = !batches::single<std::remove_cvref_t<First>>;
+    constexpr bool have_one_precision = batches::is_of_numbers<std::remove_cvref_t<First>, Number> &&
+                                        (batches::is_of_numbers<More, Number> && ...);
+    static_assert(are_many, "evaluate takes `many` states: of one state, call the function itself");
+    static_assert(have_one_precision, "evaluate is given `many` of one precision for results of another");
+    if constexpr (!are_many || !have_one_precision)
+      return {};
+    else if constexpr (is_argument<std::remove_cvref_t<First>>)
       return evaluate_by(batches::on_this_thread{}, first, more...);
     else
       return evaluate_by(std::forward<First>(first), more...);
@@ -74,14 +80,15 @@ private:
   status evaluate_by(Executor&& by, const Arguments&... arguments) {
     if (!(... && batches::is_for(arguments, size())))
       return refuse(status("the arguments are of another number of systems than the results"));
-    statuses_.run(std::forward<Executor>(by), chunk_of_systems, [&](Eigen::Index begin, Eigen::Index end) {
-      return evaluate_range(begin, end, arguments...);
-    });
+    statuses_.run(
+        std::forward<Executor>(by), chunk_of_systems, width,
+        [&](Eigen::Index begin, Eigen::Index end) { return evaluate_range(begin, end, arguments...); },
+        [&](Eigen::Index begin, Eigen::Index end) { leave_no_numbers(begin, end); });
     return statuses_.first();
   }
 
   status refuse(const status& why) {
-    std::apply([](auto&... each) { (each.fill(std::numeric_limits<Number>::quiet_NaN()), ...); }, results_);
+    leave_no_numbers(0, size());
     return statuses_.refuse(why);
   }
 
@@ -139,7 +146,7 @@ private:
     const status found = evaluate_copies(system, 1, system, arguments...);
     if (found) return true;
     statuses_.set(system, cause(found, system, arguments...));
-    leave_no_numbers(places_at(system));
+    leave_no_numbers(system, system + 1);
     return false;
   }
 
@@ -183,10 +190,8 @@ private:
     }
   };
 
-  static void leave_no_numbers(const places& at) {
-    for (std::size_t k = 0; k < entries.size(); ++k)
-      for (int i = 0; i < entries[k]; ++i)
-        at[k].first[i * at[k].stride] = std::numeric_limits<Number>::quiet_NaN();
+  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
+    std::apply([&](auto&... each) { (each.leave_no_numbers(begin, end), ...); }, results_);
   }
 
   matrices results_;

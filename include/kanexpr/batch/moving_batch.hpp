@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace kanexpr::batches {
 
@@ -77,15 +76,15 @@ public:
     return false;
   }
 
-  /// The states of those that live; others are not numbers.
+  /// The states of those that live; others are not numbers. The lanes behind `count` are of no systems.
   template <class State>
-  void put_into(many<State>& all, Eigen::Index first) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const Eigen::Index system = first + static_cast<Eigen::Index>(lane);
-      if (system >= all.size()) return;
-      State one = state_in(lane);
-      if (!lives(lane)) one.setConstant(std::numeric_limits<typename State::Scalar>::quiet_NaN());
-      all.set(system, one);
+  void put_into(many<State>& all, Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto lane = static_cast<std::size_t>(i);
+      if (lives(lane))
+        all.set(first + i, state_in(lane));
+      else
+        all.leave_no_numbers(first + i, first + i + 1);
     }
   }
 

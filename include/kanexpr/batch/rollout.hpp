@@ -5,7 +5,6 @@
 #include <kanexpr/batch/system_statuses.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
-#include <limits>
 #include <vector>
 
 namespace kanexpr {
@@ -51,7 +50,16 @@ public:
   /// that of the first system that failed.
   template <class First, class... More>
   status run(First&& first, More&&... more) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<First>, many<state>>)
+    using given = std::remove_reference_t<First>;
+    constexpr bool are_many = !batches::single<std::remove_cv_t<given>>;
+    constexpr bool can_move =
+        !batches::is_many<std::remove_cv_t<given>> || std::is_same_v<given, many<state>>;
+    static_assert(are_many, "run takes `many` states: of one state, call the step itself");
+    static_assert(can_move,
+                  "run moves `many` states of its system and precision, which must not be constant");
+    if constexpr (!are_many || !can_move)
+      return {};
+    else if constexpr (std::is_same_v<given, many<state>>)
       return run_by(batches::on_this_thread{}, first, more...);
     else
       return run_by(std::forward<First>(first), more...);
@@ -74,6 +82,20 @@ private:
 
   template <class Executor, class P = none, class R = none>
   status run_by(Executor&& by, many<state>& x, const P& p = {}, const R& r = {}) {
+    constexpr bool have_one_precision =
+        batches::is_of_numbers<P, Number> && batches::is_of_numbers<R, Number>;
+    constexpr bool have_inputs = batches::serves_as_inputs<R, state, side_by_side>;
+    static_assert(have_one_precision, "run is given `many` of one precision for states of another");
+    static_assert(have_inputs, "the inputs are neither those of one system nor `many` nor a function (t, x) "
+                               "that is constant, a lambda without `mutable`");
+    if constexpr (!have_one_precision || !have_inputs)
+      return {};
+    else
+      return run_given(std::forward<Executor>(by), x, p, r);
+  }
+
+  template <class Executor, class P, class R>
+  status run_given(Executor&& by, many<state>& x, const P& p, const R& r) {
     if (x.size() != size() || !batches::is_for(p, size()) || !batches::is_for(r, size()))
       return refuse(status("the arguments are of another number of systems than the rollout"));
     if (how_.steps < 0) return refuse(status("the number of steps is negative"));
@@ -82,19 +104,28 @@ private:
       for (int i = 0; i < how_.store_every; ++i) t += how_.step;
       times_[k] = t;
     }
-    statuses_.run(std::forward<Executor>(by), 2 * width, [&](Eigen::Index begin, Eigen::Index end) {
-      Eigen::Index failed = 0;
-      for (Eigen::Index first = begin; first < end; first += width)
-        failed += move(x, first, (std::min)(width, end - first), p, r);
-      return failed;
-    });
+    std::fill(steps_.begin(), steps_.end(), 0);
+    statuses_.run(
+        std::forward<Executor>(by), 2 * width, width,
+        [&](Eigen::Index begin, Eigen::Index end) {
+          Eigen::Index failed = 0;
+          for (Eigen::Index first = begin; first < end; first += width)
+            failed += move(x, first, (std::min)(width, end - first), p, r);
+          return failed;
+        },
+        [&](Eigen::Index begin, Eigen::Index end) { leave_no_numbers(begin, end); });
     return statuses_.first();
   }
 
   status refuse(const status& why) {
-    for (many<state>& each : stored_) each.fill(std::numeric_limits<Number>::quiet_NaN());
+    leave_no_numbers(0, size());
     std::fill(steps_.begin(), steps_.end(), 0);
     return statuses_.refuse(why);
+  }
+
+  /// Where states are stored.
+  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
+    for (many<state>& each : stored_) each.leave_no_numbers(begin, end);
   }
 
   /// Moves the systems from `first` on; how many of them did not reach the end.
@@ -112,9 +143,9 @@ private:
     while (made < how_.steps && all.living() > 0) {
       if (!all.step(how_.step, leave)) continue;
       ++made;
-      if (store != stored_.end() && made % how_.store_every == 0) all.put_into(*store++, first);
+      if (store != stored_.end() && made % how_.store_every == 0) all.put_into(*store++, first, count);
     }
-    while (store != stored_.end()) all.put_into(*store++, first); // none lives
+    while (store != stored_.end()) all.put_into(*store++, first, count); // none lives
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (all.lives(lane)) leave(lane, {});
     return count - all.living();

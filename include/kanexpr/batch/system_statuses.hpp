@@ -26,25 +26,19 @@ public:
     return {};
   }
 
-  /// Runs work(begin, end) for all systems, with no less than `least` of them in a chunk. It returns how many
-  /// failed.
-  template <class Executor, class Work>
-  void run(Executor&& by, Eigen::Index least, const Work& work) {
+  /// Runs work(begin, end) for all systems, with no less than `least` of them in a chunk, and chunks that are
+  /// whole batches of `width`. It returns how many failed. Of chunks that are not run to their end, where
+  /// something threw too, left_out(begin, end) is called; one that is run again does nothing.
+  template <class Executor, class Work, class LeftOut>
+  void run(Executor&& by, Eigen::Index least, Eigen::Index width, const Work& work, const LeftOut& left_out) {
     if (failures_ > 0) std::fill(all_.begin(), all_.end(), status());
-    constexpr Eigen::Index not_run = -1;
-    const chunks parts = chunks::of(size(), least);
-    std::array<Eigen::Index, chunks::most> failed;
-    failed.fill(not_run);
+    const chunks parts = chunks::of(size(), least, width);
+    tally<LeftOut> done(*this, parts, left_out);
     run_chunks(std::forward<Executor>(by), parts.count, [&](int i) {
-      const Eigen::Index begin = i * parts.length, end = (std::min)(begin + parts.length, size());
-      failed[static_cast<std::size_t>(i)] = work(begin, end);
+      if (done.has(i)) return;
+      const Eigen::Index begin = i * parts.length;
+      done.keep(i, work(begin, (std::min)(begin + parts.length, size())));
     });
-    failures_ = 0;
-    for (int i = 0; i < parts.count; ++i) {
-      Eigen::Index in_chunk = failed[static_cast<std::size_t>(i)];
-      if (in_chunk == not_run) in_chunk = leave(i * parts.length, (std::min)((i + 1) * parts.length, size()));
-      failures_ += in_chunk;
-    }
   }
 
   /// All have failed, for one reason.
@@ -55,11 +49,42 @@ public:
   }
 
 private:
-  Eigen::Index leave(Eigen::Index begin, Eigen::Index end) {
-    for (Eigen::Index system = begin; system < end; ++system)
-      set(system, status("the chunk of this system was not run"));
-    return end - begin;
-  }
+  /// How many failed in each chunk; at its end, whatever happened, the failures of all are known.
+  template <class LeftOut>
+  class tally {
+  public:
+    tally(system_statuses& of, const chunks& parts, const LeftOut& left_out)
+        : of_(of), parts_(parts), left_out_(left_out) {
+      failed_.fill(not_run);
+    }
+    tally(const tally&) = delete;
+    tally& operator=(const tally&) = delete;
+    ~tally() {
+      of_.failures_ = 0;
+      for (int i = 0; i < parts_.count; ++i) {
+        const Eigen::Index begin = i * parts_.length, end = (std::min)(begin + parts_.length, of_.size());
+        of_.failures_ += has(i) ? failed_[static_cast<std::size_t>(i)] : leave(begin, end);
+      }
+    }
+
+    bool has(int chunk) const { return failed_[static_cast<std::size_t>(chunk)] != not_run; }
+    void keep(int chunk, Eigen::Index failed) { failed_[static_cast<std::size_t>(chunk)] = failed; }
+
+  private:
+    static constexpr Eigen::Index not_run = -1;
+
+    Eigen::Index leave(Eigen::Index begin, Eigen::Index end) {
+      for (Eigen::Index system = begin; system < end; ++system)
+        of_.set(system, status("the chunk of this system was not run, or not to its end"));
+      left_out_(begin, end);
+      return end - begin;
+    }
+
+    system_statuses& of_;
+    chunks parts_;
+    const LeftOut& left_out_;
+    std::array<Eigen::Index, chunks::most> failed_;
+  };
 
   std::vector<status> all_;
   Eigen::Index failures_ = 0;

@@ -1,111 +1,131 @@
 #pragma once
 
 #include <kanexpr/numeric/fixed_matrix.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// Units of the states, powers of two, so that scaling rounds nothing.
-template <class T, int n>
+template <int rows, int columns>
+using exponents = fixed_matrix<int, rows, columns>;
+
+template <class T, int rows, int columns>
+constexpr exponents<rows, columns> exponents_of(const fixed_matrix<T, rows, columns>& m) {
+  exponents<rows, columns> found;
+  for (int i = 0; i < rows * columns; ++i) found.entries[i] = numeric::exponent_of(m.entries[i]);
+  return found;
+}
+template <int rows, int columns>
+constexpr int largest_exponent(const exponents<rows, columns>& of) {
+  int most = numeric::exponent_of_zero;
+  for (int i = 0; i < rows * columns; ++i)
+    if (of.entries[i] > most) most = of.entries[i];
+  return most;
+}
+
+/// Units of states or inputs, the powers of two of these exponents: x = D z.
+template <int n>
 struct units {
-  T of[static_cast<std::size_t>(n > 0 ? n : 1)]{};
+  int of[static_cast<std::size_t>(n > 0 ? n : 1)]{};
 
-  constexpr units() {
-    for (T& each : of) each = 1;
-  }
-
-  /// D⁻¹ M D of a matrix that takes states to states.
-  constexpr fixed_matrix<T, n, n> scaled(fixed_matrix<T, n, n> m) const {
+  /// Dʳ M D′ᶜ 2ᵏ with r and c 1 or −1. Scaling rounds nothing, unless an entry becomes too small; one that
+  /// becomes too large is infinite.
+  template <int r, int c, class T, int m>
+  constexpr fixed_matrix<T, n, m> scaled(fixed_matrix<T, n, m> matrix, const units<m>& other,
+                                         int k = 0) const {
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) m(i, j) = m(i, j) / of[i] * of[j];
-    return m;
-  }
-  /// D M D⁻¹.
-  constexpr fixed_matrix<T, n, n> unscaled(fixed_matrix<T, n, n> m) const {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) m(i, j) = m(i, j) * of[i] / of[j];
-    return m;
-  }
-  /// D⁻¹ M, and D⁻¹ M D⁻¹.
-  template <int columns>
-  constexpr fixed_matrix<T, n, columns> divided(fixed_matrix<T, n, columns> m) const {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < columns; ++j) m(i, j) /= of[i];
-    return m;
-  }
-  constexpr fixed_matrix<T, n, n> divided_twice(const fixed_matrix<T, n, n>& m) const {
-    return divided(numeric::transposed(divided(m)));
-  }
-  /// D M, and D M D.
-  template <int columns>
-  constexpr fixed_matrix<T, n, columns> multiplied(fixed_matrix<T, n, columns> m) const {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < columns; ++j) m(i, j) *= of[i];
-    return m;
-  }
-  constexpr fixed_matrix<T, n, n> multiplied_twice(const fixed_matrix<T, n, n>& m) const {
-    return multiplied(numeric::transposed(multiplied(m)));
+      for (int j = 0; j < m; ++j)
+        matrix(i, j) = numeric::times_power_of_two(matrix(i, j), r * of[i] + c * other.of[j] + k);
+    return matrix;
   }
 };
 
-/// What grows with a unit, in proportion and as its square, and what shrinks with it.
-template <class T>
-struct balance {
-  T grows = 0, grows_twice = 0, shrinks = 0, shrinks_twice = 0;
+/// Units in which the magnitudes of the diagonal of a symmetric matrix are between 1 and 4, or zero.
+template <class T, int n>
+constexpr units<n> diagonal_units(const fixed_matrix<T, n, n>& m) {
+  units<n> found;
+  for (int i = 0; i < n; ++i)
+    if (const int exponent = numeric::exponent_of(m(i, i)); !numeric::is_exponent_of_zero(exponent))
+      found.of[i] = -(exponent - (exponent & 1)) / 2;
+  return found;
+}
 
-  constexpr T at(T unit) const {
-    return grows * unit + grows_twice * unit * unit + shrinks / unit + shrinks_twice / unit / unit;
+/// Whether an entry beside the diagonal is so large, in these units, that the matrix has a negative
+/// eigenvalue.
+template <class T, int n>
+constexpr bool exceeds_its_diagonal(const fixed_matrix<T, n, n>& m) {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if (numeric::exponent_of(m(i, j)) > 2) return true;
+  return false;
+}
+
+/// Whether a symmetric matrix is positive definite.
+template <class T, int n>
+constexpr bool is_positive_definite(const fixed_matrix<T, n, n>& m) {
+  const units<n> unit = diagonal_units(m);
+  const fixed_matrix<T, n, n> normalized = unit.template scaled<1, 1>(m, unit);
+  return !exceeds_its_diagonal(normalized) && static_cast<bool>(numeric::positive_factors<T, n>(normalized));
+}
+
+/// The exponents of what grows with a unit, in proportion and as its square, and of what shrinks with it.
+struct balance {
+  int grows = numeric::exponent_of_zero, grows_twice = grows, shrinks = grows, shrinks_twice = grows;
+
+  constexpr bool any_grows() const { return !numeric::is_exponent_of_zero(larger(grows, grows_twice)); }
+  constexpr bool any_shrinks() const { return !numeric::is_exponent_of_zero(larger(shrinks, shrinks_twice)); }
+
+  /// By how many powers of two the unit has to change until the largest of what grows and of what shrinks are
+  /// alike. Where all shrinks, or grows, it may as well be as small as something else.
+  constexpr int best(int least) const {
+    if (!any_grows() && !any_shrinks()) return 0;
+    if (!any_grows()) return larger(0, larger(shrinks - least, (shrinks_twice - least + 1) / 2));
+    if (!any_shrinks()) return -larger(0, larger(grows - least, (grows_twice - least + 1) / 2));
+    return larger(-larger((grows - shrinks) / 2, (grows_twice - shrinks) / 3),
+                  -larger((grows - shrinks_twice) / 3, (grows_twice - shrinks_twice) / 4));
   }
-  /// The power of two at which the sum is least.
-  constexpr T best() const {
-    constexpr int most = 100; // doublings in one go; those that are left come next time
-    T unit = 1;
-    if (!(grows + grows_twice > 0) || !(shrinks + shrinks_twice > 0)) return unit;
-    for (int i = 0; i < most && at(2 * unit) < at(unit); ++i) unit *= 2;
-    for (int i = 0; i < most && at(unit / 2) < at(unit); ++i) unit /= 2;
-    return unit;
-  }
+
+  static constexpr int larger(int a, int b) { return a > b ? a : b; }
 };
 
 /// Units in which the entries of A, G and Q of a Riccati equation are alike: x = D z, A → D⁻¹ A D, G → D⁻¹ G
-/// D⁻¹, Q → D Q D (Benner, Symplectic balancing of Hamiltonian matrices, SIAM J. Sci. Comput. 22, 2001).
-/// Where G and Q are zero those in which A is balanced.
-template <class T, int n>
-constexpr units<T, n> balanced_units(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, n>& g,
-                                     const fixed_matrix<T, n, n>& q) {
-  constexpr auto magnitude = [](T x) { return numeric::constant_elimination_math::magnitude(x); };
+/// D⁻¹, Q → D Q D (Benner, Symplectic balancing of Hamiltonian matrices, SIAM J. Sci. Comput. 22, 2001), by
+/// their exponents, so that nothing is too large. Where G and Q are zero those in which A is balanced. What
+/// nothing stands against becomes as small as `least`.
+template <int n>
+constexpr units<n> balanced_units(const exponents<n, n>& a, const exponents<n, n>& g,
+                                  const exponents<n, n>& q, int least) {
   constexpr int most_sweeps = 20;
-  units<T, n> found;
+  units<n> found;
+  const auto raise = [](int& most, int exponent) { most = balance::larger(most, exponent); };
   bool changes = true;
   for (int sweep = 0; sweep < most_sweeps && changes; ++sweep) {
     changes = false;
-    balance<T> all;
+    balance all;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
-        all.grows_twice += magnitude(q(i, j)) * found.of[i] * found.of[j];
-        all.shrinks_twice += magnitude(g(i, j)) / found.of[i] / found.of[j];
+        raise(all.grows_twice, q(i, j) + found.of[i] + found.of[j]);
+        raise(all.shrinks_twice, g(i, j) - found.of[i] - found.of[j]);
       }
-    const T common = all.best();
-    for (int i = 0; i < n; ++i) found.of[i] *= common;
+    const int common = all.any_grows() && all.any_shrinks() ? all.best(least) : 0;
+    for (int i = 0; i < n; ++i) found.of[i] += common;
     for (int i = 0; i < n; ++i) {
-      balance<T> one;
-      const T own = found.of[i];
+      balance one;
+      const int own = found.of[i];
       for (int j = 0; j < n; ++j) {
-        const T other = found.of[j];
+        const int other = found.of[j];
         if (i == j) {
-          one.grows_twice += magnitude(q(i, i)) * own * own;
-          one.shrinks_twice += magnitude(g(i, i)) / own / own;
+          raise(one.grows_twice, q(i, i) + 2 * own);
+          raise(one.shrinks_twice, g(i, i) - 2 * own);
         } else {
-          one.grows += magnitude(a(j, i)) / other * own + magnitude(q(i, j)) * own * other;
-          one.shrinks += magnitude(a(i, j)) / own * other + magnitude(g(i, j)) / own / other;
+          raise(one.grows, balance::larger(a(j, i) - other, q(i, j) + other) + own);
+          raise(one.shrinks, balance::larger(a(i, j) + other, g(i, j) - other) - own);
         }
       }
-      const T unit = one.best();
-      if (one.at(unit) < T(0.95) * one.at(1)) {
-        found.of[i] *= unit;
-        changes = true;
-      }
+      const int change = one.best(least);
+      found.of[i] += change;
+      changes = changes || change != 0;
     }
   }
   return found;

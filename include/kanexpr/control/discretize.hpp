@@ -4,6 +4,7 @@
 #include <kanexpr/control/matrices.hpp>
 
 #include <array>
+#include <bit>
 #include <tuple>
 
 namespace kanexpr {
@@ -22,20 +23,36 @@ struct discrete_form {
 
 namespace control {
 
-/// Beyond this a step is doubled.
-template <class T>
-inline constexpr T longest = T(0.5);
+/// What a sum of n products may add to their exponents.
+template <int n>
+inline constexpr int of_sum = 2 + std::bit_width(static_cast<unsigned>(n));
 
-/// The norm of A h by columns.
+/// How often a step of length h is halved, so that the norm of A h, by columns, is below 1/2.
 template <class T, int n>
-constexpr T size_over(const fixed_matrix<T, n, n>& a, T h) {
-  T most = 0;
+constexpr int halvings(const fixed_matrix<T, n, n>& a, T h) {
+  const int most = numeric::exponent_of(numeric::largest_entry(a)) + numeric::exponent_of(h) + of_sum<n>;
+  if (most >= std::numeric_limits<T>::max_exponent) return most + 1; // the norm might be too large
+  T norm = 0;
   for (int j = 0; j < n; ++j) {
     T sum = 0;
     for (int i = 0; i < n; ++i) sum += numeric::constant_elimination_math::magnitude(h * a(i, j));
-    if (sum > most) most = sum;
+    if (sum > norm) norm = sum;
   }
-  return most;
+  return balance::larger(0, numeric::exponent_of(norm) + 2);
+}
+
+/// Whether no term of a product is too large, nor their sums.
+template <class T, int n, int m, int l>
+constexpr bool is_product_finite(const fixed_matrix<T, n, m>& a, const fixed_matrix<T, m, l>& b) {
+  constexpr int most = std::numeric_limits<T>::max_exponent - of_sum<m>;
+  const int of_b = numeric::exponent_of(numeric::largest_entry(b));
+  if (numeric::is_exponent_of_zero(of_b)) return true;
+  if (numeric::exponent_of(numeric::largest_entry(a)) + of_b < most) return true;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < l; ++j)
+      for (int k = 0; k < m; ++k)
+        if (numeric::exponent_of(a(i, k)) + numeric::exponent_of(b(k, j)) >= most) return false;
+  return true;
 }
 
 template <class T, int n>
@@ -72,31 +89,19 @@ constexpr fixed_matrix<T, n, n> mean_motion(const fixed_matrix<T, n, n>& x) {
 /// Both by Taylor's series of a short step, which is doubled until it is as long as asked (Van Loan,
 /// Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the integral
 /// over two steps is that over one, and what the motion of one makes of it. What is slow beside the rest
-/// loses nothing, for its change is doubled, not its 1. Not numbers where they would overflow.
+/// loses nothing, for its change is doubled, not its 1. False where they would overflow.
 template <class T, int n>
-constexpr exponential<T, n> exponential_of(const fixed_matrix<T, n, n>& a, T h) {
-  using limits = std::numeric_limits<T>;
-  constexpr T most = [] { // of which a product is finite
-    T power = 1;
-    for (int i = 0; i < limits::max_exponent / 2 - 8; ++i) power *= 2;
-    return power;
-  }();
-  int doublings = 0;
-  T length = h;
-  for (T size = size_over(a, h); size > longest<T> && doublings < limits::max_exponent; size /= 2) {
-    ++doublings;
-    length /= 2;
-  }
-  exponential<T, n> e;
+constexpr bool find_exponential(const fixed_matrix<T, n, n>& a, T h, int doublings, exponential<T, n>& e) {
+  constexpr T most = numeric::power_of_two<T>(std::numeric_limits<T>::max_exponent / 2 - 8);
+  const T length = numeric::times_power_of_two(h, -doublings);
   e.integral = length * mean_motion(length * a);
   e.change = a * e.integral;
   for (int i = 0; i < doublings; ++i) {
-    if (!(numeric::largest_entry(e.change) < most && numeric::largest_entry(e.integral) < most))
-      return {no_numbers<T, n, n>(), no_numbers<T, n, n>()};
+    if (!(numeric::largest_entry(e.change) < most && is_product_finite(e.change, e.integral))) return false;
     e.integral = T(2) * e.integral + e.change * e.integral;
     e.change = T(2) * e.change + e.change * e.change;
   }
-  return e;
+  return true;
 }
 
 /// What is wrong with what a discrete form is asked of.
@@ -121,18 +126,24 @@ discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
   const fixed_discrete_form<T, n, inputs> none{no_numbers<T, n, n>(), no_numbers<T, n, inputs>(),
                                                no_numbers<T, n, 1>(), given ? mistake_in(a, b, c, h) : given};
   if (!none) return none;
-  units<T, n> unit;
-  if (size_over(a, h) > longest<T>)
-    unit = balanced_units(a, fixed_matrix<T, n, n>{}, fixed_matrix<T, n, n>{});
-  const exponential<T, n> e = exponential_of(unit.scaled(a), h);
   fixed_discrete_form<T, n, inputs> found = none;
-  if (numeric::is_finite(e.change) && numeric::is_finite(e.integral))
-    found = {unit.unscaled(numeric::identity<T, n>() + e.change),
-             unit.multiplied(e.integral * unit.divided(b)),
-             unit.multiplied(e.integral * unit.divided(c)),
-             {}};
-  if (numeric::is_finite(found.A) && numeric::is_finite(found.B) && numeric::is_finite(found.c)) return found;
-  found = none;
+  exponential<T, n> e;
+  bool is_found = false;
+  if (const int doublings = halvings(a, h); doublings == 0) {
+    is_found = find_exponential(a, h, 0, e);
+  } else {
+    constexpr exponents<n, n> nothing = exponents_of(fixed_matrix<T, n, n>{});
+    const units<n> unit = balanced_units(exponents_of(a), nothing, nothing, -numeric::exponent_of(h));
+    const fixed_matrix<T, n, n> balanced = unit.template scaled<-1, 1>(a, unit);
+    is_found = numeric::is_finite(balanced) && find_exponential(balanced, h, halvings(balanced, h), e);
+    if (is_found) {
+      e.change = unit.template scaled<1, -1>(e.change, unit);
+      e.integral = unit.template scaled<1, -1>(e.integral, unit);
+      is_found = numeric::is_finite(e.change) && numeric::is_finite(e.integral);
+    }
+  }
+  if (is_found && is_product_finite(e.integral, b) && is_product_finite(e.integral, c))
+    return {numeric::identity<T, n>() + e.change, e.integral * b, e.integral * c, {}};
   found.status = status("the motion of the linear system over the step is too large for numbers");
   return found;
 }
@@ -145,7 +156,10 @@ constexpr auto discretized_as_given(const A& a, const B& b, const C& c, typename
   constexpr bool are_sizes_fitting = are_fitting<A, B>();
   static_assert(!are_sizes_fitting || (shape<C>::rows == n && shape<C>::columns == 1),
                 "the offset c has a number for each row of A");
-  if constexpr (!are_sizes_fitting) {
+  constexpr bool is_offset_alike = std::is_same_v<typename shape<C>::scalar, T>;
+  static_assert(!are_sizes_fitting || is_offset_alike,
+                "the numbers of A and of the offset c are of different types");
+  if constexpr (!are_sizes_fitting || !is_offset_alike) {
     return fixed_discrete_form<T, 1, 1>{};
   } else {
     const auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h, first_failure(a, b, c));

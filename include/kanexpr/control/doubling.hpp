@@ -15,12 +15,31 @@ struct riccati_equation {
   fixed_matrix<T, n, n> a, g, q;
 };
 
+/// What doubling comes to.
+enum class doubling : unsigned char {
+  solves,   ///< the motion of the closed loop has died out
+  halves,   ///< it halves whenever the number of steps doubles: it is on the unit circle
+  does_not, ///< it grows, or does not die out
+  stops     ///< rounding, or too large a number, ends it
+};
+
 /// A symmetric matrix, and whether it solves the equation.
 template <class T, int n>
 struct riccati_solution {
   fixed_matrix<T, n, n> x{};
-  bool found = false;
+  doubling comes_to = doubling::stops;
+
+  constexpr bool found() const { return comes_to == doubling::solves; }
 };
+
+/// Of numbers up to this the products that are needed are finite, as a constant expression must have them.
+template <class T>
+inline constexpr T most_of_solution = numeric::power_of_two<T>(std::numeric_limits<T>::max_exponent * 3 / 8);
+
+template <class T, int n>
+constexpr bool is_moderate(const fixed_matrix<T, n, n>& m) {
+  return numeric::is_finite(m) && numeric::largest_entry(m) < most_of_solution<T>;
+}
 
 template <class T>
 constexpr T power_of_two_near_root(T x) {
@@ -35,27 +54,38 @@ constexpr T power_of_two_near_root(T x) {
 /// the closed loop over 2ᵏ steps. Nothing is found where it grows so far that only rounding reaches it, does
 /// not vanish, or halves from step to step, as it does for a closed loop on the unit circle (Chiang et al.,
 /// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). From that rounding
-/// tells no loop that is closer to it than the root of ε, hence so many steps.
+/// tells no loop that is closer to it than the root of ε; the steps beyond are for motions that are slow
+/// beside others, of which rounding knows more.
 template <class T, int n>
 constexpr riccati_solution<T, n> doubled(riccati_equation<T, n> e) {
   using limits = std::numeric_limits<T>;
   constexpr T root = power_of_two_near_root(limits::epsilon()), most = 8 / root, little = 8 * root,
               medium = power_of_two_near_root(little);
-  constexpr int most_steps = limits::digits / 2, most_slow_steps = limits::digits / 9;
+  constexpr int most_steps = limits::digits * 3 / 4, most_slow_steps = limits::digits / 9;
+  constexpr T most_of_any = numeric::power_of_two<T>(limits::max_exponent / 4),
+              most_at_first = numeric::power_of_two<T>(limits::max_exponent / 8);
   int slow_steps = 0;
   T size = numeric::largest_entry(e.a);
-  for (int k = 0; k < most_steps && size < most && slow_steps <= most_slow_steps; ++k) {
+  if (!(size < most_at_first)) return {e.q, doubling::stops};
+  // One step that is large is the square of itself at most, before the inputs act on it.
+  const T large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
+  for (int k = 0; k < most_steps; ++k) {
+    if (!(size < growth)) return {e.q, doubling::does_not};
+    if (slow_steps > most_slow_steps) return {e.q, doubling::halves};
+    if (!is_moderate(e.g) || !is_moderate(e.q)) return {e.q, doubling::stops};
     const numeric::eliminated<T, n> w(numeric::identity<T, n>() + e.g * e.q);
-    if (w.is_singular()) break;
-    const fixed_matrix<T, n, n> v = w.solve(e.a), at = numeric::transposed(e.a);
-    e.g = numeric::symmetric(e.g + e.a * w.solve(e.g) * at);
+    if (w.is_singular()) return {e.q, doubling::stops};
+    const fixed_matrix<T, n, n> v = w.solve(e.a), at = numeric::transposed(e.a), wg = w.solve(e.g);
+    if (!is_moderate(v) || !is_moderate(wg)) return {e.q, doubling::stops};
+    e.g = numeric::symmetric(e.g + e.a * wg * at);
     e.q = numeric::symmetric(e.q + at * (e.q * v));
     e.a = e.a * v;
+    const T before = size;
     size = numeric::largest_entry(e.a);
-    if (size <= limits::epsilon() * limits::epsilon()) return {e.q, true};
-    if (size > little && size < medium) ++slow_steps;
+    if (size <= limits::epsilon() * limits::epsilon()) return {e.q, doubling::solves};
+    if (size > little && size < medium && size > before / 4 && size < before * 3 / 4) ++slow_steps;
   }
-  return {e.q, false};
+  return {e.q, doubling::does_not};
 }
 
 /// Cayley's transform of a continuous equation: the discrete one with the same solution (Chu, Fan & Lin, A
@@ -71,6 +101,7 @@ public:
     fixed_matrix<T, 2 * n, 2 * n> right;
     for (int i = 0; i < n; ++i) right(i, i) = 2 * shift, right(n + i, n + i) = -2 * shift;
     const fixed_matrix<T, 2 * n, 2 * n> found = s.solve(right);
+    if (!is_moderate(found)) return;
     size = 1 + numeric::largest_entry(found);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
@@ -129,7 +160,7 @@ constexpr riccati_solution<T, n> stabilizing(const riccati_equation<T, n>& e) {
   } else {
     // A shift at an eigenvalue of A may leave S nearly singular: one of three does not.
     const T mean = mean_rate(numeric::eliminated<T, 2 * n>(cayley<T, n>::hamiltonian(e, 0)));
-    if (!(mean > 0)) return {};
+    if (!(mean > 0)) return {{}, doubling::halves}; // an eigenvalue is zero
     cayley<T, n> best(e, mean);
     for (const T shift : {mean / 2, 2 * mean}) {
       const cayley<T, n> other(e, shift);

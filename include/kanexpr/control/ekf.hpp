@@ -8,6 +8,26 @@
 
 namespace kanexpr {
 
+namespace control {
+
+/// Whether a filter can take it up: an expression, a scalar or a vector.
+template <auto measured>
+constexpr bool is_measurable() {
+  if constexpr (requires { describe::shape_of(measured); })
+    return describe::shape_of(measured) == describe::shape::scalar ||
+           describe::shape_of(measured) == describe::shape::vector;
+  else
+    return false;
+}
+
+/// Whether a matrix is one of a filter's; what it has to be like is said where it is not.
+template <class Matrix, class T, int rows, int columns>
+inline constexpr bool is_of_filter =
+    Matrix::RowsAtCompileTime == rows && Matrix::ColsAtCompileTime == columns &&
+    std::is_same_v<typename Matrix::Scalar, T>;
+
+} // namespace control
+
 /// The extended Kalman filter of a system: its state, which sensors measure with noise, and how uncertain it
 /// is. `measured` are expressions of the model, scalars and vectors, which may hold velocities and
 /// accelerations:
@@ -23,6 +43,7 @@ namespace kanexpr {
 template <class System, class T, auto... measured>
 class basic_ekf {
   using lin = linearization<System>;
+  static constexpr bool are_measurable = (true && ... && control::is_measurable<measured>());
 
 public:
   static constexpr int states = lin::states;
@@ -45,8 +66,51 @@ public:
   template <class Parameters, class R, class Noise, class Step = runge_kutta_4<System>>
   status predict(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
                  const Step& step = {}) {
-    static_assert(Noise::RowsAtCompileTime == states && Noise::ColsAtCompileTime == states,
-                  "the covariance Q has a row and a column for each independent coordinate and speed");
+    constexpr bool is_fitting = control::is_of_filter<Noise, T, states, states>;
+    static_assert(is_fitting,
+                  "the covariance Q has a row and a column for each independent coordinate and speed, "
+                  "and the numbers of the filter");
+    if constexpr (is_fitting)
+      return predicted(from, h, p, r, Q, step);
+    else
+      return {};
+  }
+
+  /// What the sensors would say at the state of the filter.
+  template <class Parameters, class R>
+  with_status<measurement> expected(const Parameters& p, const R& r) const {
+    return seen(p, r).values;
+  }
+
+  /// Takes up what the sensors say at the time of the filter. R is the covariance of their noise.
+  template <class Given, class Parameters, class Inputs, class Noise>
+  status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
+                const Eigen::MatrixBase<Noise>& R) {
+    constexpr bool is_fitting = control::is_of_filter<Given, T, measurements, 1> &&
+                                control::is_of_filter<Noise, T, measurements, measurements>;
+    static_assert(
+        is_fitting || !are_measurable,
+        "y and its covariance R have a row for each number that is measured, and the numbers of the filter");
+    if constexpr (is_fitting && are_measurable)
+      return updated(y, p, r, R);
+    else
+      return {};
+  }
+
+  /// What the last update had in its measurements beside what it expected, and the covariance of that.
+  const measurement& innovation() const { return innovation_; }
+  const measurement_covariance& innovation_covariance() const { return innovation_covariance_; }
+
+private:
+  static constexpr int newton_steps = 2; ///< an update may be farther from the constraints than a step is
+
+  using square = numeric::fixed_matrix<T, states, states>;
+  using measured_square = numeric::fixed_matrix<T, measurements, measurements>;
+  using measured_by_states = numeric::fixed_matrix<T, measurements, states>;
+
+  template <class Parameters, class R, class Noise, class Step>
+  status predicted(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
+                   const Step& step) {
     if (has_negative_variance(P)) return status("the covariance of the state has a negative variance");
     if (has_negative_variance(Q))
       return status("the covariance of what disturbs the states has a negative variance");
@@ -67,19 +131,9 @@ public:
     return {};
   }
 
-  /// What the sensors would say at the state of the filter.
-  template <class Parameters, class R>
-  with_status<measurement> expected(const Parameters& p, const R& r) const {
-    return seen(p, r).values;
-  }
-
-  /// Takes up what the sensors say at the time of the filter. R is the covariance of their noise.
   template <class Given, class Parameters, class Inputs, class Noise>
-  status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
-                const Eigen::MatrixBase<Noise>& R) {
-    static_assert(Given::SizeAtCompileTime == measurements && Noise::RowsAtCompileTime == measurements &&
-                      Noise::ColsAtCompileTime == measurements,
-                  "y and its covariance R have a row for each number that is measured");
+  status updated(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
+                 const Eigen::MatrixBase<Noise>& R) {
     if (has_negative_variance(R)) return status("the covariance of the noise has a negative variance");
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
@@ -114,17 +168,6 @@ public:
     innovation_covariance_ = numeric::as_eigen(s);
     return {};
   }
-
-  /// What the last update had in its measurements beside what it expected, and the covariance of that.
-  const measurement& innovation() const { return innovation_; }
-  const measurement_covariance& innovation_covariance() const { return innovation_covariance_; }
-
-private:
-  static constexpr int newton_steps = 2; ///< an update may be farther from the constraints than a step is
-
-  using square = numeric::fixed_matrix<T, states, states>;
-  using measured_square = numeric::fixed_matrix<T, measurements, measurements>;
-  using measured_by_states = numeric::fixed_matrix<T, measurements, states>;
 
   struct sight {
     with_status<measurement> values;
@@ -176,6 +219,9 @@ private:
 
   measurement innovation_ = measurement::Zero();
   measurement_covariance innovation_covariance_ = measurement_covariance::Zero();
+
+  // The last of all, since clang++ forms nothing of the class behind it.
+  static_assert(are_measurable, "what a filter measures are expressions of the model, scalars and vectors");
 };
 
 /// The extended Kalman filter with numbers of type `double`; `basic_ekf<System, float, …>` has others.

@@ -17,16 +17,18 @@ struct scheduled_gains {
   constexpr explicit operator bool() const { return static_cast<bool>(status); }
 
   /// The gain at a value of the parameter, without a branch; beyond the ends that of the end. Not a number
-  /// where the value is none.
+  /// where the value is none, with -ffast-math too.
   constexpr Gain operator()(T value) const {
     constexpr T last = T(points - 1), last_but_one = T(points - 2);
-    const T place = (value - from) * (last / (to - from));
+    const T given = (value - from) * (last / (to - from));
+    const int is_none = numeric::is_nan(given) ? 1 : 0;
     // Chosen by an index: of conditions compilers would make branches.
+    const T places[]{given, T(0)}, place = places[is_none];
     const T within[]{place, T(0), last}, below[]{place, T(0), last_but_one};
-    const int is_before = place > 0 ? 0 : 1; // also of what is no number
-    const int i = static_cast<int>(below[is_before + (place > last_but_one ? 2 : 0)]);
+    const int i = static_cast<int>(below[(place < 0 ? 1 : 0) + (place > last_but_one ? 2 : 0)]);
     const T part = within[(place < 0 ? 1 : 0) + (place > last ? 2 : 0)] - static_cast<T>(i);
-    return control::between(at[i], at[i + 1], part);
+    const T parts[]{part, numeric::not_a_number<T>};
+    return control::between(at[i], at[i + 1], parts[is_none]);
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/control/matrices.hpp>
+#include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/riccati.hpp>
 #include <kanexpr/control/weights.hpp>
 
@@ -31,8 +31,7 @@ constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T
   if (!is_symmetric(q)) return status("the weights of the states are not symmetric");
   if (!is_symmetric(r)) return status("the weights of the inputs are not symmetric");
   if (!is_positive_semidefinite(q)) return status("the weights of the states are not positive semidefinite");
-  if (!numeric::positive_factors<T, m>(r))
-    return status("the weights of the inputs are not positive definite");
+  if (!is_positive_definite(r)) return status("the weights of the inputs are not positive definite");
   return {};
 }
 
@@ -44,36 +43,32 @@ regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const 
                                                                        no_numbers<T, n, n>(), given};
   if (found) found.status = mistake_in(a, b, q, r);
   if (!found) return found;
-  const fixed_matrix<T, m, n> bt = numeric::transposed(b);
-  const numeric::positive_factors<T, m> inputs(r);
-  fixed_matrix<T, n, n> p;
-  found.status = solve<domain>(
-      riccati_equation<T, n>{a, numeric::symmetric(b * inputs.solve(bt)), numeric::symmetric(q)}, p);
-  if (!found) return found;
-  if constexpr (domain == time_domain::continuous) {
-    found.K = inputs.solve(bt * p);
-  } else {
-    const numeric::positive_factors<T, m> both(numeric::symmetric(r + bt * p * b));
-    if (both) found.K = both.solve(bt * p * a);
-  }
-  found.P = p;
-  if (!numeric::is_finite(found.K) || !numeric::is_finite(p)) found.status = not_converged;
+  fixed_matrix<T, m, n> gain;
+  fixed_matrix<T, n, n> cost;
+  found.status = scaled_equation<domain, T, n, m>(a, b, q, r).solve(gain, cost);
+  if (found) found.K = gain, found.P = cost;
   return found;
 }
 
-/// The same of any matrices, of which a status may come with each.
+/// The same of any matrices, of which a status may come with each, or beside them.
 template <time_domain domain, class A, class B, class T, int n, int m>
-constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r) {
+constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r,
+                            const status& given = {}) {
   if constexpr (!are_fitting<A, B>()) {
     return linear_regulator<fixed_matrix<T, 1, 1>, fixed_matrix<T, 1, 1>>{};
   } else {
-    const auto found =
-        regulator<domain, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix, first_failure(a, b));
+    const auto found = regulator<domain, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix,
+                                                  given ? first_failure(a, b) : given);
     const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
     return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
                                                                               found.status};
   }
 }
+
+template <class A>
+using weights_of_states = weights<typename shape<A>::scalar, shape<A>::rows>;
+template <class A, class B>
+using weights_of_inputs = weights<typename shape<A>::scalar, shape<B>::columns>;
 
 } // namespace control
 
@@ -83,21 +78,31 @@ constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, cons
 /// R are the weights of the states and of the inputs: `lqr(A, B, {10, 1}, {0.1})`. The status tells where
 /// there is no such feedback; K and P are not numbers then.
 template <control::matrix A, control::matrix B>
-constexpr auto
-lqr(const A& a, const B& b,
-    const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
-    const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
+constexpr auto lqr(const A& a, const B& b, const control::weights_of_states<A>& q,
+                   const control::weights_of_inputs<A, B>& r) {
   return control::regulator_of<control::time_domain::continuous>(a, b, q, r);
 }
 
-/// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(d.A, d.B, {10, 1}, {0.1})`
-/// of what `discretize` gives.
+/// The same of both matrices of a linearization: `lqr(linearization<System>::explicit_form(x, p, r), {10, 1},
+/// {0.1})`.
+template <class A, class B>
+constexpr auto lqr(const std::tuple<A, B>& both, const control::weights_of_states<A>& q,
+                   const control::weights_of_inputs<A, B>& r) {
+  return lqr(std::get<0>(both), std::get<1>(both), q, r);
+}
+
+/// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(A, B, {10, 1}, {0.1})`.
 template <control::matrix A, control::matrix B>
-constexpr auto
-dlqr(const A& a, const B& b,
-     const control::weights<typename control::shape<A>::scalar, control::shape<A>::rows>& q,
-     const control::weights<typename control::shape<A>::scalar, control::shape<B>::columns>& r) {
+constexpr auto dlqr(const A& a, const B& b, const control::weights_of_states<A>& q,
+                    const control::weights_of_inputs<A, B>& r) {
   return control::regulator_of<control::time_domain::discrete>(a, b, q, r);
+}
+
+/// The same of what `discretize` gives, with its status: `dlqr(discretize(A, B, h), {10, 1}, {0.1})`.
+template <class A, class B, class C>
+constexpr auto dlqr(const discrete_form<A, B, C>& form, const control::weights_of_states<A>& q,
+                    const control::weights_of_inputs<A, B>& r) {
+  return control::regulator_of<control::time_domain::discrete>(form.A, form.B, q, r, form.status);
 }
 
 } // namespace kanexpr

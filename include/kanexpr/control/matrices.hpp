@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/as_eigen.hpp>
 
 #include <concepts>
+#include <type_traits>
 
 /// Functions of this room take matrices of Eigen while the program runs and `numeric::fixed_matrix` in a
 /// constant expression, and give what they take.
@@ -33,15 +34,19 @@ struct shape<fixed_matrix<T, r, c>> {
   }
 };
 
-/// Whether the sizes of A and B fit; where they do not, the end of the compilation.
+/// Whether A and B fit; where they do not, the end of the compilation.
 template <class A, class B>
 constexpr bool are_fitting() {
   constexpr bool are_known =
       shape<A>::rows >= 0 && shape<A>::columns >= 0 && shape<B>::rows >= 0 && shape<B>::columns >= 0;
+  constexpr bool is_square = shape<A>::rows == shape<A>::columns,
+                 are_alike = shape<A>::rows == shape<B>::rows;
+  constexpr bool are_numbers_alike = std::is_same_v<typename shape<A>::scalar, typename shape<B>::scalar>;
   static_assert(are_known, "the size of a matrix must be known to the compiler");
-  static_assert(!are_known || shape<A>::rows == shape<A>::columns, "the state matrix A is not square");
-  static_assert(!are_known || shape<A>::rows == shape<B>::rows, "A and B have different numbers of rows");
-  return are_known && shape<A>::rows == shape<A>::columns && shape<A>::rows == shape<B>::rows;
+  static_assert(!are_known || is_square, "the state matrix A is not square");
+  static_assert(!are_known || are_alike, "A and B have different numbers of rows");
+  static_assert(!are_known || are_numbers_alike, "the numbers of A and B are of different types");
+  return are_known && is_square && are_alike && are_numbers_alike;
 }
 
 template <class M>
@@ -100,7 +105,7 @@ constexpr status first_failure(const Result&... results) {
 template <class T, int rows, int columns>
 constexpr fixed_matrix<T, rows, columns> no_numbers() {
   fixed_matrix<T, rows, columns> none;
-  for (T& entry : none.entries) entry = std::numeric_limits<T>::quiet_NaN();
+  for (T& entry : none.entries) entry = numeric::not_a_number<T>;
   return none;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/control/balance.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
 #include <concepts>
@@ -25,19 +26,40 @@ struct weights {
     }
   }
   constexpr weights(const fixed_matrix<T, n, n>& all) : matrix(all) {}
+  template <class Other, int rows, int columns>
+  constexpr weights(const fixed_matrix<Other, rows, columns>& all) {
+    if constexpr (are_fitting<Other, rows, columns>()) take(all);
+  }
   template <class Derived>
-  weights(const Eigen::MatrixBase<Derived>& given) {
-    const auto all = numeric::as_fixed(given);
-    constexpr bool is_column = Derived::ColsAtCompileTime == 1;
+  weights(const Eigen::MatrixBase<Derived>& all) {
+    constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
+    if constexpr (are_fitting<typename Derived::Scalar, rows, columns>()) take(numeric::as_fixed(all));
+  }
+
+private:
+  /// Whether a matrix is one of weights; where it is not, the end of the compilation.
+  template <class Other, int rows, int columns>
+  static constexpr bool are_fitting() {
+    constexpr bool is_known = rows >= 0 && columns >= 0,
+                   fits =
+                       n < 0 || (rows == n && (columns == 1 || columns == n)), // of A another sentence tells
+        is_exact = std::numeric_limits<Other>::digits <= std::numeric_limits<T>::digits;
+    static_assert(is_known, "the size of the weights must be known to the compiler");
     static_assert(
-        Derived::RowsAtCompileTime == n && (is_column || Derived::ColsAtCompileTime == n),
+        !is_known || fits,
         "weights are a square matrix of as many rows as there are states, or inputs, or its diagonal");
+    static_assert(!is_known || !fits || is_exact, "the weights have more digits than the numbers of A and B");
+    return is_known && fits && is_exact && n >= 0;
+  }
+
+  template <class Other, int columns>
+  constexpr void take(const fixed_matrix<Other, n, columns>& all) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        if constexpr (is_column)
-          matrix(i, j) = i == j ? all(i) : T(0);
+        if constexpr (columns == 1)
+          matrix(i, j) = i == j ? static_cast<T>(all(i)) : T(0);
         else
-          matrix(i, j) = all(i, j);
+          matrix(i, j) = static_cast<T>(all(i, j));
   }
 };
 
@@ -47,8 +69,9 @@ constexpr bool is_symmetric(const fixed_matrix<T, n, n>& m) {
   constexpr auto magnitude = [](T x) { return numeric::constant_elimination_math::magnitude(x); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < i; ++j)
-      if (magnitude(m(i, j) - m(j, i)) >
-          64 * std::numeric_limits<T>::epsilon() * (magnitude(m(i, j)) + magnitude(m(j, i))))
+      if (const T one = m(i, j) / 4, other = m(j, i) / 4; // their sum and difference do not overflow
+          magnitude(one - other) >
+          64 * std::numeric_limits<T>::epsilon() * (magnitude(one) + magnitude(other)))
         return false;
   return true;
 }
@@ -57,6 +80,9 @@ constexpr bool is_symmetric(const fixed_matrix<T, n, n>& m) {
 /// is eliminated with the pivot next that is largest beside its entry.
 template <class T, int n>
 constexpr bool is_positive_semidefinite(fixed_matrix<T, n, n> m) {
+  const units<n> unit = diagonal_units(m);
+  m = unit.template scaled<1, 1>(m, unit);
+  if (exceeds_its_diagonal(m)) return false;
   const fixed_matrix<T, n, n> given = m;
   const T rounding = 8 * T(n) * std::numeric_limits<T>::epsilon();
   bool done[static_cast<std::size_t>(n > 0 ? n : 1)]{};

@@ -25,10 +25,14 @@ namespace compiled {
 inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
                                   step_not_finite = state_not_finite.substr(16);
 
+/// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
+template <class R>
+inline constexpr bool inputs_hold = requires { R::SizeAtCompileTime; } || std::is_same_v<R, not_given>;
+
 /// The inputs at an instant, from a vector or a function.
 template <class R, class Time, class X>
 [[gnu::always_inline]] inline decltype(auto) inputs_at(const R& r, const Time& t, const X& x) {
-  if constexpr (requires { R::SizeAtCompileTime; } || std::is_same_v<R, not_given>)
+  if constexpr (inputs_hold<R>)
     return (r);
   else
     return r(t, x);

@@ -6,6 +6,16 @@
 
 namespace kanexpr::compiled {
 
+/// Operations that are no code of the tape.
+constexpr symbolic::cost arithmetic(int multiplications, int additions, int divisions = 0) {
+  symbolic::cost c;
+  c.multiplications = multiplications;
+  c.additions = additions;
+  c.divisions = divisions;
+  c.nodes = multiplications + additions + divisions;
+  return c;
+}
+
 /// A matrix among the results of compiled code, of which the compiler knows which entries are 0 or 1. Its
 /// entries are results from `first` on.
 template <class Code, int first, int rows, int inner>
@@ -18,12 +28,16 @@ struct known_entries {
     return sum;
   }
 
-  /// Entries that a product multiplies by.
-  static constexpr int multiplications() {
-    int count = 0;
+  /// Operations of a product with so many columns.
+  static constexpr symbolic::cost cost(int columns) {
+    int multiplied = 0, added = 0;
     for (int i = 0; i < rows; ++i)
-      for (int k = 0; k < inner; ++k) count += !is(i, k, 0) && !is(i, k, 1) ? 1 : 0;
-    return count;
+      for (int k = 0; k < inner; ++k) {
+        if (is(i, k, 0)) continue;
+        ++added;
+        if (!is(i, k, 1)) ++multiplied;
+      }
+    return arithmetic(columns * multiplied, columns * added);
   }
 
 private:

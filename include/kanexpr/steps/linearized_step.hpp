@@ -80,7 +80,42 @@ struct varied_correction {
     return {};
   }
 
+  /// Operations of all evaluations, products and sums.
+  static constexpr symbolic::cost cost() {
+    symbolic::cost total;
+    if constexpr (!correct::is_needed) return total;
+    total = cost_of_norms();
+    if constexpr (known.configuration_constraints > 0) {
+      symbolic::cost one =
+          cost_of_adding<varied<quantity::configuration_step>>(known.configuration_constraints, true);
+      if constexpr (unit_quaternions<System>::are_bound) one = added(one, cost_of_norms());
+      total = added(total, one, corrections);
+    }
+    if constexpr (known.constraints > 0)
+      total = added(total, cost_of_adding<varied<quantity::dependent_speeds>>(known.constraints, false));
+    return total;
+  }
+
 private:
+  static constexpr int size = linearized_state<System, double>::size, inputs = known.inputs,
+                       columns = size + inputs;
+
+  template <class Function>
+  static constexpr symbolic::cost cost_of_adding(int rows, bool to_what_is_there) {
+    const int sums = size - 1 + (to_what_is_there ? 1 : 0);
+    return added(Function::cost(), arithmetic(rows * columns * size,
+                                              rows * (columns * sums + inputs + (to_what_is_there ? 1 : 0))));
+  }
+
+  static constexpr symbolic::cost cost_of_norms() {
+    using quaternions = unit_quaternions<System>;
+    symbolic::cost total = quaternions::cost();
+    quaternions::each([&](int, const auto& places) {
+      const int n = static_cast<int>(places.size());
+      total = added(total, arithmetic(n + columns * (1 + 2 * n), n + columns * 2 * n, columns * n));
+    });
+    return total;
+  }
   /// Adds a function of the state to what is dependent, from its place `first` on among all that is, or puts
   /// it there.
   template <class Function, class Time, class T, class P, class R>
@@ -139,10 +174,23 @@ linearized_state<System, T> concluded(const Time& after, varied_state<System, T>
 template <class Step>
 struct varied_step;
 
+/// Operations of adding h times so many entries.
+constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entries, entries); }
+
 /// By the chain rule through the four stages. The Jacobian of ẋ is multiplied into the derivatives so far,
 /// but for entries that are known to be 0 or 1.
 template <class System, int corrections>
 struct varied_step<runge_kutta_4<System, corrections>> {
+  static constexpr symbolic::cost cost() {
+    using rates = rates_with_derivatives<System>;
+    constexpr int size = varied_state<System, double>::size, inputs = varied_state<System, double>::inputs,
+                  all = size * (1 + size + inputs);
+    const symbolic::cost chain = added(rates::by_state::cost(size + inputs), arithmetic(0, size * inputs)),
+                         evaluations = added(arithmetic(0, 5, 6), rates::evaluated::cost(), 4);
+    return added(added(added(evaluations, chain, 3), cost_of_advance(all), 3 + 4),
+                 varied_correction<System, corrections>::cost());
+  }
+
   template <class T, class P, class R>
   static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
                                                const R& r) {
@@ -175,29 +223,39 @@ struct varied_step<runge_kutta_4<System, corrections>> {
 
 template <class System, int corrections>
 struct varied_step<semi_implicit_euler<System, corrections>> {
+  using eom = equations_of_motion<System>;
+  using quantity = mechanics::quantity;
+  using by = deriving::with_respect_to;
+  template <quantity of>
+  using varied = function<System, of, deriving::derivatives_of_result{of, by::state},
+                          deriving::derivatives_of_result{of, by::inputs}>;
+  static constexpr int n = eom::coordinates, speeds = eom::speeds, size = varied_state<System, double>::size,
+                       inputs = varied_state<System, double>::inputs;
+
+  static constexpr symbolic::cost cost() {
+    const symbolic::cost of_speeds = added(varied<quantity::udot>::cost(),
+                                           cost_of_advance(speeds * (1 + size + inputs))),
+                         of_coordinates = added(varied<quantity::qdot>::cost(),
+                                                cost_of_advance(n * (1 + size + inputs + inputs)));
+    const symbolic::cost chain = arithmetic(n * (size + inputs) * size, n * (size + inputs) * (size - 1));
+    return added(added(added(of_speeds, of_coordinates), added(chain, arithmetic(0, 1))),
+                 varied_correction<System, corrections>::cost());
+  }
+
   template <class T, class P, class R>
   static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
                                                const R& r) {
-    using eom = equations_of_motion<System>;
-    using quantity = mechanics::quantity;
-    using by = deriving::with_respect_to;
-    using varied = varied_state<System, T>;
-    constexpr int n = eom::coordinates, speeds = eom::speeds, inputs = varied::inputs;
-    const varied before(x);
-    varied next(x);
-    const auto [udot, u_by_state, u_by_inputs] =
-        function<System, quantity::udot, deriving::derivatives_of_result{quantity::udot, by::state},
-                 deriving::derivatives_of_result{quantity::udot, by::inputs}>{}(t, x, p, r);
+    using state_type = varied_state<System, T>;
+    state_type next(x);
+    const auto [udot, u_by_state, u_by_inputs] = varied<quantity::udot>{}(t, x, p, r);
     if (const status s = status_of(udot); !s) return {x, {}, {}, s};
     advance<n, speeds>(next.x, x, h, udot);
-    next.by_all.template bottomLeftCorner<speeds, varied::size>() += h * u_by_state;
+    next.by_all.template bottomLeftCorner<speeds, size>() += h * u_by_state;
     next.by_all.template bottomRightCorner<speeds, inputs>() += h * u_by_inputs;
-    const auto [qdot, q_by_state, q_by_inputs] =
-        function<System, quantity::qdot, deriving::derivatives_of_result{quantity::qdot, by::state},
-                 deriving::derivatives_of_result{quantity::qdot, by::inputs}>{}(t, next.x, p, r);
+    const auto [qdot, q_by_state, q_by_inputs] = varied<quantity::qdot>{}(t, next.x, p, r);
     if (const status s = status_of(qdot); !s) return {x, {}, {}, s};
     advance<0, n>(next.x, x, h, qdot);
-    const typename varied::derivatives here = next.by_all;
+    const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
     return concluded<System, corrections>(T(t + h), next, p, r);
@@ -213,6 +271,26 @@ struct linearized {
   template <class System, class T, class P = compiled::not_given, class R = compiled::not_given>
   linearized_state<System, T> operator()(std::type_identity_t<T> t, const state<System, T>& x,
                                          std::type_identity_t<T> h, const P& p = {}, const R& r = {}) const {
+    constexpr bool inputs_hold = compiled::inputs_hold<R>;
+    static_assert(inputs_hold, "linearized<Step> takes the inputs that hold during the step, which the state "
+                               "after it is differentiated by, and no function that gives them");
+    if constexpr (inputs_hold)
+      return stepped(t, x, h, p, r);
+    else
+      return {x, {}, {}, {}};
+  }
+
+  /// Operations of one step with its derivatives: of the evaluations, of the products by the chain rule, and
+  /// of the sums of the method itself.
+  static constexpr symbolic::cost cost() {
+    return compiled::added(compiled::varied_step<Step>::cost(),
+                           compiled::arithmetic(0, 1)); // t + h is looked at
+  }
+
+private:
+  template <class System, class T, class P, class R>
+  static linearized_state<System, T> stepped(const T& t, const state<System, T>& x, const T& h, const P& p,
+                                             const R& r) {
     if (!lower::scalar_math<T>::is_finite(T(t + h))) return {x, {}, {}, status(compiled::step_not_finite)};
     linearized_state<System, T> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
