@@ -47,12 +47,16 @@ T arithmetic(operation op, const T& a, const T& b) {
   case operation::atan: return std::atan(a);
   case operation::exp: return std::exp(a);
   case operation::log: return std::log(a);
+  case operation::sinh: return std::sinh(a);
+  case operation::cosh: return std::cosh(a);
   case operation::tanh: return std::tanh(a);
   default: break;
   }
   if constexpr (!is_complex<T>) {
     if (op == operation::atan2) return std::atan2(a, b);
     if (op == operation::abs) return std::abs(a);
+    if (op == operation::if_positive) return a > 0 ? b : T(0);
+    if (op == operation::if_not_positive) return a > 0 ? T(0) : b;
     if (op == operation::sign) return static_cast<T>((a > 0) - (a < 0));
   }
   return std::nan("");

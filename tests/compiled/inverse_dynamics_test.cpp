@@ -176,7 +176,6 @@ void coriolis_is_of_the_inertia_forces() {
 }
 TEST(coriolis, is_quadratic_in_the_speeds_and_leaves_a_skew_matrix) {
   coriolis_is_of_the_inertia_forces<iiwa::System>();
-  coriolis_is_of_the_inertia_forces<puma::System>();
   coriolis_is_of_the_inertia_forces<spinning_top::LagrangeSystem>();
 }
 

@@ -34,7 +34,7 @@ int main() {
 
   auto model = kanexpr::derive<System>();
   auto linear = model.linearize({{q, 0}, {u, 0}});
-  const auto simple = kanexpr::symbolic::simplify(linear.explicit_form().A);
-  is_good = is_good && kanexpr::symbolic::print(simple) != kanexpr::symbolic::latex(simple);
+  const auto simplified = kanexpr::symbolic::simplify(linear.explicit_form().A);
+  is_good = is_good && kanexpr::symbolic::print(simplified) != kanexpr::symbolic::latex(simplified);
   return is_good ? 0 : 1;
 }

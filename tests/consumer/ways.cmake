@@ -4,7 +4,7 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
 
-foreach(way IN ITEMS add_subdirectory FetchContent find_package engine without_engine simulate unfriendly linked)
+foreach(way IN ITEMS add_subdirectory FetchContent find_package engine without_engine simulate unfriendly linked robot)
   set(program consumer)
   if(way STREQUAL "unfriendly") # is read only
     set(program ${CMAKE_COMMAND} -E true)
@@ -19,6 +19,7 @@ foreach(way IN ITEMS add_subdirectory FetchContent find_package engine without_e
       --test-command ${program})
 endforeach()
 set_tests_properties(consumer_find_package consumer_engine consumer_without_engine consumer_simulate consumer_linked
+  consumer_robot
   PROPERTIES FIXTURES_REQUIRED installed)
 
 # What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.

@@ -76,6 +76,36 @@ TEST(extended, can_be_extended_again) {
               1e-14);
 }
 
+/// A system that mentions its inputs and lists none: F and what nothing mentions come behind T.
+namespace arm {
+
+constexpr input<"G"> G;
+constexpr input<"H"> H;
+struct Unlisted
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<l, m>,
+                  bodies<Bob>, loads<gravity<-9.81 * N::y>, torque<A, T * N::z>>> {};
+struct UnlistedPushed
+    : extended<Unlisted, loads<force<P, F * N::x>, force<P, G * N::y>>, inputs<G, H>, inputs<F>> {};
+struct PushedAgain : extended<UnlistedPushed, inputs<input<"K">{}>> {};
+
+} // namespace arm
+
+TEST(extended, adds_inputs_to_those_that_a_system_mentions) {
+  using namespace arm;
+  using eom = equations_of_motion<UnlistedPushed>;
+  static_assert(eom::inputs::RowsAtCompileTime == 4);
+  const eom::state x{{q, 0.4}, {u, -0.3}};
+  const eom::parameters p{{l, 0.7}, {m, 2}};
+  const eom::inputs r(0.2, 3, 0, 5); // T, G, H, F
+  EXPECT_EQ(r[T], 0.2);
+  EXPECT_EQ(r[G], 3);
+  EXPECT_EQ(r[F], 5);
+  const double expected =
+      (0.2 - 5 * 0.7 * std::sin(0.4) + (3 - 2 * 9.81) * 0.7 * std::cos(0.4)) / (2 * 0.7 * 0.7);
+  EXPECT_NEAR(eom::udot(x, p, r)[0], expected, 1e-13 * std::abs(expected));
+  static_assert(equations_of_motion<PushedAgain>::inputs::RowsAtCompileTime == 5);
+}
+
 /// By Lagrange's method, with constraints.
 struct Braked : extended<four_bar::LagrangeSystem,
                          loads<torque<four_bar::C, -2 * dot(four_bar::q1) * four_bar::N::z>>> {};

@@ -1,11 +1,8 @@
-// The bicycle of the README, docs/guide/linearization.md and docs/simulation.md.
-#include <kanexpr/assemble.hpp>
+// The motions of the bicycle in the README and docs/simulation.md.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
 
 #include <pictures/bicycle.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
 
@@ -15,37 +12,6 @@
 namespace {
 
 using namespace kanexpr;
-
-TEST(readme, linearizes_a_bicycle) {
-  const state<bicycle::BoundSystem> x;
-  const parameter_values<bicycle::BoundSystem> p;
-  const input_values<bicycle::BoundSystem> r;
-#include <README/linearized.cpp>
-  EXPECT_EQ(Ac.rows(), 6);
-}
-
-namespace stability {
-
-using bicycle::BoundSystem;
-
-state<BoundSystem> straight_ahead(double v) {
-  state<BoundSystem> x;
-  x[bicycle::u3] = v / 0.3;
-  assemble<BoundSystem>(x);
-  return x;
-}
-
-#include <docs/guide/linearization/stability.cpp>
-
-TEST(linearization, is_stable_between_two_speeds) {
-  const auto most = [](double v) { return lean_and_steer(v).eigenvalues().real().maxCoeff(); };
-  EXPECT_GT(most(4.2923), 0);
-  EXPECT_LT(most(4.2924), 0);
-  EXPECT_LT(most(6.0242), 0);
-  EXPECT_GT(most(6.0243), 0);
-}
-
-} // namespace stability
 
 TEST(readme, simulates_a_bicycle) {
 #include <README/simulated.cpp>

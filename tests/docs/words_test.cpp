@@ -234,7 +234,7 @@ struct OfAngles : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u
                               kinematics<kinematics_of<B, N>>, bodies<Angles>> {};
 struct OfTurns : kane_system<inertial<N>, coordinates<q1, q2, q3, q4>, speeds<u1, u2, u3, u4>,
 #include <docs/guide/words/kinematics_of.cpp>
-                             , bodies<Turns>, potential_energy<q4 * q4>> {
+                             , bodies<Turns>, loads<potential_energy<q4 * q4>>> {
 };
 struct OfQuaternion : kane_system<inertial<N>, coordinates<e0, e1, e2, e3>, speeds<u1, u2, u3>,
                                   kinematics<kinematics_of<Q, N>>, bodies<Quaternion>> {};

@@ -120,6 +120,8 @@ TEST(scalars, packs_have_all_functions) {
   const pack x{0.1, 0.2, 0.3, 0.4}, y{-1, 2, -3, 4};
   EXPECT_EQ(math::by_name<operation::sqrt>(x)[1], std::sqrt(0.2));
   EXPECT_EQ(math::by_name<operation::tan>(x)[2], std::tan(0.3));
+  EXPECT_EQ(math::by_name<operation::sinh>(y)[2], std::sinh(-3.0));
+  EXPECT_EQ(math::by_name<operation::cosh>(y)[1], std::cosh(2.0));
   EXPECT_EQ(math::by_name<operation::tanh>(y)[0], std::tanh(-1.0));
   EXPECT_EQ(math::by_name<operation::abs>(y)[2], 3);
   EXPECT_EQ(math::by_name<operation::sign>(y)[0], -1);

@@ -99,9 +99,94 @@ void f() { use<System>(); }
 // expect: the damping of the torsional damper between A and N is written with a function that models do not
 // expect: have
 namespace n16 {
-struct System : loaded<torsional_damper<A, N, hypot(u, c)>> {};
+struct System : loaded<torsional_damper<A, N, fmod(u, c)>> {};
 void f() { use<System>(); }
 } // namespace n16
+
+// expect: the damping of the torsional damper between N and A takes hypot of a vector
+namespace n22 {
+struct System : loaded<torsional_damper<N, A, hypot(u, A::x)>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: the torque on A takes clamp of 2 scalars; it is of 3
+namespace n23 {
+struct System : loaded<torque<A, clamp(q, u) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: the force at P takes min of 1 scalar; it is of 2
+namespace n24 {
+struct System : loaded<force<P, (min)(q)*N::x>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: the force at O holds == inside an expression; write it once, outermost
+namespace n25 {
+struct System : loaded<force<O, if_positive(q == 1, u, 2) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: the stiffness of the spring between P and O takes if_positive of a dyadic
+namespace n26 {
+struct System : loaded<spring<P, O, if_positive(outer(N::x, N::x), q, 1)>> {};
+void f() { use<System>(); }
+} // namespace n26
+
+// expect: the force between P and O takes smooth_step of a vector
+namespace n28 {
+struct System : loaded<force_between<P, O, smooth_step(N::x, 0, 1) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n28
+
+// expect: the force between P and Q takes softplus of 1 scalar; it is of 2
+namespace n29 {
+struct System : loaded<force_between<P, Q, softplus(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n29
+
+// expect: the force at Q holds smooth_step of numbers for which it has no value
+namespace n30 {
+struct System : loaded<force<Q, smooth_step(q, 1, 1) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n30
+
+// expect: the force at P holds tabulated<...> of 3 scalars; it takes points, two or more, each an argument
+// expect: and a value
+namespace n31 {
+struct System : loaded<force<P, tabulated<0, 1, 2>(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n31
+
+// expect: the force at O holds tabulated<...> with arguments that do not grow, at point 3
+namespace n32 {
+struct System : loaded<force<O, tabulated<0, 1, 2, 1, 2, 0>(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n32
+
+// expect: the force at O holds periodic<...> that does not end with the value with which it begins
+namespace n34 {
+struct System : loaded<force<O, periodic<0, 1, 2, 3, 4, 2>(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n34
+
+// expect: the force at P holds periodic<...> with arguments that do not grow, at point 2
+namespace n35 {
+struct System : loaded<force<P, periodic<2, 1, 0, 3, 4, 1>(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n35
+
+// expect: the force at Q takes tabulated of a vector
+namespace n33 {
+struct System : loaded<force<Q, tabulated<0, 1, 2, 1>(N::x) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n33
+
+// expect: the stiffness of the spring between P and Q takes max of a vector
+namespace n27 {
+struct System : loaded<spring<P, Q, (max)(q, N::x)>> {};
+void f() { use<System>(); }
+} // namespace n27
 
 // expect: the damping of the torsional damper between N and A takes tanh of a vector
 namespace n21 {

@@ -148,6 +148,17 @@ TEST(elementary, hyperbolic_tangent) {
     ASSERT_TRUE(close(elementary::tanh(x), precise(x))) << x;
 }
 
+TEST(elementary, hyperbolic_sine_and_cosine) {
+  const unary sine = [](double x) { return static_cast<double>(std::sinh(static_cast<long double>(x))); };
+  const unary cosine = [](double x) { return static_cast<double>(std::cosh(static_cast<long double>(x))); };
+  for (const double range : {1e-8, 0.1, 0.51, 2.0, 45.0, 712.0}) {
+    expect_close_to_libm(elementary::sinh, sine, -range, range);
+    expect_close_to_libm(elementary::cosh, cosine, -range, range);
+  }
+  expect_close_to_libm_on_all_doubles(elementary::sinh, sine);
+  expect_close_to_libm_on_all_doubles(elementary::cosh, cosine);
+}
+
 void expect_power_close_to_libm(double x, double y, std::int64_t ulps) {
   ASSERT_LE(ulps_between(elementary::pow(x, y), std::pow(x, y)), ulps) << x << ", " << y;
 }
@@ -190,6 +201,9 @@ TEST(elementary, special_values) {
     EXPECT_TRUE(close(elementary::atan(x), std::atan(x))) << x;
     EXPECT_TRUE(close(elementary::exp(x), std::exp(x))) << x;
     EXPECT_TRUE(close(elementary::log(x), std::log(x))) << x;
+    EXPECT_LE(ulps_between(elementary::sinh(x), std::sinh(x)), 2) << x;
+    EXPECT_LE(ulps_between(elementary::cosh(x), std::cosh(x)), 2) << x;
+    EXPECT_EQ(std::signbit(elementary::sinh(x)), std::signbit(std::sinh(x))) << x;
     EXPECT_LE(ulps_between(elementary::tanh(x), std::tanh(x)), 2) << x;
     EXPECT_EQ(std::signbit(elementary::tanh(x)), std::signbit(std::tanh(x))) << x;
     for (const double y : special_values) {
@@ -217,6 +231,9 @@ static_assert(elementary::atan2(0.0, -1.0) == pi && elementary::atan2(-0.0, -1.0
 static_assert(elementary::exp(0.0) == 1 && elementary::exp(1.0) == 2.718281828459045);
 static_assert(elementary::exp(710.0) == infinity && elementary::exp(-746.0) == 0);
 static_assert(elementary::exp(-745.0) == smallest);
+static_assert(elementary::sinh(1.0) == 1.1752011936438014 && same(elementary::sinh(-0.0), -0.0));
+static_assert(elementary::cosh(1.0) == 1.5430806348152437 && elementary::cosh(0.0) == 1);
+static_assert(elementary::sinh(710.0) < infinity && elementary::sinh(-711.0) == -infinity);
 static_assert(elementary::tanh(1.0) == 0.7615941559557649 && same(elementary::tanh(-0.0), -0.0));
 static_assert(elementary::tanh(-infinity) == -1 && elementary::tanh(smallest) == smallest);
 static_assert(elementary::log(1.0) == 0 && elementary::log(0.0) == -infinity);
@@ -236,7 +253,7 @@ constexpr std::array<double, 42> arguments = {
     700.123, -744.9, 12345.678, 1e5, -98765.4321, 1e10, 123456789012345.0, 1e22, -1.7e308};
 // clang-format on
 
-constexpr std::size_t results_per_argument = 17;
+constexpr std::size_t results_per_argument = 19;
 using results = std::array<std::uint64_t, results_per_argument * arguments.size()>;
 
 // Neighbours in the table make the pairs for functions of two arguments.
@@ -252,7 +269,7 @@ constexpr results evaluate(const std::array<double, arguments.size()>& inputs) {
           elementary::asin(x), elementary::acos(x), elementary::atan(x), elementary::atan2(y, x),
           elementary::exp(x), elementary::log(positive), elementary::pow(positive, y),
           elementary::pow(x, 7.0), elementary::pow(positive, -1.5), elementary::abs(x), elementary::sign(x),
-          elementary::floor(x), elementary::tanh(x)}) {
+          elementary::floor(x), elementary::sinh(x), elementary::cosh(x), elementary::tanh(x)}) {
       result[next++] = bits(value);
     }
   }

@@ -202,9 +202,28 @@ TEST(interpreter, knows_every_operation) {
   builder b("N");
   const expression x = b.parameter("x"), y = b.parameter("y");
   const double at[]{0.7, 0.3};
-  const expression all[]{x + y,  x - y,       x * y,       x / y,       -x,      sqrt(x),     sin(x),
-                         cos(y), tan(x),      asin(x),     acos(x),     atan(x), atan2(x, y), exp(x),
-                         log(x), abs(-x * y), sign(x - y), power(x, y), sin(y)};
+  const expression all[]{x + y,
+                         x - y,
+                         x * y,
+                         x / y,
+                         -x,
+                         sqrt(x),
+                         sin(x),
+                         cos(y),
+                         tan(x),
+                         asin(x),
+                         acos(x),
+                         atan(x),
+                         atan2(x, y),
+                         exp(x),
+                         log(x),
+                         abs(-x * y),
+                         sign(x - y),
+                         power(x, y),
+                         sin(y),
+                         if_positive(x - y, sqrt(x - y), sqrt(y - x)),
+                         clamp(3 * x, y, x),
+                         hypot(x, y)};
   const double expected[]{0.7 + 0.3,
                           0.7 - 0.3,
                           0.7 * 0.3,
@@ -223,7 +242,10 @@ TEST(interpreter, knows_every_operation) {
                           0.7 * 0.3,
                           1,
                           std::pow(0.7, 0.3),
-                          std::sin(0.3)};
+                          std::sin(0.3),
+                          std::sqrt(0.7 - 0.3),
+                          0.7,
+                          std::sqrt(0.7 * 0.7 + 0.3 * 0.3)};
   kanexpr::symbolic::matrix wanted(b.graph(), static_cast<int>(std::size(all)), 1);
   for (int i = 0; i < wanted.rows; ++i) wanted.entries[i] = all[i];
   double found[std::size(all)];

@@ -1,6 +1,7 @@
 // The code of results as text: read back by a parser of its own, it gives the values of the interpreter.
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
+#include <kanexpr/symbolic/graph/composed.hpp>
 
 #include "models/bicycle.hpp"
 #include "models/double_pendulum.hpp"
@@ -160,7 +161,8 @@ TEST(listing, has_all_functions) {
     all.entries.push(symbolic::apply(f.op, x / 2 - 3 * y / 7));
   for (const symbolic::expression& e :
        {atan2(x, -y), power(x, y), power(x, symbolic::expression(g, g.constant(symbolic::real(-0.3)))), x,
-        -x * y})
+        -x * y, if_positive(x - y, sqrt(x), y), if_positive(y - x, sqrt(x), y), (symbolic::min)(x, y),
+        hypot(x, y)})
     all.entries.push(e);
   all.rows = all.entries.size();
   const std::string text = listing(all, "f");

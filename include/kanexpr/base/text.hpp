@@ -27,9 +27,14 @@ template <class T>
   requires(!std::is_convertible_v<const T&, std::string_view>)
 text(const T&) -> text<1>;
 
-/// The name of a type as its model wrote it, without namespaces: `Link<3>`.
+/// The name of a type with its namespaces, and where in it the name begins that its model wrote.
+struct whole_name {
+  std::string_view whole;
+  std::size_t own = 0;
+};
+
 template <class T>
-constexpr std::string_view type_name() {
+constexpr whole_name whole_name_of() {
   std::string_view whole = __PRETTY_FUNCTION__;
   whole.remove_prefix(whole.find("T = ") + 4);
   std::size_t end = 0, start = 0;
@@ -40,7 +45,21 @@ constexpr std::string_view type_name() {
     if (c == '>') --depth;
     if (depth == 0 && c == ':') start = end + 1;
   }
-  return whole.substr(start, end - start);
+  return {whole.substr(0, end), start};
+}
+
+/// The name of a type as its model wrote it, without namespaces: `Link<3>`.
+template <class T>
+constexpr std::string_view type_name() {
+  const whole_name name = whole_name_of<T>();
+  return name.whole.substr(name.own);
+}
+
+/// The same with its namespaces where another type has the same name without them.
+template <class T, class Other>
+constexpr std::string_view type_name_beside() {
+  const bool is_alike = !std::is_same_v<T, Other> && type_name<T>() == type_name<Other>();
+  return is_alike ? whole_name_of<T>().whole : type_name<T>();
 }
 
 } // namespace kanexpr

@@ -73,8 +73,9 @@ template <class System, symbols_of wanted, class Other, symbols_of given>
 constexpr mechanics::sentence check_exchanged(std::string_view caller) {
   if (given == wanted && std::is_same_v<Other, System>) return {};
   if (survey_of<System>.mistake || survey_of<Other>.mistake) return {};
-  return mechanics::sentence({caller, type_name<System>(), " is given the ", plural_of(given), " of ",
-                              type_name<Other>(), " in place of its ", plural_of(wanted)});
+  return mechanics::sentence({caller, type_name_beside<System, Other>(), " is given the ", plural_of(given),
+                              " of ", type_name_beside<Other, System>(), " in place of its ",
+                              plural_of(wanted)});
 }
 
 template <class System, symbols_of wanted, class Other, symbols_of given>

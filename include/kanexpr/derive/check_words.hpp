@@ -50,6 +50,9 @@ constexpr sentence check_word(std::string_view system) {
   else if constexpr (requires { typename Told::extended_base; })
     return sentence({system, " extends ", type_name<typename Told::extended_base>(),
                      ", which is not a system; extended<System, ...> takes one and what is added to it"});
+  else if constexpr (requires { Told::joint_told(); })
+    return sentence({"joint ", type_name<Told>(), " stands among the words of ", system, "; write joints<",
+                     type_name<Told>(), ">"});
   else if constexpr (requires { Told::content(); })
     return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});
@@ -76,16 +79,24 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
   return found;
 }
 
+constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
+  for (int i = 0; i < joints.size; ++i)
+    if (joints[i].body != nullptr || joints[i].calls_itself.empty())
+      return true; // what is no joint is told later
+  return false;
+}
+
 /// Words of one method in a system of the other, or words that do not go together.
 template <class System>
 constexpr sentence check_method(std::string_view called) {
-  const bool bodies = System::times_told("bodies") != 0, whole = System::times_told("lagrangian") != 0;
+  const bool bodies = System::times_told("bodies") != 0 || brings_body(System::record.joints),
+             whole = System::times_told("lagrangian") != 0;
   if (System::record.derived_by == describe::method::kane) {
     if (whole)
       return sentence({"the system ", called, " has lagrangian<...>, which only a lagrange_system takes"});
     return {};
   }
-  for (std::string_view word : {"speeds", "kinematics", "auxiliary"})
+  for (std::string_view word : {"speeds", "kinematics", "auxiliary", "reactions"})
     if (System::times_told(word) != 0)
       return sentence({"the system ", called, " has ", word,
                        "<...>; a lagrange_system has no speeds but the rates of its coordinates"});
@@ -121,17 +132,38 @@ constexpr sentence check_words() {
         if (!found && System::times_told(word) == 0)
           found = sentence({"the system ", called, " has no ", word, "<...>"});
     };
-    needs({"inertial", "coordinates"});
-    if (System::record.derived_by == describe::method::kane) needs({"speeds", "kinematics", "bodies"});
+    needs({"inertial"});
+    const bool is_kane = System::record.derived_by == describe::method::kane;
+    if (System::times_told("joints") == 0) {
+      needs({"coordinates"});
+      if (is_kane) needs({"speeds", "kinematics", "bodies"});
+    } else if (is_kane && !brings_body(System::record.joints)) {
+      needs({"bodies"});
+    }
     if (found) return found;
     for (std::string_view word :
          {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
           "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "lagrangian", "loads",
-          "parameters", "inputs", "values"})
+          "joints", "reactions", "parameters", "inputs", "values"})
       if (System::times_told(word) > 1)
         return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     return {};
   }
 }
+
+/// What a system is derived from, in the compiler as while a program runs: its words, unless one of them is a
+/// mistake, of which nothing is read.
+struct checked_words {
+  sentence mistake{};
+  describe::system_record record{};
+};
+
+template <class System>
+inline constexpr checked_words words_of = [] {
+  checked_words words{.mistake = check_words<System>()};
+  if constexpr (requires { System::record; })
+    if (!words.mistake) words.record = System::record;
+  return words;
+}();
 
 } // namespace kanexpr::deriving

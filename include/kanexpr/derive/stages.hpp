@@ -49,7 +49,7 @@ struct surveyed_stage : staged {
 template <class System>
 constexpr surveyed_stage first_stage() {
   surveyed_stage s;
-  s.known.mistake = s.mistake = check_words<System>();
+  s.known.mistake = s.mistake = words_of<System>.mistake;
   s.follows_from_unparsed = describe::is_unparsed<System>();
   if constexpr (requires { System::record; }) {
     if (s.mistake) return s;

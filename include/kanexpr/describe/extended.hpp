@@ -6,6 +6,25 @@ namespace kanexpr {
 
 namespace describe {
 
+/// Inputs behind those of a system that lists none.
+template <auto... symbols>
+struct added_inputs : system_words {
+  static constexpr std::string_view word = "inputs";
+  static constexpr void tell(system_record& r) {
+    r.added_inputs = list_of<phrase, &phrase_of<symbols>...>::all;
+  }
+};
+
+/// A word that a system has not: a list of inputs would have to hold those that it mentions, too.
+template <class Word>
+struct added_word {
+  using type = Word;
+};
+template <auto... symbols>
+struct added_word<inputs<symbols...>> {
+  using type = added_inputs<symbols...>;
+};
+
 /// Two words of one kind as one.
 template <class Word, class Added>
 struct joined {
@@ -20,6 +39,11 @@ template <template <class...> class Word, class... Told, class... Added>
 struct joined<Word<Told...>, Word<Added...>> {
   static constexpr bool is_one = true;
   using type = Word<Told..., Added...>;
+};
+template <auto... told, auto... added>
+struct joined<added_inputs<told...>, inputs<added...>> {
+  static constexpr bool is_one = true;
+  using type = added_inputs<told..., added...>;
 };
 
 /// The words of a system with some more: `Before` those that are no such word.
@@ -42,7 +66,7 @@ struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added
                      More...> {};
 template <method by, class... Before, class Added, class... More>
 struct extended_words<by, word_list<Before...>, word_list<>, Added, More...>
-    : extended_words<by, word_list<>, word_list<Before..., Added>, More...> {};
+    : extended_words<by, word_list<>, word_list<Before..., typename added_word<Added>::type>, More...> {};
 
 /// What is extended and is no system.
 template <class Base>
@@ -62,7 +86,8 @@ struct extension {
 
 } // namespace describe
 
-/// A system with more loads, inputs or other words, which come behind those that it has:
+/// A system with more loads, inputs or other words, which come behind those that it has, whether it lists its
+/// inputs or only mentions them:
 /// `struct Pushed : extended<System, inputs<F>, loads<force<P, F * N::x>>> {};`
 template <class System, class... Words>
 struct extended : describe::extension<System, Words...>::type {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/composed.hpp>
 #include <kanexpr/describe/mistaken.hpp>
 #include <kanexpr/describe/mixed.hpp>
 
@@ -101,6 +102,24 @@ constexpr auto log(const X& x) {
 }
 
 template <int a>
+constexpr auto sinh(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::sinh, x);
+}
+template <describe::no_scalar X>
+constexpr auto sinh(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sinh));
+}
+
+template <int a>
+constexpr auto cosh(const scalar<a>& x) {
+  return describe::function_of(symbolic::operation::cosh, x);
+}
+template <describe::no_scalar X>
+constexpr auto cosh(const X& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cosh));
+}
+
+template <int a>
 constexpr auto tanh(const scalar<a>& x) {
   return describe::function_of(symbolic::operation::tanh, x);
 }
@@ -168,14 +187,6 @@ constexpr auto pow(const X& x, const Y& y) {
 // Those that C++ has and models do not, to say so.
 
 template <describe::expression_of_a_model X>
-constexpr auto sinh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
-constexpr auto cosh(const X& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model X>
 constexpr auto asinh(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
@@ -218,11 +229,6 @@ constexpr auto(round)(const X& x) {
 template <describe::expression_of_a_model X>
 constexpr auto fabs(const X& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto hypot(const X& x, const Y& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::function);
 }
 template <class X, class Y>
   requires describe::operands_of_a_model<X, Y>

@@ -20,7 +20,18 @@ constexpr kinematics_of_frame kinematics_between(const frame_record* frame, cons
   return both;
 }
 
+/// Stands for kinematic differential equations that need not be written.
+struct simple_kinematics {
+  token tokens[1];
+};
+
+constexpr shape shape_of(const simple_kinematics&) { return shape::simple; }
+
 } // namespace describe
+
+/// The kinematic differential equations q̇ = u of all coordinates whose rate is in no other: the first of them
+/// with the first of the speeds that are in no other, and so on: `kinematics<simple>`.
+inline constexpr describe::simple_kinematics simple{{describe::with(describe::token_kind::number)}};
 
 /// The kinematic differential equations of a frame whose angular velocity is declared: what follows from its
 /// orientation in `Reference` equals what `angular_velocity<Reference, …>` says. Three equations, or four for

@@ -7,6 +7,8 @@ namespace kanexpr::describe {
 // What the words of the library are derived from, so that they can be counted.
 struct orientation_words {};
 struct place_words {};
+struct joint_words {};
+struct ground_words {}; // an inertial frame and a point in it
 struct body_words {};
 struct angular_velocity_words {};
 struct velocity_words {};
@@ -27,6 +29,8 @@ enum class misfit : unsigned char {
   entity_and_system,
   two_orientations,
   two_places,
+  two_joints,
+  motion_beside_joint,
   two_bodies,
   two_loads,
   two_angular_velocities,
@@ -46,6 +50,25 @@ constexpr bool hides(Entity* e) {
   return requires { words(e); }; // which asks for no access
 }
 
+/// Of a joint, which is a frame and a point.
+template <class Joint>
+constexpr misfit find_misfit_of_joint() {
+  constexpr Joint* j = nullptr;
+  if constexpr (__is_base_of(joint_words, Joint) && !requires { static_cast<joint_words*>(j); })
+    return hides<joint_words>(j) ? misfit::hidden : misfit::two_joints;
+  if constexpr (!requires { static_cast<orientation_words*>(j); }) return misfit::two_orientations;
+  if constexpr (!requires { static_cast<place_words*>(j); }) return misfit::two_places;
+  if (__is_base_of(body_words, Joint)) return misfit::frame_and_body;
+  if (__is_base_of(load_words, Joint)) return misfit::entity_and_load;
+  if (__is_base_of(angular_velocity_words, Joint) || __is_base_of(velocity_words, Joint) ||
+      __is_base_of(fixing_words, Joint))
+    return misfit::motion_beside_joint;
+  if (__is_base_of(inertia_words, Joint)) return misfit::inertia_beside;
+  if (__is_base_of(whole_systems, Joint)) return misfit::entity_and_system;
+  if (__is_base_of(system_words, Joint)) return misfit::word_beside;
+  return misfit::none;
+}
+
 /// Of an entity or load that is described. It is asked of each, so that it makes no use of templates, which
 /// the compiler would have to keep.
 template <class Entity>
@@ -56,6 +79,8 @@ constexpr misfit find_misfit() {
   constexpr bool is_load = __is_base_of(load_words, Entity);
   constexpr bool turns = __is_base_of(angular_velocity_words, Entity),
                  moves = __is_base_of(velocity_words, Entity), is_fixed = __is_base_of(fixing_words, Entity);
+  if constexpr (__is_base_of(joint_words, Entity) || __is_base_of(ground_words, Entity))
+    return find_misfit_of_joint<Entity>();
   if (is_frame && is_point) return misfit::frame_and_point;
   if (is_frame && is_body) return misfit::frame_and_body;
   if (is_point && is_body) return misfit::point_and_body;

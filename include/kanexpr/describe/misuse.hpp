@@ -30,6 +30,7 @@ enum class misuse : unsigned char {
   index,
   arguments,
   operands,
+  coupling,
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
@@ -39,7 +40,7 @@ inline constexpr mechanics::sentence which_functions_there_are = [] {
   };
   append(" is written with a function that models do not have; those they have are ");
   for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
-  append("atan2 and pow");
+  append("atan2, pow, hypot, min, max and clamp");
   return p;
 }();
 
@@ -57,6 +58,8 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::arguments:
     return " is written with arguments, as in q(t); symbols are written alone, and products with *";
   case misuse::operands: return " takes a product of more than two vectors at once";
+  case misuse::coupling:
+    return " couples something other than two joints that each turn about one axis or slide along one";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";

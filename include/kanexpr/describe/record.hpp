@@ -65,6 +65,20 @@ inline constexpr phrase given_phrases[sizeof...(values) + 9]{
     phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>,
     phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>};
 
+/// A list of records in static storage.
+template <class Record>
+struct listing {
+  const Record* const* entries = nullptr;
+  int size = 0;
+  constexpr const Record& operator[](int i) const { return *entries[i]; }
+};
+
+template <class Record, const Record*... entries>
+struct list_of {
+  static constexpr const Record* storage[sizeof...(entries) + 1]{entries..., nullptr};
+  static constexpr listing<Record> all{storage, sizeof...(entries)};
+};
+
 enum class orientation_word : unsigned char;
 
 struct frame_record {
@@ -83,6 +97,7 @@ struct frame_record {
   bool turns_apart = false;   ///< from its orientation
   std::string_view instead{}; ///< what it is, if it is not a frame
   std::string_view its_own{}; ///< the frame of that
+  bool is_of_joint = false;
   misfit beside = misfit::none;
 };
 
@@ -142,6 +157,32 @@ struct load_record {
   std::string_view instead{}; ///< what it is, if it is not a load
   misfit beside = misfit::none;
   bool unparsed = false;
+};
+
+/// What a joint brings to a system beside its frame and its point.
+struct joint_record {
+  std::string_view called{};
+  std::string_view calls_itself{};
+  std::string_view mistake{}; ///< in its words: "is given two homes"
+  std::string_view form{};    ///< how it is written, if that is the mistake
+  const frame_record* frame = nullptr;
+  const point_record* point = nullptr;
+  listing<phrase> coordinates{}, speeds{}, kinematics{};
+  const body_record* body = nullptr; ///< none: it has no mass
+  std::string_view instead{};        ///< what it is, if it is not a joint
+  misfit beside = misfit::none;
+  bool unparsed = false;
+};
+
+/// A joint whose frame and point are given auxiliary speeds, which bring out what it carries.
+struct reaction_record {
+  const joint_record* joint = nullptr;
+  const frame_record* frame = nullptr;
+  const frame_record* freed_frame = nullptr;
+  const point_record* point = nullptr; ///< where the joint sits in the child
+  const point_record* freed_point = nullptr;
+  listing<phrase> speeds{};
+  std::string_view called{};
 };
 
 } // namespace kanexpr::describe

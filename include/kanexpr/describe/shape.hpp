@@ -11,6 +11,7 @@ enum class shape : unsigned char {
   equation,
   vanishing,  ///< zero_along
   kinematics, ///< kinematics_of
+  simple,     ///< the kinematic differential equations that are q̇ = u
   foreign,    ///< it is none
 };
 

@@ -12,14 +12,6 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A list of records in static storage.
-template <class Record>
-struct listing {
-  const Record* const* entries = nullptr;
-  int size = 0;
-  constexpr const Record& operator[](int i) const { return *entries[i]; }
-};
-
 /// How the equations of motion are derived.
 enum class method : unsigned char { kane, lagrange };
 
@@ -27,6 +19,7 @@ struct system_record {
   method derived_by = method::kane;
   const frame_record* inertial = nullptr;
   listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
+  listing<phrase> added_inputs{}; ///< behind those that a model without a list mentions
   listing<phrase> kinematics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
@@ -34,12 +27,8 @@ struct system_record {
   listing<phrase> lagrangian{};
   listing<body_record> bodies{};
   listing<load_record> loads{};
-};
-
-template <class Record, const Record*... entries>
-struct list_of {
-  static constexpr const Record* storage[sizeof...(entries) + 1]{entries..., nullptr};
-  static constexpr listing<Record> all{storage, sizeof...(entries)};
+  listing<joint_record> joints{};
+  listing<reaction_record> reactions{};
 };
 
 /// The words that a system must have once and only once, and those that it may have.

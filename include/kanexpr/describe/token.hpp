@@ -26,6 +26,7 @@ enum class token_kind : unsigned char {
   number,
   symbol,
   scalar_function, ///< `operation` says which
+  composed,        ///< of scalars: `index` is the symbolic::composition, `number` says of how many
   basis,           ///< axis `index` of `frame`; no frame: of the frame that is being described
   add,
   subtract,

@@ -8,7 +8,9 @@ namespace kanexpr::describe {
 /// words.
 template <class T>
 constexpr std::string_view what_it_is() {
-  if constexpr (requires { T::content(); })
+  if constexpr (requires { T::joint_told(); })
+    return "a joint; write joints<...> around it";
+  else if constexpr (requires { T::content(); })
     return "a body; write bodies<...> around it";
   else if constexpr (requires { T::orientation(); })
     return "a frame; frames are found by what uses them";

@@ -23,6 +23,12 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
   static void exchange_if_positive(const number& d, number& a, number& b) {
     if (d.real() > Real(0)) std::swap(a, b);
   }
+  template <symbolic::operation op>
+  static number selected(const number& condition, const number& x) {
+    const Real by = condition.real();
+    if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
+    return numeric::is_number(by) ? number() : condition;
+  }
   /// The angle of the real parts, corrected to first order.
   static number atan2(const number& y, const number& x) {
     const Real square = x.real() * x.real() + y.real() * y.real();

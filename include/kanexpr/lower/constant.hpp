@@ -31,6 +31,14 @@ constexpr void run_linear_step(const linear_step& e, const int* operands, const 
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
+/// Whether steps may have no value that nothing needs.
+template <const auto& tape>
+constexpr bool selects() {
+  for (int i = 0; i < tape.sizes.steps; ++i)
+    if (symbolic::is_selection(tape.op[i])) return true;
+  return false;
+}
+
 /// All slots of a tape, one after another; `value_of(load)` gives the arguments.
 template <const auto& tape, class ValueOf>
 constexpr auto constant_slots(ValueOf value_of) {
@@ -44,8 +52,9 @@ constexpr auto constant_slots(ValueOf value_of) {
       i += tape.linear_steps[e].outputs();
       next += static_cast<std::size_t>(tape.linear_steps[e++].outputs());
     } else {
-      slot[next++] = symbolic::value_of(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
-                                        slot[static_cast<std::size_t>(tape.b[i])]);
+      constexpr auto calculated = selects<tape>() ? symbolic::defined_value_of : symbolic::value_of;
+      slot[next++] = calculated(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
+                                slot[static_cast<std::size_t>(tape.b[i])]);
       ++i;
     }
   }

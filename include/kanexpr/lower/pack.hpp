@@ -73,6 +73,17 @@ struct scalar_math<T> {
     a = upper;
     b = lower;
   }
+  template <symbolic::operation op>
+  [[gnu::always_inline]] static T selected(const T& condition, const T& x) {
+    const auto is_positive = condition > 0;
+    if constexpr (op == symbolic::operation::if_positive) {
+      const T rest = condition < 0 ? T{} : condition;
+      return is_positive ? x : rest;
+    } else {
+      const T rest = condition <= 0 ? x : condition;
+      return is_positive ? T{} : rest;
+    }
+  }
   [[gnu::always_inline]] static T power(const T& x, const T& y) {
     return each([&](int i) { return of_element::power(x[i], y[i]); });
   }
@@ -82,7 +93,10 @@ struct scalar_math<T> {
 
   /// In all lanes.
   [[gnu::always_inline]] static bool exceeds(const T& x, const T& bound) {
-    return numeric::detail::any_of(~(x > bound)) == 0;
+    return is_in_no_lane(~(x > bound));
+  }
+  [[gnu::always_inline]] static bool is_in_no_lane(const decltype(T{} <= T{})& comparison) {
+    return numeric::detail::any_of(comparison) == 0;
   }
 
   [[gnu::always_inline]] static bool is_finite(const T& x) {

@@ -13,6 +13,8 @@ template <class T>
   const T bound = T(math::from(least) * math::template by_name<symbolic::operation::abs>(scale));
   if constexpr (std::is_arithmetic_v<T>)
     return !(size - bound <= 0); // beside infinity, infinity leaves no number
+  else if constexpr (requires { math::is_in_no_lane(size <= bound); })
+    return math::is_in_no_lane(size - bound <= T{}); // lanes know nothing of each other
   else
     return math::exceeds(size, bound) || !math::is_finite(measure);
 }

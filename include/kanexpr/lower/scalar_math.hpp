@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/selection.hpp>
 #include <kanexpr/numeric/sines_and_cosines.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
@@ -103,6 +104,20 @@ struct default_scalar_math {
     a = upper;
     b = lower;
   }
+  /// x where the condition is positive, or where it is not, else zero.
+  template <symbolic::operation op>
+  [[gnu::always_inline]] static T selected(const T& condition, const T& x) {
+    constexpr bool wants_positive = op == symbolic::operation::if_positive;
+    if constexpr (numeric::selected_by_masks<T>)
+      return wants_positive ? numeric::where_positive(condition, x)
+                            : numeric::where_not_positive(condition, x);
+    else if (T(0) < condition)
+      return wants_positive ? x : T(0);
+    else if (condition <= T(0))
+      return wants_positive ? T(0) : x;
+    else
+      return condition; // not a number
+  }
   static T power(const T& x, const T& y) {
     using std::pow;
     return pow(x, y);
@@ -141,6 +156,8 @@ template <symbolic::operation op, class T>
     return T(a / b);
   else if constexpr (op == operation::power)
     return scalar_math<T>::power(a, b);
+  else if constexpr (symbolic::is_selection(op))
+    return scalar_math<T>::template selected<op>(a, b);
   else {
     static_assert(op == operation::atan2);
     return scalar_math<T>::atan2(a, b);

@@ -94,6 +94,13 @@ struct scalar_math<written_value> {
   static constexpr written_value atan2(const written_value& y, const written_value& x) {
     return detail::write(operation::atan2, y, x);
   }
+  template <operation op>
+  static constexpr written_value selected(const written_value& condition, const written_value& x) {
+    const written_value opposite = -condition, nothing = from(0);
+    if (op == operation::if_positive)
+      return detail::choose(condition, x, detail::choose(opposite, nothing, condition));
+    return detail::choose(condition, nothing, detail::choose(opposite, x, x + condition));
+  }
   static constexpr void exchange_if_positive(const written_value& d, written_value& a, written_value& b) {
     const written_value upper = detail::choose(d, b, a), lower = detail::choose(d, a, b);
     a = upper;

@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
+#include <kanexpr/mechanics/checks/check_coriolis.hpp>
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
@@ -342,7 +343,11 @@ private:
     symbolic::substitution at_rest(*m_->g); // leaves what prescribed motions add
     for (const expression& u : m_->speeds) at_rest.replace(u, m_->zero());
     for (expression& p : by_speeds) p -= at_rest.in(p);
-    return coriolis_matrix(*m_, known.coordinate, mass(), by_speeds);
+    const symbolic::matrix c = coriolis_matrix(*m_, known.coordinate, mass(), by_speeds);
+    if (!mistake_)
+      mistake_ =
+          check_coriolis(moving(), system_->loads, mass(), c, [&] { return dynamics_.inertia_bias(); });
+    return c;
   }
 
   /// ∂T/∂u; of a Lagrangian that the model gives, ∂L/∂q̇.

@@ -109,7 +109,7 @@ inline constexpr result_row results[]{
      false, true},
     {quantity::gravity_compensation, "gravity_compensation", extent_by::independent_speeds, extent_by::one,
      stage::constrained, true},
-    {quantity::coriolis, "coriolis", extent_by::speeds, extent_by::speeds, stage::constrained, true},
+    {quantity::coriolis, "coriolis", extent_by::speeds, extent_by::speeds, stage::constrained},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,
      true},
     {quantity::potential_energy, "potential_energy", extent_by::scalar, extent_by::scalar, stage::constrained,

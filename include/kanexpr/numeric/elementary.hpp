@@ -303,6 +303,32 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::copy_sign(static_cast<double>(value), x);
 }
 
+// By its series (DLMF 4.33.1) up to 1/2, beyond that by exponentials, of which one is left from 40 on.
+[[nodiscard]] constexpr double sinh(double x) noexcept {
+  if (detail::is_nan(x)) return detail::not_a_number;
+  const double size = abs(x);
+  if (size > 711) return detail::copy_sign(detail::infinity, x);
+  detail::real value = static_cast<detail::real>(size);
+  if (size < 0.5) {
+    value *= detail::series(detail::reciprocal_factorials, 2, 17, value * value);
+    return detail::copy_sign(static_cast<double>(value), x);
+  }
+  const auto [k, power] = detail::split_exp(size);
+  if (size > 40) return detail::copy_sign(detail::scaled(power, k - 1), x);
+  value = power * static_cast<detail::real>(detail::power_of_two(k));
+  return detail::copy_sign(static_cast<double>((value - 1 / value) / 2), x);
+}
+
+[[nodiscard]] constexpr double cosh(double x) noexcept {
+  if (detail::is_nan(x)) return detail::not_a_number;
+  const double size = abs(x);
+  if (size > 711) return detail::infinity;
+  const auto [k, power] = detail::split_exp(size);
+  if (size > 40) return detail::scaled(power, k - 1);
+  const detail::real value = power * static_cast<detail::real>(detail::power_of_two(k));
+  return static_cast<double>((value + 1 / value) / 2);
+}
+
 [[nodiscard]] constexpr double log(double x) noexcept {
   if (numeric::equal(x, 0.0)) return -detail::infinity;
   if (numeric::equal(x, detail::infinity)) return x;

@@ -2,10 +2,9 @@
 
 #include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elimination.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -120,16 +119,20 @@ constexpr T largest_entry(const fixed_matrix<T, rows, columns>& m) {
 /// Whether all entries are finite, by their bits, so that it holds with -ffast-math.
 template <class T, int rows, int columns>
 constexpr bool is_finite(const fixed_matrix<T, rows, columns>& m) {
-  for (int i = 0; i < rows * columns; ++i) {
-    if constexpr (std::is_same_v<T, float>) {
-      constexpr std::uint32_t exponent = std::uint32_t{0xff} << 23;
-      if ((std::bit_cast<std::uint32_t>(m.entries[i]) & exponent) == exponent) return false;
-    } else {
-      if (!elementary::detail::is_finite(static_cast<double>(m.entries[i]))) return false;
-    }
-  }
+  for (int i = 0; i < rows * columns; ++i)
+    if (!is_finite(m.entries[i])) return false;
   return true;
 }
+
+/// What a constant expression does must not overflow either: a pivot so small that it might vanishes, too.
+struct bounded_elimination_math : constant_elimination_math {
+  template <class T>
+  static constexpr T least_pivot = power_of_two<T>(-std::numeric_limits<T>::max_exponent / 4);
+  template <class T>
+  static constexpr T reciprocal(T x) {
+    return magnitude(x) > least_pivot<T> ? 1 / x : T(0);
+  }
+};
 
 /// A matrix that is eliminated once, to solve with it many times.
 template <class T, int n>
@@ -138,20 +141,21 @@ public:
   constexpr explicit eliminated(const fixed_matrix<T, n, n>& m) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) f_[place.at(i, j)] = m(i, j);
-    factorize<constant_elimination_math>(n, f_);
+    factorize<math>(n, f_);
   }
 
-  constexpr bool is_singular() const { return !(f_[place.least_pivot()] > 0); }
+  constexpr bool is_singular() const { return !(f_[place.least_pivot()] > math::template least_pivot<T>); }
   /// One over a pivot.
   constexpr T reciprocal(int k) const { return f_[place.at(k, k)]; }
 
   template <int columns>
   constexpr fixed_matrix<T, n, columns> solve(fixed_matrix<T, n, columns> b) const {
-    for (int j = 0; j < columns; ++j) solve_factorized<constant_elimination_math>(n, f_, b.entries + j * n);
+    for (int j = 0; j < columns; ++j) solve_factorized<math>(n, f_, b.entries + j * n);
     return b;
   }
 
 private:
+  using math = bounded_elimination_math;
   static constexpr factors place{n};
   T f_[static_cast<std::size_t>(factors{n}.size())]{};
 };

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/compose.hpp>
 
 #include <concepts>
 #include <memory>

@@ -108,8 +108,8 @@ private:
   static constexpr std::string_view name_of_time = "t";
 
   const mechanics::mechanism& m_;
-  mechanics::finiteness numbers_;
-  sentence mistake_;
+  mechanics::finiteness numbers_{};
+  sentence mistake_{};
   bool has_time_ = false;
 };
 

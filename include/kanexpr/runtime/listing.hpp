@@ -99,6 +99,7 @@ private:
     case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
     case form::constant:
     case form::symbol: // have no line
+    case form::selection:
     case form::pair:
     case form::factorization:
     case form::solve:

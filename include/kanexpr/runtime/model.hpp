@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/derive/check_words.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/runtime/derived.hpp>
@@ -26,7 +27,7 @@ struct survey;
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use.
-  explicit model(const describe::system_record& from, std::span<const deriving::request> also = {});
+  explicit model(const deriving::checked_words& from, std::span<const deriving::request> also = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
@@ -132,10 +133,10 @@ private:
 template <class System, auto... also>
 model derive() {
   if constexpr (sizeof...(also) == 0) {
-    return model(System::record);
+    return model(deriving::words_of<System>);
   } else {
     const deriving::request all[]{deriving::requested<also>::value...};
-    return model(System::record, all);
+    return model(deriving::words_of<System>, all);
   }
 }
 

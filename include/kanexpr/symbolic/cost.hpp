@@ -22,6 +22,7 @@ struct cost {
     case form::constant:
     case form::symbol:
     case form::negate: break;
+    case form::selection: // a comparison
     case form::add:
     case form::subtract: additions += times; break;
     case form::multiply: multiplications += times; break;

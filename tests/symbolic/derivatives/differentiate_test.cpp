@@ -86,6 +86,8 @@ TEST_F(differentiate_each, function_by_an_imaginary_step) {
                              atan(x),
                              exp(x),
                              log(x),
+                             sinh(x),
+                             cosh(x),
                              tanh(x),
                              power(x, number(-3)),
                              power(x, number(0.3)),

@@ -98,6 +98,8 @@ TEST_F(rules, know_functions) {
   EXPECT_EQ(sin(-q1), -sin(q1));
   EXPECT_EQ(cos(-q1), cos(q1));
   EXPECT_EQ(atan(-q1), -atan(q1));
+  EXPECT_EQ(sinh(-q1), -sinh(q1));
+  EXPECT_EQ(cosh(-q1), cosh(q1));
   EXPECT_EQ(tanh(-q1), -tanh(q1));
   EXPECT_EQ(abs(-q1), abs(q1));
   EXPECT_EQ(abs(abs(q1)), abs(q1));

@@ -51,6 +51,8 @@ TEST_F(limits, of_quotients_are_exact) {
   EXPECT_EQ(at_zero((power(q + 1, fraction(1, 3)) - 1) / q), fraction(1, 3));
   EXPECT_EQ(at_zero((asin(q) - atan(q)) / (q * q * q)), fraction(1, 2));
   EXPECT_EQ(at_zero((tan(q) - tanh(q)) / (q * q * q)), fraction(2, 3));
+  EXPECT_EQ(at_zero((sinh(q) - sin(q)) / (q * q * q)), fraction(1, 3));
+  EXPECT_EQ(at_zero((cosh(q) - 1) / (q * q)), fraction(1, 2));
   EXPECT_EQ(at({{x, fraction(2, 3)}}, (9 * x * x - 4) / (3 * x - 2)), number(4));
 }
 
@@ -75,6 +77,7 @@ TEST_F(limits, keep_the_symbols_that_stay) {
   EXPECT_EQ(at_zero(tan(a * q1) / q1), a);
   EXPECT_EQ(at_zero((sin(q1 + x) - sin(x)) / q1), cos(x));
   EXPECT_EQ(at_zero((tanh(q1 + x) - tanh(x)) / q1), 1 - tanh(x) * tanh(x));
+  EXPECT_EQ(at_zero((cosh(q1 + x) - cosh(x)) / q1), sinh(x));
   EXPECT_EQ(at_zero((power(q1 + 1, a) - 1) / q1), a);
   EXPECT_EQ(print(at_zero((b * sin(3 * q1) + c * tan(q1)) / (5 * a * q1 + q1 * q1))), "(3*b + c)/(5*a)");
   EXPECT_EQ(at({{x, a}}, (sin(x) - sin(a)) / (x - a)), cos(a));

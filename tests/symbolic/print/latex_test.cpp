@@ -85,6 +85,7 @@ TEST_F(latex_function, has_the_names_of_mathematics) {
   EXPECT_EQ(latex(exp(-x) * log(y)), R"(e^{-x} \ln y)");
   EXPECT_EQ(latex(exp(x) * exp(x)), R"(\left(e^{x}\right)^{2})");
   EXPECT_EQ(latex(asin(x)), R"(\arcsin x)");
+  EXPECT_EQ(latex(sinh(x) + cosh(y)), R"(\sinh x + \cosh y)");
   EXPECT_EQ(latex(tanh(x)), R"(\tanh x)");
   EXPECT_EQ(latex(acos(x)), R"(\arccos x)");
   EXPECT_EQ(latex(atan(-x / 2)), R"(-\arctan\left(\frac{x}{2}\right))");

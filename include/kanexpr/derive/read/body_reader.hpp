@@ -26,11 +26,11 @@ public:
     if (!r.instead_of_inertia.empty())
       return reading_.fail(
           {"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is not an inertia"});
-    for (int i = 0; i < m_.bodies.size(); ++i) { // the bodies before this one
-      if (&reading_.from.bodies[i] == &r) return reading_.fail({"body ", r.called, " is listed twice"});
-      if (reading_.from.bodies[i].called == r.called)
-        return reading_.fail({"two bodies are called ", r.called});
+    for (const body_record* before : read_) {
+      if (before == &r) return reading_.fail({"body ", r.called, " is listed twice"});
+      if (before->called == r.called) return reading_.fail({"two bodies are called ", r.called});
     }
+    read_.push(&r);
     mechanics::body b;
     b.called = symbolic::name(r.called);
     b.mass = phrases_.scalar_of(r.mass, {"the mass of ", r.called}, r.called);
@@ -71,6 +71,7 @@ private:
   mechanism& m_;
   phrase_reader& phrases_;
   entity_reader& entities_;
+  sequence<const body_record*> read_{};
 };
 
 } // namespace kanexpr::deriving

@@ -20,7 +20,20 @@ public:
     if (reading_.mistake) return;
     for (const kind& k : kinds)
       for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i)
-        for (const velocity_constraint& c : vanishing_by((reading_.from.*k.list)[i], k.whom)) keep(k, c);
+        for (const velocity_constraint& c : vanishing_by((reading_.from.*k.list)[i], k.whom))
+          keep(k, (reading_.from.*k.list)[i], c);
+  }
+
+  /// An auxiliary speed is in velocities and in no coordinate: of where points and frames are, the rate in
+  /// coordinates does not know it. So the reactions of joints want such a rate by velocities.
+  constexpr void check_reactions(const sequence<int>& of_configuration) {
+    if (reading_.from.reactions.size == 0) return;
+    for (int i : of_configuration)
+      if (i != none && is_geometric_[i] != 0)
+        return reading_.fail({"the reactions of joints need the rate of configuration constraint ",
+                              mechanics::counted(i + 1).view(),
+                              " by velocities; write it in velocity_constraints<...> too, as "
+                              "zero_along<velocity_of<P> - velocity_of<Q>, directions>"});
   }
 
   constexpr void visit_constraints() {
@@ -29,7 +42,7 @@ public:
         const phrase& p = (reading_.from.*k.list)[i];
         if (p.kind != shape::equation && p.kind != shape::vanishing)
           return reading_.fail({k.word, "<...> holds something that is not an equation",
-                                p.size > 0 ? ", with " : "", name_in(p),
+                                name_in(p).empty() ? "" : ", with ", name_in(p),
                                 "; write an equation or zero_along<...>"});
         entities_.visit(p.tokens, p.size, k.whom);
         for (int j = 0; j < p.size && !reading_.mistake; ++j)
@@ -73,13 +86,19 @@ private:
       {&system_record::acceleration_constraints, "acceleration_constraints", "an acceleration constraint"},
   };
 
-  constexpr void keep(const kind& k, const velocity_constraint& c) {
+  constexpr void keep(const kind& k, const phrase& p, const velocity_constraint& c) {
     if (k.list == &system_record::configuration_constraints)
-      reading_.into.constraints.on_configuration.push(c.value);
+      reading_.into.constraints.on_configuration.push(c.value), is_geometric_.push(mentions_places(p));
     else if (k.list == &system_record::velocity_constraints)
       reading_.into.constraints.on_velocities.push(c);
     else
       reading_.into.constraints.on_accelerations.push(c.value);
+  }
+
+  static constexpr char mentions_places(const phrase& p) {
+    for (int i = 0; i < p.size; ++i)
+      if (p.tokens[i].point != nullptr || p.tokens[i].frame != nullptr) return 1;
+    return 0;
   }
 
   /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.
@@ -117,6 +136,7 @@ private:
   symbol_reader& symbols_;
   phrase_reader& phrases_;
   entity_reader& entities_;
+  sequence<char> is_geometric_{}; ///< of each configuration constraint
 };
 
 } // namespace kanexpr::deriving

@@ -59,18 +59,19 @@ public:
     const int describing_before = reading_.describing;
     reading_.describing = none;
     open_frames_.push(r);
-    const int parent = r->parent != nullptr ? frame(r->parent, r->called) : none;
+    const frame_record& told = *freed(r);
+    const int parent = told.parent != nullptr ? frame(told.parent, told.called) : none;
     if (reading_.mistake) return mechanism::inertial;
-    const int place = add_frame(*r, parent);
+    const int place = add_frame(told, parent);
     open_frames_.pop();
     frames_.push(r);
     places_of_frames_.push(place);
-    if (r->reference != nullptr && !reading_.mistake) {
+    if (told.reference != nullptr && !reading_.mistake) {
       reading_.describing = place;
-      const int reference = frame(r->reference, r->called);
-      const mechanics::vector w =
-          phrases_.vector_of(r->angular_velocity, {"the angular velocity of frame ", r->called}, r->called);
-      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, r->turns_apart);
+      const int reference = frame(told.reference, told.called);
+      const mechanics::vector w = phrases_.vector_of(
+          told.angular_velocity, {"the angular velocity of frame ", told.called}, told.called);
+      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, told.turns_apart);
     }
     reading_.describing = describing_before;
     return place;
@@ -83,21 +84,22 @@ public:
       reading_.fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_point(*r, whom);
     if (reading_.mistake) return 0;
+    const point_record& told = *freed(r);
     mechanics::point p;
-    p.called = symbolic::name(r->called);
-    if (r->parent != nullptr) {
+    p.called = symbolic::name(told.called);
+    if (told.parent != nullptr) {
       open_points_.push(r);
-      p.parent = point(r->parent, r->called);
+      p.parent = point(told.parent, told.called);
       open_points_.pop();
-      p.offset = phrases_.vector_of(r->offset, {"the offset of point ", r->called}, r->called);
-    } else if (frame(r->origin_of, r->called) != mechanism::inertial) {
+      p.offset = phrases_.vector_of(told.offset, {"the offset of point ", told.called}, told.called);
+    } else if (frame(told.origin_of, told.called) != mechanism::inertial) {
       reading_.fail(
           {"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
     }
-    if (r->fixed_in != nullptr) p.fixed_in = frame(r->fixed_in, r->called);
-    if (r->reference != nullptr) {
-      p.reference = frame(r->reference, r->called);
-      p.velocity = phrases_.vector_of(r->velocity, {"the velocity of point ", r->called}, r->called);
+    if (told.fixed_in != nullptr) p.fixed_in = frame(told.fixed_in, told.called);
+    if (told.reference != nullptr) {
+      p.reference = frame(told.reference, told.called);
+      p.velocity = phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
     }
     if (reading_.mistake) return 0;
     points_.push(r);
@@ -105,6 +107,24 @@ public:
   }
 
 private:
+  /// A frame of a joint whose reactions are wanted moves as all frames do, and with auxiliary speeds.
+  constexpr const frame_record* freed(const frame_record* r) const {
+    for (int i = 0; i < reading_.from.reactions.size; ++i)
+      if (reading_.from.reactions[i].frame == r) return reading_.from.reactions[i].freed_frame;
+    return r;
+  }
+  constexpr const point_record* freed(const point_record* r) const {
+    for (int i = 0; i < reading_.from.reactions.size; ++i)
+      if (reading_.from.reactions[i].point == r) return reading_.from.reactions[i].freed_point;
+    return r;
+  }
+
+  constexpr bool is_listed(const frame_record& of_joint) const {
+    for (int i = 0; i < reading_.from.joints.size; ++i)
+      if (reading_.from.joints[i].frame == &of_joint) return true;
+    return false;
+  }
+
   constexpr void forget_after(int frames, int points) {
     for (; !frames_.empty() && places_of_frames_.back() >= frames; frames_.pop()) places_of_frames_.pop();
     while (m_.frames.size() > frames) m_.frames.pop();
@@ -130,6 +150,8 @@ private:
     if (!reading_.words_belong(r.beside, r.called)) return;
     if (r.calls_itself.empty()) return no_such("frame", r.called, whom, r.instead, r.its_own);
     if (r.called != r.calls_itself) return reading_.slip("frame ", r.called, r.calls_itself);
+    if (r.is_of_joint && !is_listed(r))
+      return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (!r.fits) return reading_.wrong_count("frame ", r.called, r.fits);
     if (&r == reading_.from.inertial && r.orientation != describe::orientation_word::inertial)
       reading_.fail(

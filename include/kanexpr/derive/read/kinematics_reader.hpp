@@ -3,6 +3,8 @@
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::deriving {
 
@@ -14,6 +16,7 @@ public:
 
   constexpr void read(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
+    if (p.kind == shape::simple) return note_simple();
     if (p.kind == shape::kinematics) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)
       return reading_.fail({"kinematics<...> holds something that is not an equation",
@@ -25,7 +28,35 @@ public:
     m_.kinematics.push(left_minus_right.scalar);
   }
 
+  /// After all others: those that `simple` stands for.
+  constexpr void add_simple() {
+    if (!has_simple_ || reading_.mistake) return;
+    const sequence<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));
+    const auto left_out = [&](const sequence<expression>& symbols) {
+      sequence<int> places;
+      for (int i = 0; i < symbols.size(); ++i)
+        if (symbols[i].node() >= live.size() || live[symbols[i].node()] == 0) places.push(i);
+      return places;
+    };
+    const sequence<int> coordinates = left_out(m_.coordinate_rates), speeds = left_out(m_.speeds);
+    if (coordinates.size() != speeds.size())
+      return reading_.fail({"kinematics<simple> has ", mechanics::counted(coordinates.size()).view(),
+                            coordinates.size() == 1 ? " coordinate and " : " coordinates and ",
+                            mechanics::counted(speeds.size()).view(),
+                            speeds.size() == 1 ? " speed" : " speeds",
+                            " in no other kinematic differential equation; there must be as many"});
+    if (coordinates.size() == 0)
+      return reading_.fail({"kinematics<simple> has no coordinate left; all have other equations"});
+    for (int i = 0; i < coordinates.size(); ++i)
+      m_.kinematics.push(m_.coordinate_rates[coordinates[i]] - m_.speeds[speeds[i]]);
+  }
+
 private:
+  constexpr void note_simple() {
+    if (has_simple_) return reading_.fail({"kinematics<...> holds simple twice"});
+    has_simple_ = true;
+  }
+
   constexpr void read_kinematics_of(const frame_record* of, const frame_record* in) {
     if (in == nullptr)
       return reading_.fail({"kinematics_of takes two frames, and does not have them for ", of->called,
@@ -40,6 +71,7 @@ private:
   mechanism& m_;
   phrase_reader& phrases_;
   entity_reader& entities_;
+  bool has_simple_ = false;
 };
 
 } // namespace kanexpr::deriving

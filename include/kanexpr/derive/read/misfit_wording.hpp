@@ -27,6 +27,9 @@ constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view
     return sentence({"a load stands beside ", called, "; write it in loads<...> of the system"});
   case misfit::two_orientations: return sentence({"frame ", called, " is given two orientations"});
   case misfit::two_places: return sentence({"point ", called, " is given two places"});
+  case misfit::two_joints: return sentence({called, " is two joints; give each a name of its own"});
+  case misfit::motion_beside_joint:
+    return sentence({"a motion stands beside joint ", called, ", which moves as a joint of its kind does"});
   case misfit::two_bodies: return sentence({"body ", called, " is described twice"});
   case misfit::two_loads: return sentence({called, " is two loads; give each a name of its own"});
   case misfit::two_angular_velocities:

@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
+#include <kanexpr/symbolic/graph/compose.hpp>
 
 namespace kanexpr::deriving {
 
@@ -29,7 +30,7 @@ public:
 
   /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
-    if (p.kind == shape::vanishing || p.kind == shape::kinematics)
+    if (p.kind == shape::vanishing || p.kind == shape::kinematics || p.kind == shape::simple)
       reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
     const sequence<value> found = evaluate_each(p, whom);
     if (reading_.mistake || found.empty()) return value::of(m_.zero());
@@ -120,6 +121,9 @@ private:
       if (!mechanics::has_no_value(*m_.g, id)) continue;
       if (t.what == token_kind::normalized)
         reading_.fail({reading_.part, whom, " holds normalized of a vector of no length"});
+      else if (t.what == describe::token_kind::composed)
+        reading_.fail(
+            {reading_.part, whom, " holds ", word_of(t).name, " of numbers for which it has no value"});
       else if (t.what != token_kind::scalar_function)
         reading_.fail({reading_.part, whom, " holds a number that is not finite"});
       else if (t.operation == symbolic::operation::power)
@@ -163,6 +167,7 @@ private:
       stack.push(value::of({*m_.g, symbolic::build(*m_.g, t.operation, a.scalar.node(), b.scalar.node())}));
       break;
     }
+    case token_kind::composed: compose(t, stack, whom); break;
     case token_kind::negate: stack.push(negative(m_, pop())); break;
     case token_kind::add: {
       const value b = pop(), a = pop();
@@ -249,6 +254,51 @@ private:
     case token_kind::derivative: return motion(t, stack, whom);
     }
   }
+
+  static constexpr const symbolic::composition_word& word_of(const describe::token& t) {
+    return symbolic::word_of(static_cast<symbolic::composition>(t.index));
+  }
+
+  constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    const symbolic::composition_word& f = word_of(t);
+    const int given = static_cast<int>(t.number.numerator);
+    sequence<expression> operands;
+    for (int i = stack.size() - given; i < stack.size(); ++i) {
+      if (stack[i].kind != shape::scalar)
+        return reading_.fail({reading_.part, whom, " takes ", f.name, " of ", a_kind(stack[i].kind)});
+      operands.push(stack[i].scalar);
+    }
+    if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
+    if (given != f.operands && f.operands != symbolic::any_number)
+      return reading_.fail({reading_.part, whom, " takes ", f.name, " of ", mechanics::counted(given).view(),
+                            given == 1 ? " scalar" : " scalars", "; it is of ",
+                            mechanics::counted(f.operands).view()});
+    for (int i = 0; i < given; ++i) stack.pop();
+    stack.push(value::of(symbolic::compose(f.is, operands)));
+  }
+
+  /// Of the argument and then the points of a table: whether it has two or more, in their order, and ends as
+  /// it begins if it is periodic.
+  constexpr bool check_table(const symbolic::composition_word& f, const sequence<expression>& x,
+                             std::string_view whom) {
+    const int points = (x.size() - 1) / 2;
+    const auto say = [&](std::initializer_list<std::string_view> what) {
+      const mechanics::sentence rest(what);
+      reading_.fail({reading_.part, whom, " holds ", f.name, "<...> ", rest.view()});
+    };
+    if (x.size() % 2 == 0 || points < 2)
+      say({"of ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
+           "; it takes points, two or more, each an argument and a value"});
+    for (int i = 0; i + 1 < points && !reading_.mistake; ++i) {
+      const expression from = x[2 * i + 1], to = x[2 * i + 3];
+      if (from.is_constant() && to.is_constant() && !(number_at(from) < number_at(to)))
+        say({"with arguments that do not grow, at point ", mechanics::counted(i + 2).view()});
+    }
+    if (!reading_.mistake && f.is == symbolic::composition::periodic && !(x[2] == x.back()))
+      say({"that does not end with the value with which it begins"});
+    return !reading_.mistake;
+  }
+  constexpr double number_at(const expression& e) const { return m_.g->number_at(e.node()).value(); }
 
   /// What a point or frame does, which only a model that has been read knows.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {

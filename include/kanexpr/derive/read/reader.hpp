@@ -1,8 +1,7 @@
 #pragma once
 
-#include <kanexpr/derive/read/body_reader.hpp>
 #include <kanexpr/derive/read/constraint_reader.hpp>
-#include <kanexpr/derive/read/kinematics_reader.hpp>
+#include <kanexpr/derive/read/joint_reader.hpp>
 #include <kanexpr/derive/read/lagrange_reader.hpp>
 #include <kanexpr/derive/read/load_reader.hpp>
 #include <kanexpr/derive/read/value_reader.hpp>
@@ -48,9 +47,13 @@ public:
     entities_.frame(from.inertial, "the system");
     lagrange_.visit_lagrangian();
     for (int i = 0; i < from.bodies.size && !reading_.mistake; ++i) bodies_.read(from.bodies[i]);
+    for (int i = 0; i < from.joints.size && !reading_.mistake; ++i) joints_.read(from.joints[i]);
     for (int i = 0; i < from.loads.size && !reading_.mistake; ++i) loads_.read_load(from.loads[i]);
     for (int i = 0; i < from.kinematics.size && !reading_.mistake; ++i) kinematics_.read(from.kinematics[i]);
+    if (!reading_.takes_rates_as_speeds()) joints_.read_kinematics();
+    kinematics_.add_simple();
     constraints_.visit_constraints();
+    if (!reading_.mistake) symbols_.place_added_inputs();
     symbols_.check_values_are_used();
   }
 
@@ -60,6 +63,10 @@ public:
   /// Whether there were any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
+  /// With the configuration constraints whose rates no velocity constraint says.
+  constexpr void check_reactions(const sequence<int>& of_configuration) {
+    constraints_.check_reactions(of_configuration);
+  }
 
   /// Reads the entities that a phrase mentions, for `take_up` to make known to a system that is derived.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
@@ -73,21 +80,37 @@ public:
   constexpr void admit_parameter(const symbol_record& r) { symbols_.admit_parameter(r); }
 
 private:
+  constexpr void read_coordinates(const describe::listing<phrase>& listed) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
+        m_.coordinate(s->called);
+  }
+  constexpr void read_speeds(const describe::listing<phrase>& listed) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::speeds))
+        m_.speed(s->called);
+  }
+  constexpr void read_auxiliary_speeds(const describe::listing<phrase>& listed) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::auxiliary_speeds))
+        m_.auxiliary_speed(s->called);
+  }
+
   constexpr void read_lists() {
     const system_record& from = reading_.from;
-    for (int i = 0; i < from.coordinates.size; ++i)
-      if (const symbol_record* s = symbols_.listed_symbol(
-              from.coordinates[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
-        m_.coordinate(s->called);
+    joints_.check_all();
+    if (reading_.mistake) return;
+    read_coordinates(from.coordinates);
+    for (int i = 0; i < from.joints.size; ++i) read_coordinates(from.joints[i].coordinates);
     lagrange_.read_rates();
-    for (int i = 0; i < from.speeds.size; ++i)
-      if (const symbol_record* s =
-              symbols_.listed_symbol(from.speeds[i], symbolic::symbol_kind::speed, symbol_list::speeds))
-        m_.speed(s->called);
-    for (int i = 0; i < from.auxiliary.size; ++i)
-      if (const symbol_record* s = symbols_.listed_symbol(from.auxiliary[i], symbolic::symbol_kind::speed,
-                                                          symbol_list::auxiliary_speeds))
-        m_.auxiliary_speed(s->called);
+    read_speeds(from.speeds);
+    if (!reading_.takes_rates_as_speeds())
+      for (int i = 0; i < from.joints.size; ++i) read_speeds(from.joints[i].speeds);
+    read_auxiliary_speeds(from.auxiliary);
+    for (int i = 0; i < from.reactions.size; ++i) read_auxiliary_speeds(from.reactions[i].speeds);
     for (int i = 0; i < from.values.size; ++i) values_.read(from.values[i]);
     for (int i = 0; i < from.parameters.size; ++i)
       if (const symbol_record* s = symbols_.listed_symbol(
@@ -113,6 +136,7 @@ private:
   body_reader bodies_{reading_, phrases_, entities_};
   load_reader loads_{reading_, symbols_, phrases_, entities_};
   kinematics_reader kinematics_{reading_, phrases_, entities_};
+  joint_reader joints_{reading_, entities_, bodies_, kinematics_};
   constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
 };
 

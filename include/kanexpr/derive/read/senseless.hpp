@@ -29,6 +29,7 @@ constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   case token_kind::scalar_function: return a == shape::scalar && b == shape::scalar;
   case token_kind::number:
   case token_kind::symbol:
+  case token_kind::composed:
   case token_kind::basis:
   case token_kind::negate:
   case token_kind::magnitude:

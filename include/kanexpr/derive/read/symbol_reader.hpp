@@ -42,6 +42,7 @@ public:
         }
       return mentioned(m_.parameters, r, reading_.from.parameters.size != 0, "parameter", whom);
     case symbol_kind::input:
+      place_added_inputs(r, whom);
       if (reading_.from.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
       return mentioned(m_.inputs, r, reading_.from.inputs.size != 0, "input", whom);
     }
@@ -107,6 +108,16 @@ public:
     if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
   }
 
+  /// The inputs that were added to a system without a list, all at once, if they are not there yet.
+  constexpr void place_added_inputs() {
+    const auto& added = reading_.from.added_inputs;
+    if (added.size == 0 || are_added_inputs_placed()) return;
+    for (int i = 0; i < added.size; ++i)
+      if (const symbol_record* s = listed_symbol(added[i], symbolic::symbol_kind::input, symbol_list::inputs))
+        place_input(*s);
+    for (int i = 0; i < added.size && !reading_.mistake; ++i) check_derivative(*added[i].tokens[0].symbol);
+  }
+
   /// After the list of inputs: a derivative alone would be taken for the rate of nothing.
   constexpr void check_derivative(const symbol_record& r) {
     if (r.order <= 0) return;
@@ -167,6 +178,26 @@ public:
   }
 
 private:
+  constexpr bool are_added_inputs_placed() const {
+    const auto& added = reading_.from.added_inputs;
+    const symbol_record* first = added.size == 0 || added[0].size == 0 ? nullptr : added[0].tokens[0].symbol;
+    return first != nullptr && has(m_.inputs, first->called);
+  }
+
+  /// Before an input is looked for: one that was added brings all of them; what comes after them is in no
+  /// list.
+  constexpr void place_added_inputs(const symbol_record& r, std::string_view whom) {
+    const auto& added = reading_.from.added_inputs;
+    if (added.size == 0 || has(m_.inputs, r.called)) return;
+    for (int i = 0; i < added.size; ++i)
+      if (added[i].size == 1 && added[i].tokens[0].symbol != nullptr &&
+          added[i].tokens[0].symbol->called == r.called)
+        return place_added_inputs();
+    if (are_added_inputs_placed())
+      reading_.fail({"input ", r.called.view(), ", which ", reading_.part, whom,
+                     " holds, comes behind those that extended<...> adds; let inputs<...> list it"});
+  }
+
   constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
     return !find(symbols, called).is_zero();
   }

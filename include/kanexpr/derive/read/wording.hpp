@@ -60,6 +60,7 @@ constexpr bool is_whole(const phrase& p) {
     case token_kind::cross:
     case token_kind::outer: operands = 2; break;
     case token_kind::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
+    case token_kind::composed: operands = static_cast<int>(p.tokens[i].number.numerator); break;
     case token_kind::negate:
     case token_kind::magnitude:
     case token_kind::normalized:
@@ -89,7 +90,8 @@ constexpr std::string_view is_a(shape kind) {
   case shape::dyadic: return " is a dyadic; ";
   case shape::equation: return " is an equation; ";
   case shape::vanishing: return " is a constraint; ";
-  case shape::kinematics: return " is a list of kinematic differential equations; ";
+  case shape::kinematics:
+  case shape::simple: return " is a list of kinematic differential equations; ";
   case shape::nothing:
   case shape::foreign: break;
   }

@@ -21,12 +21,19 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   return true;
 }
 
+/// How sentences go on.
+struct wording_of_rates {
+  std::string_view of_velocity, of_mass;
+};
+inline constexpr wording_of_rates by_lagrange{", which Lagrange's method differentiates",
+                                              "; in Lagrange's method it may change with time only"};
+
 /// The checks of one mechanism. Kane's method takes velocities as they are declared; here they must be the
 /// rates of positions and orientations, for the kinetic energy is differentiated by these.
 class checking_lagrange {
 public:
-  constexpr checking_lagrange(motion& k, const loads& acting)
-      : k_(k), s_(k.skeleton_used()), m_(*s_.model), loads_(acting), held_(*m_.g) {}
+  constexpr checking_lagrange(motion& k, const loads& acting, const wording_of_rates& wording)
+      : k_(k), s_(k.skeleton_used()), m_(*s_.model), loads_(acting), wording_(wording), held_(*m_.g) {}
 
   constexpr sentence run() {
     if (loads_.has_lagrangian) check_lagrangian();
@@ -63,7 +70,7 @@ private:
   /// A declared angular velocity against that of the orientation.
   constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
-    symbolic::differentiation along_time = time_derivative(m_, m_.speeds);
+    symbolic::differentiation along_time = time_derivative(m_, s_.coordinate_rates);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
         express(m_, k_.angular_velocity(place), s_.working_axes[s_.rigid_with[place]], mechanism::inertial);
@@ -73,7 +80,7 @@ private:
     }
     if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
       fail({"the declared angular velocity of frame ", m_.frames[place].called.view(),
-            " is not that of its orientation, which Lagrange's method differentiates"});
+            " is not that of its orientation", wording_.of_velocity});
   }
 
   /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
@@ -86,7 +93,8 @@ private:
         if (m_.coordinates[i].node() == e.node()) {
           const expression of_norm_one = e / sqrt(squares);
           at_norm_one.replace(e, of_norm_one);
-          at_norm_one.replace(m_.speeds[i], along_time.of(of_norm_one));
+          if (m_.speeds.contains(s_.coordinate_rates[i]))
+            at_norm_one.replace(s_.coordinate_rates[i], along_time.of(of_norm_one));
         }
   }
 
@@ -100,16 +108,14 @@ private:
     components v = express(m_, k_.velocity(s_.station_of_point[b.center]), s_.working_axes[at.axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
     if (!vanish(m_, {v.x, v.y, v.z}))
-      fail({"the velocity of ", b.called.view(),
-            " is not the rate of its position, which Lagrange's method differentiates"});
+      fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
   }
 
   /// Forces are rates of momentum where masses change; with coordinates, T's derivatives say something else.
   constexpr void check_mass(const body& b) {
-    constexpr std::string_view tail = "; in Lagrange's method it may change with time only";
     if (held_.holds(b.mass, kind::coordinate))
       return fail({"the mass of ", b.called.view(), " changes with coordinate ",
-                   held_.name_of(b.mass, kind::coordinate), tail});
+                   held_.name_of(b.mass, kind::coordinate), wording_.of_mass});
     if (b.frame == none || has_plain_inertia(b)) return;
     const symmetric inertia = central_inertia(m_, b, b.frame);
     for (const expression& q : m_.coordinates) {
@@ -117,7 +123,8 @@ private:
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j) changes.push(symbolic::differentiate(inertia(i, j), q));
       if (!vanish(m_, changes))
-        return fail({"the inertia of ", b.called.view(), " changes with coordinate ", called(m_, q), tail});
+        return fail({"the inertia of ", b.called.view(), " changes with coordinate ", called(m_, q),
+                     wording_.of_mass});
     }
   }
 
@@ -137,6 +144,7 @@ private:
   const skeleton& s_;
   const mechanism& m_;
   const loads& loads_;
+  const wording_of_rates& wording_;
   contents held_;
   sentence found_{};
 };
@@ -145,7 +153,7 @@ private:
 
 /// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
 constexpr sentence check_lagrange(motion& k, const loads& acting) {
-  return detail::checking_lagrange(k, acting).run();
+  return detail::checking_lagrange(k, acting, detail::by_lagrange).run();
 }
 
 } // namespace kanexpr::mechanics

@@ -28,7 +28,7 @@ public:
   }
 
 private:
-  symbolic::sequence<char> without_value_;
+  symbolic::sequence<char> without_value_{};
 };
 
 } // namespace kanexpr::mechanics

@@ -21,6 +21,7 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case form::negate:
   case form::subtract:
   case form::atan2:
+  case form::selection:
   case form::pair:
   case form::factorization:
   case form::solve:

@@ -54,6 +54,16 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
+/// The columns of the speeds: the rate of a configuration constraint holds no auxiliary speed, which a
+/// velocity constraint that says the same may hold.
+constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix& jacobian) {
+  if (m.auxiliary_speeds.empty()) return jacobian;
+  symbolic::matrix columns(*m.g, jacobian.rows, m.speeds.size());
+  for (int i = 0; i < columns.rows; ++i)
+    for (int j = 0; j < columns.columns; ++j) columns(i, j) = jacobian(i, j);
+  return columns;
+}
+
 } // namespace detail
 
 constexpr constraints no_constraints(const mechanism& m) {
@@ -82,7 +92,7 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
-    const sequence<char> new_by_itself = independent_rows(jacobian, &m);
+    const sequence<char> new_by_itself = independent_rows(detail::by_speeds(m, jacobian), &m);
     for (int i = given; i < all.size(); ++i) kept[i] = new_by_itself[i];
   }
 

@@ -104,13 +104,15 @@ public:
     return reduce(mechanics::active_forces(s_, loads_));
   }
 
+  /// F_r* at u̇ = 0 of all speeds, and by Kane's method behind them of the auxiliary ones.
+  constexpr sequence<expression> inertia_bias() const {
+    if (by_lagrange()) return lagrange_.inertia_bias();
+    return mechanics::inertia_bias(s_);
+  }
+
   /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
   constexpr sequence<expression> inertia_forces() {
-    sequence<expression> force;
-    if (by_lagrange())
-      force = lagrange_.inertia_bias();
-    else
-      force = inertia_bias(s_);
+    sequence<expression> force = inertia_bias();
     for (int i = 0; i < m_.speeds.size(); ++i)
       for (int j = 0; j < m_.speeds.size(); ++j) force[i] -= free_mass()(i, j) * m_.speed_rates[j];
     return reduce(force);

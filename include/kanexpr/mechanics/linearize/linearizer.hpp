@@ -117,6 +117,25 @@ private:
     return out;
   }
 
+  /// The derivatives along all directions of each expression, with the weighted sum of some more: a column of
+  /// weights for each. They come back from one after another. (Above what calls it: clang++ instantiates it
+  /// there.)
+  template <class Take>
+  constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
+                                   const symbolic::matrix& weights, const Take& take) const {
+    sequence<expression> all = of;
+    for (const expression& e : more) all.push(e);
+    symbolic::accumulation back(g_, all);
+    for (int i = 0; i < of.size(); ++i) {
+      back.restart();
+      back.seed(of[i], {g_, graph::one});
+      for (int d = 0; d < weights.rows; ++d) back.seed(more[d], weights(d, i));
+      back.run();
+      for (int j = 0; j < variations_.size(); ++j)
+        take(i, j, variations_.contracted(j, [&](expression symbol) { return back.by(symbol); }));
+    }
+  }
+
   /// One direction after another; back from one expression after another where these are fewer and no
   /// direction has a dependent one in it.
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
@@ -235,24 +254,6 @@ private:
     for (int j = 0; j < variations_.states(); ++j)
       if (!variations_.contracted(j, is_live).is_zero()) ++felt;
     return felt;
-  }
-
-  /// The derivatives along all directions of each expression, with the weighted sum of some more: a column of
-  /// weights for each. They come back from one after another.
-  template <class Take>
-  constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
-                                   const symbolic::matrix& weights, const Take& take) const {
-    sequence<expression> all = of;
-    for (const expression& e : more) all.push(e);
-    symbolic::accumulation back(g_, all);
-    for (int i = 0; i < of.size(); ++i) {
-      back.restart();
-      back.seed(of[i], {g_, graph::one});
-      for (int d = 0; d < weights.rows; ++d) back.seed(more[d], weights(d, i));
-      back.run();
-      for (int j = 0; j < variations_.size(); ++j)
-        take(i, j, variations_.contracted(j, [&](expression symbol) { return back.by(symbol); }));
-    }
   }
 
   constexpr symbolic::matrix changes_by_reverse(const sequence<expression>& force) {

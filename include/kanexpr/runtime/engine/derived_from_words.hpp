@@ -11,19 +11,21 @@ namespace kanexpr::runtime {
 /// Derived from the words of a model.
 class derived_from_words final : public derived {
 public:
-  derived_from_words(const describe::system_record& from, std::span<const deriving::request> also)
-      : system_(from) {
+  derived_from_words(const deriving::checked_words& from, std::span<const deriving::request> also)
+      : mistake_(from.mistake), system_(from.record) {
+    if (mistake_) return;
     deriving::go_on(system_, deriving::stage::constrained);
     deriving::visit(also, system_.reader());
   }
 
-  const mechanics::sentence& mistake() const override { return system_.mistake(); }
+  const mechanics::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
   const mechanics::mechanism& mechanism() const override { return system_.mechanism(); }
   deriving::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
 private:
+  mechanics::sentence mistake_; ///< in the words as such
   deriving::derived_system system_;
 };
 

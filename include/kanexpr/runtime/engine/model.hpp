@@ -48,7 +48,7 @@ inline symbolic::matrix result_of(derived& system, const deriving::request& want
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const describe::system_record& from, std::span<const deriving::request> also)
+KANEXPR_ENGINE model::model(const deriving::checked_words& from, std::span<const deriving::request> also)
     : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
 
 KANEXPR_ENGINE std::string model::mistake() const {

@@ -3,6 +3,7 @@
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/turned_component.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -45,6 +46,10 @@ public:
       if (n.op == operation::singularity_measure) continue;
       const int adjoint = adjoints_[id];
       if (back_through_turn(n, adjoints_[id])) continue;
+      if (is_selection(n.op)) {
+        back_through_selection(n, adjoint);
+        continue;
+      }
       if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
         collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
         continue;
@@ -72,6 +77,51 @@ private:
     collect(x.value[0], x.circular[0], adjoint, false);
     collect(x.value[1], x.circular[1], adjoint, !x.adds);
     return true;
+  }
+
+  /// What is left out must not matter: zero times a slope that is infinite there would. So where a slope may
+  /// be, what is selected is the derivative by each symbol.
+  constexpr void back_through_selection(const node& n, int adjoint) {
+    const sequence<char> live = live_nodes(graph_, {n.b});
+    bool stays_finite = true;
+    sequence<int> symbols;
+    for (int id = 0; id < live.size(); ++id) {
+      if (live[id] == 0) continue;
+      if (graph_[id].op == operation::symbol) symbols.push(id);
+      stays_finite = stays_finite && has_finite_slopes(graph_[id]);
+    }
+    if (stays_finite) return collect(n.b, selected(graph_, n.op, n.a, adjoint));
+    for (int id : symbols) {
+      const int slope = differentiate(expression{graph_, n.b}, expression{graph_, id}).node();
+      collect(id, multiply(graph_, adjoint, selected(graph_, n.op, n.a, slope)));
+    }
+  }
+
+  /// Wherever the operands of an operation are finite.
+  constexpr bool has_finite_slopes(const node& n) const {
+    switch (form_of(n.op)) {
+    case form::divide: return graph_.is_constant(n.b);
+    case form::function: {
+      const function_properties& f = properties_of(n.op);
+      return f.stays_finite && f.is_smooth_at(-2) && f.is_smooth_at(2);
+    }
+    case form::constant:
+    case form::symbol:
+    case form::negate:
+    case form::add:
+    case form::subtract:
+    case form::multiply:
+    case form::selection: return true;
+    case form::power:
+    case form::atan2:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::singularity_measure: break;
+    }
+    return false;
   }
 
   constexpr void collect(int id, int slope, int adjoint, bool is_negative) {

@@ -30,6 +30,7 @@ constexpr partials local_partials(graph& g, int id) {
     const expression a{g, n.a}, b{g, n.b}, square = a * a + b * b;
     return {(b / square).node(), (-(a / square)).node()};
   }
+  case form::selection: return {zero, selected(g, n.op, n.a, one)};
   case form::constant: // have no operands
   case form::symbol:
   case form::singularity_measure: // is never differentiated
@@ -88,6 +89,9 @@ private:
       rate = slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);
     } else if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
+    } else if (is_selection(n.op)) {
+      const int through_b = of(n.b);
+      rate = selected(*graph_, n.op, n.a, through_b);
     } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
       graph& g = *graph_;
       const int a = of(n.a), b = is_binary(n.op) ? of(n.b) : graph::zero;

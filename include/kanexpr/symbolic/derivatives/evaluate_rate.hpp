@@ -34,6 +34,7 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
     const double square = a.value * a.value + b.value * b.value;
     return {value, (b.value * a.rate - a.value * b.rate) / square};
   }
+  case form::selection: return {value, selected(op, a.value, b.rate)};
   case form::constant:
   case form::symbol:
   case form::pair:
@@ -77,6 +78,7 @@ private:
 
   // A constant expression must not divide by zero.
   static constexpr rated defined(operation op, rated a, rated b) {
+    if (is_selection(op)) return rated_value_of(op, a, b); // what it leaves out may be undefined
     if (!is_finite(a) || !is_finite(b)) return undefined;
     if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
     if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))

@@ -21,6 +21,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::power: return elementary::pow(a, b);
   case form::function: return properties_of(op).value(a);
   case form::atan2: return elementary::atan2(a, b);
+  case form::selection: return selected(op, a, b);
   case form::constant:
   case form::symbol:
   case form::pair:
@@ -31,6 +32,15 @@ constexpr double value_of(operation op, double a, double b) {
   case form::singularity_measure: break; // no operations on two numbers
   }
   return elementary::detail::not_a_number;
+}
+
+/// The same where operands may be undefined, which a constant expression must not calculate with, or 0 a
+/// divisor. Then the result is not-a-number, but of a selection that leaves it out.
+constexpr double defined_value_of(operation op, double a, double b) {
+  if (is_selection(op)) return selected(op, a, b);
+  if (!numeric::is_number(a) || !numeric::is_number(b) || (op == operation::divide && numeric::equal(b, 0.0)))
+    return elementary::detail::not_a_number;
+  return value_of(op, a, b);
 }
 
 /// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
@@ -56,7 +66,7 @@ public:
       else if (n.op == operation::symbol)
         value[id] = value_of_symbol(id);
       else if (n.op < operation::pair)
-        value[id] = defined(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
+        value[id] = defined_value_of(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
       else
         value[id] = solving(id, n);
     }
@@ -68,12 +78,6 @@ public:
 
 private:
   static constexpr double undefined = elementary::detail::not_a_number;
-
-  static constexpr double defined(operation op, double a, double b) {
-    if (!numeric::is_number(a) || !numeric::is_number(b)) return undefined;
-    if (op == operation::divide && numeric::equal(b, 0.0)) return undefined;
-    return value_of(op, a, b);
-  }
 
   /// Appends the values of a list, and says whether all are defined.
   constexpr bool gather(int list) {

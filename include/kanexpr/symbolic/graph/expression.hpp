@@ -109,6 +109,11 @@ constexpr expression atan2(expression y, expression x) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(y, x)) return {};
   return {y.owner(), atan2(y.owner(), y.node(), x.node())};
 }
+/// x where the condition is positive, or where it is not, else zero.
+constexpr expression selected(operation op, expression condition, expression x) {
+  if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(condition, x)) return {};
+  return {x.owner(), selected(x.owner(), op, condition.node(), x.node())};
+}
 constexpr expression power(expression base, expression exponent) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(base, exponent)) return {};
   return {base.owner(), power(base.owner(), base.node(), exponent.node())};

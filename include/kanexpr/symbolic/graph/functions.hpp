@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/selection.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cmath>
@@ -19,6 +20,8 @@ constexpr expression acos(expression a) { return apply(operation::acos, a); }
 constexpr expression atan(expression a) { return apply(operation::atan, a); }
 constexpr expression exp(expression a) { return apply(operation::exp, a); }
 constexpr expression log(expression a) { return apply(operation::log, a); }
+constexpr expression sinh(expression a) { return apply(operation::sinh, a); }
+constexpr expression cosh(expression a) { return apply(operation::cosh, a); }
 constexpr expression tanh(expression a) { return apply(operation::tanh, a); }
 constexpr expression abs(expression a) { return apply(operation::abs, a); }
 constexpr expression sign(expression a) { return apply(operation::sign, a); }
@@ -150,6 +153,34 @@ struct scalar_function<operation::log> {
 };
 
 template <>
+struct scalar_function<operation::sinh> {
+  template <class T>
+  static T of(const T& x) {
+    using std::sinh;
+    return sinh(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::cosh;
+    return cosh(x);
+  }
+};
+
+template <>
+struct scalar_function<operation::cosh> {
+  template <class T>
+  static T of(const T& x) {
+    using std::cosh;
+    return cosh(x);
+  }
+  template <class T>
+  static constexpr T slope(const T& x, const T&) {
+    using elementary::sinh;
+    return sinh(x);
+  }
+};
+
+template <>
 struct scalar_function<operation::tanh> {
   template <class T>
   static T of(const T& x) {
@@ -180,7 +211,9 @@ template <>
 struct scalar_function<operation::sign> {
   template <class T>
   static T of(const T& x) {
-    if constexpr (std::is_arithmetic_v<T>)
+    if constexpr (numeric::selected_by_masks<T>)
+      return numeric::where_number(x, static_cast<T>((T(0) < x) - (x < T(0))));
+    else if constexpr (std::is_arithmetic_v<T>)
       return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;
     else
       return T((T(0) < x) - (x < T(0)));
@@ -204,6 +237,8 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::atan: return use.template operator()<operation::atan>();
   case operation::exp: return use.template operator()<operation::exp>();
   case operation::log: return use.template operator()<operation::log>();
+  case operation::sinh: return use.template operator()<operation::sinh>();
+  case operation::cosh: return use.template operator()<operation::cosh>();
   case operation::tanh: return use.template operator()<operation::tanh>();
   case operation::abs: return use.template operator()<operation::abs>();
   case operation::sign: return use.template operator()<operation::sign>();
@@ -216,6 +251,8 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::divide:
   case operation::power:
   case operation::atan2:
+  case operation::if_positive:
+  case operation::if_not_positive:
   case operation::pair:
   case operation::factorization:
   case operation::solve:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 
 #include <limits>
@@ -27,9 +28,14 @@ enum class operation : unsigned char {
   atan2,
   exp,
   log,
+  sinh,
+  cosh,
   tanh,
   abs,
   sign,
+  // selections: the second operand where the first is positive, or where it is not, else zero
+  if_positive,
+  if_not_positive,
   // linear systems; lists are no values, and stand only as operands of these
   pair,                ///< a list: its first element and the list of the others, ended by the constant zero
   factorization,       ///< of the matrix with a list of rows, each a list, and of the order in the constant b
@@ -43,11 +49,23 @@ enum class operation : unsigned char {
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
 
 constexpr bool is_binary(operation op) {
-  return (op >= operation::add && op <= operation::power) || op == operation::atan2 || op >= operation::pair;
+  return (op >= operation::add && op <= operation::power) || op == operation::atan2 ||
+         op >= operation::if_positive;
 }
 /// Whether the second operand is a plain number that says how many or which, and no value.
 constexpr bool is_numbered(operation op) {
   return op == operation::factorization || op == operation::component;
+}
+
+constexpr bool is_selection(operation op) {
+  return op == operation::if_positive || op == operation::if_not_positive;
+}
+
+/// The second operand of a selection where it lets it through, else zero. A condition that is not a number
+/// lets nothing through and is handed on.
+constexpr double selected(operation op, double condition, double x) {
+  if (!numeric::is_number(condition)) return condition;
+  return (condition > 0) == (op == operation::if_positive) ? x : 0;
 }
 
 constexpr bool is_commutative(operation op) { return op == operation::add || op == operation::multiply; }
@@ -70,6 +88,7 @@ enum class form : unsigned char {
   power,
   function,
   atan2,
+  selection,
   pair,
   factorization,
   solve,
@@ -80,7 +99,8 @@ enum class form : unsigned char {
 
 constexpr form form_of(operation op) {
   if (op <= operation::power) return static_cast<form>(op);
-  if (op < operation::pair) return op == operation::atan2 ? form::atan2 : form::function;
+  if (op < operation::if_positive) return op == operation::atan2 ? form::atan2 : form::function;
+  if (op < operation::pair) return form::selection;
   constexpr int before = static_cast<int>(operation::pair) - static_cast<int>(form::pair);
   return static_cast<form>(static_cast<int>(op) - before);
 }
@@ -194,6 +214,21 @@ inline constexpr function_properties functions[] = {
      .latex = "\\ln",
      .smooth_from = 0,
      .exact_at = 1},
+    {.op = operation::sinh,
+     .name = "sinh",
+     .value = elementary::sinh,
+     .latex = "\\sinh",
+     .symmetry = parity::odd,
+     .exact_at = 0,
+     .passes_infinity = true},
+    {.op = operation::cosh,
+     .name = "cosh",
+     .value = elementary::cosh,
+     .latex = "\\cosh",
+     .symmetry = parity::even,
+     .exact_at = 0,
+     .never_negative = true,
+     .passes_infinity = true},
     {.op = operation::tanh,
      .name = "tanh",
      .value = elementary::tanh,
@@ -243,6 +278,7 @@ constexpr const char* function_name(operation op) {
   switch (form_of(op)) {
   case form::function: return properties_of(op).name;
   case form::atan2: return "atan2";
+  case form::selection: return "if_positive";
   case form::component: return "solve";
   case form::singularity_measure: return "singularity_measure";
   case form::constant:

@@ -215,6 +215,19 @@ constexpr int atan2(graph& g, int y, int x) {
   return g.find_or_append({operation::atan2, y, x});
 }
 
+constexpr int selected(graph& g, operation op, int condition, int x) {
+  if (x == graph::zero) return graph::zero;
+  if (g.is_constant(condition)) {
+    const number& c = g.number_at(condition);
+    const bool is_positive = !c.negative() && condition != graph::zero;
+    if (numeric::is_number(c.value())) return is_positive == (op == operation::if_positive) ? x : graph::zero;
+  }
+  const node n = g[x];
+  if (n.op == operation::negate) return negate(g, selected(g, op, condition, n.a));
+  if (n.op == op && n.a == condition) return x;
+  return g.find_or_append({op, condition, x});
+}
+
 constexpr int integer_power(graph& g, int base, std::int64_t exponent) {
   if (exponent == 0) return graph::one;
   if (exponent < 0) return divide(g, graph::one, integer_power(g, base, -exponent));

@@ -67,7 +67,7 @@ private:
     const bool has_second = is_binary(n.op) && (n.op < operation::pair || is_value(n));
     const appraised &a = at(n.a), &b = has_second ? at(n.b) : none_;
     known.moved = a.moved || b.moved;
-    known.singular = a.singular || b.singular;
+    known.singular = a.singular || (b.singular && !(is_selection(n.op) && is_left_out(n.op, a.values)));
     if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, known);
     if (n.op == operation::component)
       known.values = known.singular ? undefined_ : solutions_[n.a][component_of(n)];

@@ -45,6 +45,7 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
   if (op == operation::tan)
     return a.error > 0 && std::abs(elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
   if (op == operation::atan2) return a.vanishes() && b.vanishes();
+  if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // whose sign is not sure
   return op == operation::power && a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
 }
 
@@ -82,6 +83,7 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::multiply: return x * b.error + y * a.error + a.error * b.error;
   case form::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
   case form::function: return carried_error(op, a, value);
+  case form::selection: return selected(op, a.value, b.error);
   case form::atan2: return (y * a.error + x * b.error) / (x * x + y * y);
   case form::power:
     if (numeric::equal(x, 0.0)) return numeric::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
@@ -105,7 +107,9 @@ inline bounded apply(operation op, const bounded& a, const bounded& b) {
     return numeric::equal(x.value, 0.0) && numeric::equal(x.error, 0.0);
   };
   if (op == operation::multiply && (is_nothing(a) || is_nothing(b))) return {}; // as in the graph
-  if (!a.defined() || !b.defined() || is_singular(op, a, b)) return bounded::undefined();
+  if (!a.defined() || is_singular(op, a, b)) return bounded::undefined();
+  if (is_selection(op) && is_nothing({selected(op, a.value, 1), 0})) return {};
+  if (!b.defined()) return bounded::undefined();
   const double value = value_of(op, a.value, b.value);
   return bounded::rounded(value, detail::carried_error(op, a, b, value));
 }

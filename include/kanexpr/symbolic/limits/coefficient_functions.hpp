@@ -51,6 +51,12 @@ inline std::optional<coefficient> atan2(const coefficient& y, const coefficient&
   return coefficient(atan2(y.in(g), x.in(g)), at);
 }
 
+/// The condition is an expression.
+inline coefficient selected(operation op, const coefficient& condition, const coefficient& x) {
+  graph& g = condition.owner();
+  return {selected(op, condition.in(g), x.in(g)), apply(op, condition.at(), x.at())};
+}
+
 /// The caller has made sure that the base is not zero.
 inline std::optional<coefficient> power(const coefficient& base, const coefficient& exponent) {
   const generic_values at = apply(operation::power, base.at(), exponent.at());

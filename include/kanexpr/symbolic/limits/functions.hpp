@@ -30,19 +30,23 @@ inline obstacle unbounded(const series& s) {
   return s.end() <= 0 ? obstacle::truncated : obstacle::none;
 }
 
-/// The sine, or the cosine.
+/// The sine or the cosine, circular or hyperbolic.
 inline expansion sine(const series& s, operation wanted) {
   if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   if (s.is_constant()) return detail::constant_or(apply(wanted, s[0]), obstacle::not_real);
-  const auto first_sine = apply(operation::sin, s[0]), first_cosine = apply(operation::cos, s[0]);
+  const bool is_circular = wanted == operation::sin || wanted == operation::cos;
+  const auto first_sine = apply(is_circular ? operation::sin : operation::sinh, s[0]),
+             first_cosine = apply(is_circular ? operation::cos : operation::cosh, s[0]);
   if (!first_sine || !first_cosine) return obstacle::not_real;
   std::vector<coefficient> sines{*first_sine}, cosines{*first_cosine};
   for (int k = 1; k < s.last(); ++k) {
-    const coefficient next = detail::weighted(s, k, cosines) / coefficient(k);
-    cosines.push_back(-(detail::weighted(s, k, sines) / coefficient(k)));
+    const coefficient next = detail::weighted(s, k, cosines) / coefficient(k),
+                      slope = detail::weighted(s, k, sines) / coefficient(k);
+    cosines.push_back(is_circular ? -slope : slope);
     sines.push_back(next);
   }
-  return series(0, std::move(wanted == operation::sin ? sines : cosines), s.last(), s.most());
+  const bool is_sine = wanted == operation::sin || wanted == operation::sinh;
+  return series(0, std::move(is_sine ? sines : cosines), s.last(), s.most());
 }
 
 /// By t' = (1 + t²) s'; where the cosine vanishes, by a quotient.
@@ -105,6 +109,18 @@ inline expansion magnitude(const series& s) {
   const series first(s.order(), {*apply(operation::abs, s.lead())}, series::all_orders, s.most());
   return first + (s - series(s.order(), {s.lead()}, series::all_orders, s.most())) * series(*side);
 }
+/// The first term of the condition decides; with symbols it does so in each term.
+inline expansion selected(operation op, const series& condition, const series& s) {
+  if (condition.is_zero()) return op == operation::if_positive ? series{} : s;
+  if (!condition.has_terms()) return obstacle::truncated;
+  const coefficient& lead = condition.lead();
+  if (lead.is_number()) return lead.value().negative() == (op == operation::if_positive) ? series{} : s;
+  if (s.is_zero()) return s;
+  std::vector<coefficient> terms;
+  for (int k = s.order(); k < s.stop(); ++k) terms.push_back(selected(op, lead, s[k]));
+  return series(s.order(), std::move(terms), s.end(), s.most());
+}
+
 inline expansion sign(const series& s) {
   if (s.is_zero()) return s;
   if (!s.has_terms()) return obstacle::truncated;

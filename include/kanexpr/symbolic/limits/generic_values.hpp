@@ -80,6 +80,15 @@ inline bool is_singular(operation op, const generic_values& a, const generic_val
   return is_known;
 }
 
+/// Whether a selection lets its second operand through nowhere.
+inline bool is_left_out(operation op, const generic_values& condition) {
+  for (int i = 0; i < condition.size(); ++i)
+    if (!condition[i].defined() || is_singular(op, condition[i], {}) ||
+        !numeric::equal(selected(op, condition[i].value, 1), 0.0))
+      return false;
+  return true;
+}
+
 /// x in A x = b, with A by rows; nothing where the matrix is singular wherever it is defined.
 inline std::optional<std::vector<generic_values>> solved(const std::vector<generic_values>& a,
                                                          const std::vector<generic_values>& b) {

@@ -56,8 +56,14 @@ private:
       return solutions_.at(n.a)[static_cast<std::size_t>(integer_at(g_, n.b))];
     if (!is_binary(n.op)) return apply(n.op, *a, {});
     const expansion& b = found_.at(n.b);
+    if (!b && is_selection(n.op) && is_left_out(n.op, *a)) return series();
     if (!b) return passed(id, n.b);
     return apply(n.op, *a, *b);
+  }
+
+  static bool is_left_out(operation op, const series& condition) {
+    const expansion one = apply(op, condition, series(coefficient(1)));
+    return one && one->is_zero();
   }
 
   expansion passed(int id, int operand) {

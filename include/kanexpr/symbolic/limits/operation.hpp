@@ -10,6 +10,7 @@ inline bool is_piecewise(operation op, const series& a, const series& b) {
   const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanish_partly(); };
   if (op == operation::divide) return is_unsure(b);
   if (op == operation::atan2) return is_unsure(a) || is_unsure(b);
+  if (is_selection(op)) return is_unsure(a);
   return (op == operation::power || op == operation::sqrt || op == operation::log || op == operation::abs ||
           op == operation::sign) &&
          is_unsure(a);
@@ -56,7 +57,8 @@ inline expansion smooth(operation op, const series& s) {
 /// corners, by themselves.
 inline expansion function_of(operation op, const series& s) {
   if (op == operation::sqrt) return sqrt(s);
-  if (op == operation::sin || op == operation::cos) return sine(s, op);
+  if (op == operation::sin || op == operation::cos || op == operation::sinh || op == operation::cosh)
+    return sine(s, op);
   if (op == operation::tan) return tan(s);
   if (op == operation::asin || op == operation::acos) return arcsine(s, op);
   if (op == operation::atan) return atan(s);
@@ -82,6 +84,7 @@ inline expansion apply(operation op, const series& a, const series& b) {
   }
   case form::function: return function_of(op, a);
   case form::atan2: return atan2(a, b);
+  case form::selection: return selected(op, a, b);
   case form::constant:
   case form::symbol:
   case form::pair:

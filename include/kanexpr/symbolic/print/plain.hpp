@@ -34,9 +34,14 @@ public:
     }
     if (n.op == operation::singularity_measure)
       return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
+    if (is_selection(n.op)) return choice(id);
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";
+  }
+  std::string choice_of(const std::string& condition, const std::string& positive,
+                        const std::string& other) const {
+    return "if_positive(" + condition + ", " + positive + ", " + other + ")";
   }
   std::string name_of(const symbol& s) const {
     const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;

@@ -28,6 +28,10 @@ public:
     return "\\frac{" + alone(above) + "}{" + alone(below) + "}";
   }
   std::string function(int id) const { return function(id, "", true); }
+  std::string choice_of(const std::string& condition, const std::string& positive,
+                        const std::string& other) const {
+    return "\\operatorname{if}" + in_parentheses(condition + " > 0, " + positive + ", " + other);
+  }
   std::string name_of(const symbol& s) const {
     const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
     return latex_name(s.called.view(), is_rate);
@@ -59,7 +63,7 @@ private:
   bool is_named(int id) const {
     const operation op = at(id).op;
     return is_written_as_function(op) && op != operation::sqrt && op != operation::abs &&
-           op != operation::exp && op != operation::component;
+           op != operation::exp && op != operation::component && !is_selection(op);
   }
 
   static std::string exponent_mark(std::int64_t exponent) {
@@ -77,6 +81,7 @@ private:
     if (n.op == operation::component) return component(n);
     if (n.op == operation::singularity_measure)
       return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
+    if (is_selection(n.op)) return choice(id);
     const std::string argument = write(n.a);
     if (n.op == operation::sqrt) return "\\sqrt{" + argument + "}";
     if (n.op == operation::abs) return "\\left|" + argument + "\\right|";

@@ -35,7 +35,8 @@ inline std::string decimal(const number& n) {
 
 /// The walk that all printed forms share. A form provides `product` of a side and `quotient`
 /// of two, texts of a `function`, `name_of` a symbol and `number_of` a number, `exponent` of a node, `power`
-/// of two texts, `raised` for a node and an exponent's text, and `in_parentheses`.
+/// of two texts, `choice_of` a condition and two branches, `raised` for a node and an exponent's text, and
+/// `in_parentheses`.
 template <class Form>
 class writer {
 public:
@@ -45,7 +46,17 @@ public:
 
   std::string sum(const std::vector<term>& terms) const {
     sum_text text;
-    for (const term& t : terms) text.add(t.coefficient.negative(), unsigned_text(t));
+    std::vector<bool> is_written(terms.size());
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      if (is_written[i]) continue;
+      const std::size_t other = other_branch(terms, i);
+      if (other < terms.size()) {
+        is_written[other] = true;
+        text.add(false, choice(terms[i], terms[other]));
+      } else {
+        text.add(terms[i].coefficient.negative(), unsigned_text(terms[i]));
+      }
+    }
     return text.text();
   }
 
@@ -60,6 +71,7 @@ public:
     std::vector<term> terms = reader_.terms_of(id);
     const bool negative = terms.front().coefficient.negative();
     if (terms.size() == 1) return {negative, unsigned_text(terms.front())};
+    if (is_choice(terms)) return {false, sum(terms)};
     if (negative)
       for (term& t : terms) t.coefficient = -t.coefficient;
     return {negative, form().in_parentheses(sum(terms))};
@@ -76,7 +88,8 @@ protected:
       if (whole) return form().number_of(value);
     }
     if (is_written_as_function(n.op)) return form().function(id);
-    return form().in_parentheses(write(id));
+    const std::vector<term>& terms = reader_.terms_of(id);
+    return is_choice(terms) ? sum(terms) : form().in_parentheses(sum(terms));
   }
 
   std::string text_of(const factor& f) const {
@@ -104,10 +117,46 @@ protected:
     return {all.begin(), all.end()};
   }
 
+  /// A selection alone: the other branch is zero.
+  std::string choice(int id) const {
+    const std::string branch = write(at(id).b);
+    return choice(id, branch, "0");
+  }
+
   const graph& owner() const { return graph_; }
   const node& at(int id) const { return graph_[id]; }
 
 private:
+  /// The node of a term that is a selection with a number in front, or -1.
+  int selection_in(const term& t) const {
+    const bool is_one = t.factors.size() == 1 && t.factors[0].exponent == 1;
+    return is_one && is_selection(at(t.factors[0].base).op) ? t.factors[0].base : -1;
+  }
+  /// The term behind the i-th that is the other branch of its condition; where there is none, the end.
+  std::size_t other_branch(const std::vector<term>& terms, std::size_t i) const {
+    const int one = selection_in(terms[i]);
+    std::size_t k = one < 0 ? terms.size() : i + 1;
+    for (; k < terms.size(); ++k)
+      if (const int other = selection_in(terms[k]); other >= 0)
+        if (at(other).a == at(one).a && at(other).op != at(one).op) break;
+    return k;
+  }
+  bool is_choice(const std::vector<term>& terms) const {
+    return terms.size() == 2 && other_branch(terms, 0) == 1;
+  }
+  std::string choice(const term& one, const term& other) const {
+    const auto branch = [this](const term& t) {
+      std::vector<term> terms = reader_.terms_of(at(selection_in(t)).b);
+      for (term& each : terms) each.coefficient = each.coefficient * t.coefficient;
+      return sum(terms);
+    };
+    return choice(selection_in(one), branch(one), branch(other));
+  }
+  std::string choice(int id, const std::string& branch, const std::string& other) const {
+    const bool is_first = at(id).op == operation::if_positive;
+    return form().choice_of(write(at(id).a), is_first ? branch : other, is_first ? other : branch);
+  }
+
   const Form& form() const { return static_cast<const Form&>(*this); }
 
   const graph& graph_;

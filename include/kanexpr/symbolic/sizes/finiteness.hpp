@@ -97,6 +97,7 @@ private:
       break;
     }
     case form::power: found |= begins; break;
+    case form::selection: found |= b & never_negative; break;
     case form::symbol:
     case form::negate:
     case form::add: // are looked at above
@@ -131,6 +132,7 @@ private:
     case form::symbol:
     case form::power:
     case form::atan2:
+    case form::selection:
     case form::pair:
     case form::factorization:
     case form::solve:

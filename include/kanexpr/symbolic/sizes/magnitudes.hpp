@@ -49,6 +49,7 @@ private:
     case form::symbol:
     case form::singularity_measure: return v;
     case form::atan2: return v + size_[n.a];
+    case form::selection: return selected(n.op, value[n.a], size_[n.b]);
     }
     return v;
   }

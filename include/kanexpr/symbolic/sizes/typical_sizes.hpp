@@ -69,6 +69,7 @@ private:
     case form::multiply: return product(a, known_[n.b], 1);
     case form::divide: return product(a, known_[n.b], -1);
     case form::atan2: return of_size(1);
+    case form::selection: return known_[n.b];
     case form::function:
       switch (properties_of(n.op).unit) {
       case unit_rule::kept: return a;
@@ -139,6 +140,7 @@ private:
       case unit_rule::dropped: return want(n.a, 1);
       }
       return;
+    case form::selection: return want(n.b, size);
     case form::constant:
     case form::symbol:
     case form::power:

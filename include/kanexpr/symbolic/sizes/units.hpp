@@ -91,6 +91,7 @@ private:
     case form::divide: return product(of(n.a), of(n.b), -1);
     case form::atan2: return equate(of(n.a), of(n.b)), unit();
     case form::function: return unit_of_function(n);
+    case form::selection: return of(n.b);
     case form::constant:
     case form::symbol:
     case form::power:

@@ -1,0 +1,61 @@
+# kanexpr_add_robot(<target> URDF <file.urdf> [BASE fixed|floating] [BIND numbers|parameters] [OPTIONS <option>...]): a
+# library of headers: <target>.hpp has the namespace <target> with the model System of the robot, and
+# <target>_picture.hpp what it looks like, for pages of kanexpr::animate:
+#
+#     kanexpr_add_robot(panda URDF panda.urdf)
+#     target_link_libraries(program PRIVATE panda)               # #include <panda.hpp>
+#
+# The command kanexpr-robot writes it; OPTIONS are more of its options. It is compiled here, with tinyxml2 and CLI11.
+# Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs it, or kanexpr_ROBOT_COMMAND names one that
+# runs here.
+function(kanexpr_add_robot target)
+  cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;BASE;BIND" "OPTIONS")
+  if(NOT robot_URDF OR robot_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "kanexpr_add_robot(<target> URDF <file.urdf> [BASE fixed|floating] [BIND numbers|parameters] [OPTIONS <option>...])")
+  endif()
+  cmake_path(ABSOLUTE_PATH robot_URDF BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  if(NOT EXISTS ${robot_URDF})
+    message(FATAL_ERROR "kanexpr_add_robot: there is no ${robot_URDF}")
+  endif()
+  kanexpr_find_robot_command(command)
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_robot)
+  set(header ${directory}/${target}.hpp)
+  set(picture ${directory}/${target}_picture.hpp)
+  set(options ${robot_OPTIONS})
+  if(robot_BASE)
+    list(APPEND options --base ${robot_BASE})
+  endif()
+  if(robot_BIND)
+    list(APPEND options --bind ${robot_BIND})
+  endif()
+  file(MAKE_DIRECTORY ${directory})
+  add_custom_command(OUTPUT ${header} ${picture}
+    COMMAND ${command} ${robot_URDF} --name ${target} --output ${header} --picture ${picture} ${options}
+    DEPENDS ${robot_URDF} ${command} COMMENT "Writing the model of ${target}" VERBATIM)
+  add_custom_target(${target}_header DEPENDS ${header} ${picture})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_header)
+  target_include_directories(${target} INTERFACE ${directory})
+  target_link_libraries(${target} INTERFACE kanexpr::kanexpr)
+endfunction()
+
+# What writes models: a program that is named, or one that is compiled once for all robots of the project.
+function(kanexpr_find_robot_command command)
+  set(${command} kanexpr-robot PARENT_SCOPE)
+  if(kanexpr_ROBOT_COMMAND)
+    set(${command} ${kanexpr_ROBOT_COMMAND} PARENT_SCOPE)
+    return()
+  elseif(TARGET kanexpr-robot)
+    return()
+  endif()
+  find_package(CLI11 QUIET)
+  if(NOT TARGET kanexpr::robots)
+    message(FATAL_ERROR "kanexpr_add_robot needs kanexpr::robots: ${kanexpr_robots_lacks}")
+  elseif(NOT CLI11_FOUND)
+    message(FATAL_ERROR "kanexpr_add_robot needs CLI11, which was not found")
+  endif()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp CONTENT
+    "#include <kanexpr/robots/engine/kanexpr_robot.cpp>\n" @ONLY)
+  add_executable(kanexpr-robot ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp)
+  target_link_libraries(kanexpr-robot PRIVATE kanexpr::robots CLI11::CLI11)
+endfunction()

@@ -1,0 +1,20 @@
+# kanexpr::robots: robots from URDF files. Needs tinyxml2; the command kanexpr-robot, which writes models, CLI11 too.
+if(kanexpr_robots_lacks)
+  message(STATUS "kanexpr::robots is left out: ${kanexpr_robots_lacks}")
+  return()
+endif()
+
+add_library(kanexpr_robots INTERFACE)
+add_library(kanexpr::robots ALIAS kanexpr_robots)
+set_target_properties(kanexpr_robots PROPERTIES EXPORT_NAME robots)
+target_link_libraries(kanexpr_robots INTERFACE kanexpr tinyxml2::tinyxml2)
+install(TARGETS kanexpr_robots EXPORT kanexpr-robots-targets)
+install(EXPORT kanexpr-robots-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+
+# The command is installed for people; projects compile one of their own, kanexpr_add_robot.cmake.
+find_package(CLI11 QUIET)
+if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
+  add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/engine/kanexpr_robot.cpp)
+  target_link_libraries(kanexpr-robot PRIVATE kanexpr_robots kanexpr_strict CLI11::CLI11)
+  install(TARGETS kanexpr-robot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/describe/extended.hpp>
+#include <kanexpr/joints/reactions.hpp>
+
+namespace kanexpr {
+
+/// What a joint carries: the force on the child at the joint and the torque on it, from the parent, in the
+/// axes of the child. Along its free directions a joint carries nothing; motors and friction are loads.
+template <class Scalar>
+struct joint_reactions {
+  Eigen::Matrix<Scalar, 3, 1> force{};
+  Eigen::Matrix<Scalar, 3, 1> torque{};
+  kanexpr::status status{};
+};
+
+namespace compiled {
+
+/// A system whose last auxiliary speeds are those of one joint.
+template <class System, class Joint>
+struct reacting : extended<System, reactions<Joint>> {};
+
+template <class System, class Joint>
+struct reactions_function {
+  /// Called as the results of the system are, with the time first where it depends on it.
+  template <class... Arguments>
+  auto operator()(const Arguments&... arguments) const noexcept {
+    const auto all =
+        equations_of_motion<reacting<System, Joint>>::noncontributing_forces(plain(arguments)...);
+    using results = decltype(all);
+    joint_reactions<typename results::Scalar> found;
+    if constexpr (results::RowsAtCompileTime >= 6) { // else the system has a mistake
+      found.force = all.template tail<6>().template head<3>();
+      found.torque = all.template tail<3>();
+      found.status = status_of(all);
+    }
+    return found;
+  }
+
+private:
+  /// Without the name of the system that it belongs to.
+  template <class Argument>
+  static decltype(auto) plain(const Argument& argument) noexcept {
+    if constexpr (requires { argument.RowsAtCompileTime; })
+      return argument.template head<Argument::RowsAtCompileTime>();
+    else
+      return (argument);
+  }
+};
+
+} // namespace compiled
+
+/// The force and the torque that a joint of a system carries: `reactions_of<System, Link2>(x, p, r)`.
+template <class System, class Joint>
+inline constexpr compiled::reactions_function<System, Joint> reactions_of{};
+
+} // namespace kanexpr

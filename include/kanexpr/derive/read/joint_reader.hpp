@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kanexpr/derive/read/body_reader.hpp>
+#include <kanexpr/derive/read/kinematics_reader.hpp>
+
+namespace kanexpr::deriving {
+
+using describe::joint_record;
+
+/// What the joints of a model bring to it beside their symbols, which stand behind those of its lists.
+class joint_reader {
+public:
+  constexpr joint_reader(reading& all, entity_reader& entities, body_reader& bodies,
+                         kinematics_reader& kinematics)
+      : reading_(all), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
+
+  /// Before anything of them is read.
+  constexpr void check_all() {
+    for (int i = 0; i < reading_.from.joints.size && !reading_.mistake; ++i) {
+      const joint_record& r = reading_.from.joints[i];
+      check_joint(r);
+      for (int j = 0; j < i; ++j)
+        if (&reading_.from.joints[j] == &r) reading_.fail({"joint ", r.called, " is listed twice"});
+    }
+    for (int i = 0; i < reading_.from.reactions.size && !reading_.mistake; ++i)
+      check_reaction(reading_.from.reactions[i]);
+  }
+
+  /// A joint is part of the system, and its body, whether anything else mentions it or not.
+  constexpr void read(const joint_record& r) {
+    entities_.frame(r.frame, "joints<...>");
+    if (!reading_.mistake) entities_.point(r.point, "joints<...>");
+    if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
+  }
+
+  constexpr void read_kinematics() {
+    for (int i = 0; i < reading_.from.joints.size; ++i) {
+      const describe::listing<phrase>& equations = reading_.from.joints[i].kinematics;
+      for (int j = 0; j < equations.size && !reading_.mistake; ++j) kinematics_.read(equations[j]);
+    }
+  }
+
+private:
+  constexpr void check_joint(const joint_record& r) {
+    if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>");
+    if (!reading_.words_belong(r.beside, r.called)) return;
+    if (r.calls_itself.empty())
+      return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
+                            r.instead.empty() ? "not a joint" : r.instead});
+    if (r.called != r.calls_itself) return reading_.slip("joint ", r.called, r.calls_itself);
+    if (!r.mistake.empty())
+      reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
+  }
+
+  constexpr void check_reaction(const describe::reaction_record& r) {
+    if (r.joint == nullptr)
+      return reading_.fail(
+          {"reactions are asked for of ", short_name(r.called).view(), ", which is not a joint"});
+    for (int i = 0; i < reading_.from.joints.size; ++i)
+      if (&reading_.from.joints[i] == r.joint) return;
+    reading_.fail({"reactions are asked for of joint ", r.called, ", which is not listed in joints<...>"});
+  }
+
+  reading& reading_;
+  entity_reader& entities_;
+  body_reader& bodies_;
+  kinematics_reader& kinematics_;
+};
+
+} // namespace kanexpr::deriving

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <kanexpr/describe/mistaken.hpp>
+#include <kanexpr/describe/mixed.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
+
+/// Functions of several expressions that are written with others. Whether they are of scalars, and of as many
+/// as they take, is for the reader of the model to say.
+namespace kanexpr {
+
+namespace describe {
+
+template <class... X>
+concept some_of_a_model = (written<X> && ...) && (expression_of_a_model<X> || ...);
+
+template <class X>
+inline constexpr int size_of_operand =
+    static_cast<int>(sizeof(operand(std::declval<const X&>()).tokens) / sizeof(token));
+
+template <class... X>
+constexpr auto composed(symbolic::composition f, const X&... x) {
+  scalar<(size_of_operand<X> + ... + 1)> all{};
+  int place = 0;
+  const auto append = [&](const auto& given) {
+    for (const token& each : given.tokens) all.tokens[place++] = each;
+  };
+  (append(operand(x)), ...);
+  token& last = all.tokens[place];
+  last = (equates<X, X> || ...) ? misused(misuse::inner_equation) : with(token_kind::composed);
+  if (last.what == token_kind::composed) {
+    last.index = static_cast<int>(f);
+    last.number = symbolic::exactly(sizeof...(X));
+  }
+  return all;
+}
+
+/// What tabulated<...> and periodic<...> are, to be called with an expression.
+template <symbolic::composition is, auto... points>
+struct table_word {
+  template <written X>
+  constexpr auto operator()(const X& x) const {
+    return composed(is, x, points...);
+  }
+};
+
+} // namespace describe
+
+/// √(x² + y²)
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto hypot(const X&... x) {
+  return describe::composed(symbolic::composition::hypot, x...);
+}
+
+/// `if_positive(condition, a, b)`: a where the condition is positive, else b.
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto if_positive(const X&... x) {
+  return describe::composed(symbolic::composition::if_positive, x...);
+}
+
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto(min)(const X&... x) {
+  return describe::composed(symbolic::composition::min, x...);
+}
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto(max)(const X&... x) {
+  return describe::composed(symbolic::composition::max, x...);
+}
+
+/// `clamp(x, least, most)`
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto clamp(const X&... x) {
+  return describe::composed(symbolic::composition::clamp, x...);
+}
+
+/// `smooth_abs(x, width)`: x tanh(x/width)
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto smooth_abs(const X&... x) {
+  return describe::composed(symbolic::composition::smooth_abs, x...);
+}
+/// `softplus(x, width)`: width ln(1 + e^(x/width))
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto softplus(const X&... x) {
+  return describe::composed(symbolic::composition::softplus, x...);
+}
+/// `smooth_step(x, from, to)`: from 0 to 1 with continuous second derivatives
+template <class... X>
+  requires describe::some_of_a_model<X...>
+constexpr auto smooth_step(const X&... x) {
+  return describe::composed(symbolic::composition::smooth_step, x...);
+}
+
+/// A monotone cubic through points, constant beyond them: `tabulated<x0, y0, x1, y1, x2, y2>(q)`.
+template <auto... points>
+inline constexpr describe::table_word<symbolic::composition::tabulated, points...> tabulated{};
+
+/// The same of a curve that begins anew at its last point, which has the value of the first.
+template <auto... points>
+inline constexpr describe::table_word<symbolic::composition::periodic, points...> periodic{};
+
+} // namespace kanexpr

@@ -1,0 +1,21 @@
+#pragma once
+
+/// Mechanisms by their joints, as words: each kind in a file of its own. Nothing is derived with this; beside
+/// it stand `kanexpr.hpp` and, for what joints carry, `reactions.hpp`.
+
+#include <kanexpr/describe.hpp>
+
+#include <kanexpr/joints/constraints.hpp>
+#include <kanexpr/joints/ground.hpp>
+#include <kanexpr/joints/joints.hpp>
+#include <kanexpr/joints/motor.hpp>
+#include <kanexpr/joints/reactions.hpp>
+
+// The joints
+#include <kanexpr/joints/cylindrical.hpp>
+#include <kanexpr/joints/floating.hpp>
+#include <kanexpr/joints/pin.hpp>
+#include <kanexpr/joints/planar.hpp>
+#include <kanexpr/joints/prismatic.hpp>
+#include <kanexpr/joints/spherical.hpp>
+#include <kanexpr/joints/weld.hpp>

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <kanexpr/base/text.hpp>
+
+/// Names that joints choose after the type that they make: `q_Link2`, `Link2_home`.
+namespace kanexpr::describe {
+
+/// The letters of a type's name that a name may have; of others an underscore: `Link<3>` is Link_3.
+template <class Type>
+constexpr std::size_t append_name_of(char* to) {
+  std::size_t size = 0;
+  bool gap = false;
+  for (const char c : type_name<Type>()) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '_' || static_cast<unsigned char>(c) >= 0x80;
+    if (!is_letter) {
+      gap = true;
+      continue;
+    }
+    if (gap && size != 0) to[size++] = '_';
+    gap = false;
+    to[size++] = c;
+  }
+  return size;
+}
+
+template <class Type>
+inline constexpr std::size_t name_size = [] {
+  char all[type_name<Type>().size() + 1]{};
+  return append_name_of<Type>(all);
+}();
+
+/// "q" of Link2 is q_Link2.
+template <text what, class Type>
+inline constexpr auto name_before = [] {
+  text<what.view().size() + name_size<Type> + 2> all;
+  char* to = all.letters;
+  for (const char c : what.view()) *to++ = c;
+  *to++ = '_';
+  append_name_of<Type>(to);
+  return all;
+}();
+
+/// The "home" of Link2 is Link2_home.
+template <class Type, text what>
+inline constexpr auto name_behind = [] {
+  text<what.view().size() + name_size<Type> + 2> all;
+  char* to = all.letters + append_name_of<Type>(all.letters);
+  *to++ = '_';
+  for (const char c : what.view()) *to++ = c;
+  return all;
+}();
+
+} // namespace kanexpr::describe

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <kanexpr/describe/constraint.hpp>
+#include <kanexpr/describe/motion.hpp>
+#include <kanexpr/joints/joint.hpp>
+
+/// Constraints of machines, to be written in `configuration_constraints<…>` or `velocity_constraints<…>`.
+namespace kanexpr {
+
+namespace describe {
+
+/// An equation between what two joints with one axis have turned or gone.
+template <class First, class Second>
+constexpr auto coupled(const auto& of_first, const auto& of_second) {
+  if constexpr (effort_of_joint<First>() == joint_effort::none ||
+                effort_of_joint<Second>() == joint_effort::none) {
+    token named = misused(misuse::coupling);
+    if constexpr (requires { First::child_frame(); }) named.frame = First::child_frame();
+    return equation<1>{{named}};
+  } else {
+    return of_first * First::template q<0> == of_second * Second::template q<0>;
+  }
+}
+
+constexpr vector<1> velocity_at(const point_record* point) { return motion_of(token_kind::velocity, point); }
+constexpr vector<1> turning_of(const frame_record* frame) {
+  return motion_of(token_kind::angular_velocity, frame);
+}
+
+/// The way from a plane whose normal is `up` towards the middle of a wheel, in the plane of the wheel.
+template <auto axis, auto up>
+inline constexpr auto up_the_wheel = up - dot(up, unit_along(axis)) * unit_along(axis);
+
+/// From the centre of a wheel to where it touches a plane.
+template <auto axis, auto up, auto radius, auto... tube>
+constexpr auto to_contact() {
+  if constexpr (sizeof...(tube) == 0)
+    return -radius * normalized(up_the_wheel<axis, up>);
+  else
+    return -radius * normalized(up_the_wheel<axis, up>) - one_of<0, tube...>() * up;
+}
+
+template <auto axis, auto up, auto radius, auto... tube>
+constexpr auto height_of_center() {
+  if constexpr (sizeof...(tube) == 0)
+    return radius * magnitude(up_the_wheel<axis, up>);
+  else
+    return radius * magnitude(up_the_wheel<axis, up>) + one_of<0, tube...>();
+}
+
+} // namespace describe
+
+/// Two points stay at a distance, as the ends of a rod without mass: `rod_of_length<P, Q, l>`, of the
+/// configuration. Its multiplier times −2 l is the tension.
+template <class Point, class Other, auto length>
+inline constexpr auto rod_of_length =
+    dot(position_of<Point, Other>, position_of<Point, Other>) == describe::operand(length) * length;
+
+/// Two gears: the first joint has turned `ratio` times as far as the second, against it where the ratio is
+/// negative. Of the configuration.
+template <class First, class Second, auto ratio>
+inline constexpr auto gear = describe::coupled<First, Second>(describe::constant(1), ratio);
+
+/// A belt round two pulleys: radius times angle is the same; of a crossed belt one radius is negative. Of
+/// the configuration.
+template <class First, class Second, auto radius, auto other_radius>
+inline constexpr auto belt = describe::coupled<First, Second>(radius, other_radius);
+
+/// A joint that slides goes as far as the rim of one that turns: `rack_and_pinion<Rack, Pinion, r>`, of the
+/// configuration.
+template <class Rack, class Pinion, auto radius>
+inline constexpr auto rack_and_pinion = describe::coupled<Rack, Pinion>(describe::constant(1), radius);
+
+/// Two points are one, which closes a loop by a ball: `coincident<P, Q, N::x, N::y, N::z>`, along two
+/// directions in a planar mechanism. Of the configuration. A pin closes it with `zero_along<A::z, B::x,
+/// B::y>` beside, whose axis is A::z.
+template <class Point, class Other, auto... directions>
+inline constexpr auto coincident = zero_along<position_of<Point, Other>, directions...>;
+
+/// A wheel rolls on the plane x, y of `Ground` without slipping: `rolls_on<Wheel, Ground, Wheel::y, r>`, with
+/// its axis, and behind the radius that of its tube, if it is a torus. Of the velocity.
+/// `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
+template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
+inline constexpr auto rolls_on =
+    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point) +
+                   cross(describe::turning_of(describe::parts_of<Wheel>::frame),
+                         describe::to_contact<axis, Ground::z, radius, tube...>()),
+               Ground::x, Ground::y, Ground::z>;
+
+/// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
+template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
+inline constexpr auto touches =
+    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point) -
+            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point),
+        Ground::z) == describe::height_of_center<axis, Ground::z, radius, tube...>();
+
+} // namespace kanexpr

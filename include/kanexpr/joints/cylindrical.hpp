@@ -1,0 +1,38 @@
+#pragma once
+
+#include <kanexpr/joints/joint.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+struct cylindrical_joint {
+  using symbols = joint_symbols<names<"q1", "q2">, names<"u1", "u2">>;
+  static constexpr std::string_view form =
+      "cylindrical<Self, Parent, axis<vector>, by<angle, displacement, their two speeds>>";
+  static constexpr std::size_t least_axes = 1, most_axes = 1;
+  static constexpr bool moves = true;
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+  }
+  template <class Joint>
+  static constexpr void move(point_record& r) {
+    r.offset = phrase_of<Joint::template q<1> * Joint::template axis_at_home<0>>;
+  }
+
+  template <class Joint>
+  static constexpr auto spin = Joint::template u<0> * Joint::template axis_at_home<0>;
+
+  template <class Joint>
+  static constexpr auto drift = Joint::template u<1> * Joint::template axis_at_home<0>;
+};
+
+} // namespace describe
+
+/// The child turns about an axis by q1 and goes along it by q2, each as it likes.
+template <class Self, class Parent, class... Words>
+struct cylindrical : describe::joint<Self, Parent, describe::cylindrical_joint, Words...> {};
+
+} // namespace kanexpr

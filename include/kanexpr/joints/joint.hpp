@@ -1,0 +1,379 @@
+#pragma once
+
+#include <kanexpr/describe/motion.hpp>
+#include <kanexpr/joints/chosen_name.hpp>
+#include <kanexpr/joints/joint_word.hpp>
+
+/// A joint as the frames, points, symbols and equations that it is. What one kind of joint adds is a struct:
+///
+///     symbols        joint_symbols<names<"q">, names<"u">>
+///     least_axes, most_axes   how many it takes
+///     form           how it is written
+///     special, without_special   the type of a word of its own, and what is wrong without it, if it needs
+///     one moves          whether its two points come apart turn<Joint>(frame_record&)         how the child
+///     turns in its home move<Joint>(point_record&)         where it goes from its base, if it moves
+///     spin<Joint>        the angular velocity of the child in the frame that it is turned from, if it turns
+///     drift<Joint>       its velocity as the parent sees it, if it moves
+///     effort             by what a motor drives it, if it has one axis
+///     kinematics<Joint>()                its kinematic equations, if they are not q̇ = u
+namespace kanexpr::describe {
+
+/// What a joint with one axis can be driven by.
+enum class joint_effort : unsigned char { none, torque, force };
+
+template <text... all>
+struct names {
+  static constexpr std::size_t count = sizeof...(all);
+};
+
+template <class Coordinates, class Speeds>
+struct joint_symbols;
+
+/// The symbols of a joint: those that it is given, or chosen ones.
+template <text... coordinates, text... speeds>
+struct joint_symbols<names<coordinates...>, names<speeds...>> {
+  static constexpr std::size_t of_position = sizeof...(coordinates), of_motion = sizeof...(speeds);
+
+  template <std::size_t i, class Self, text first, text... rest>
+  static constexpr auto coordinate_called() {
+    if constexpr (i == 0)
+      return coordinate<name_before<first, Self>>{};
+    else
+      return coordinate_called<i - 1, Self, rest...>();
+  }
+  template <std::size_t i, class Self, text first, text... rest>
+  static constexpr auto speed_called() {
+    if constexpr (i == 0)
+      return speed<name_before<first, Self>>{};
+    else
+      return speed_called<i - 1, Self, rest...>();
+  }
+
+  template <class Given>
+  static constexpr bool has_all = [] {
+    if constexpr (requires { Given::count; })
+      return Given::count == of_position + of_motion;
+    else
+      return false;
+  }();
+
+  template <std::size_t i, class Self, class Given>
+  static constexpr auto position() {
+    if constexpr (has_all<Given>)
+      return Given::template symbol<i>;
+    else
+      return coordinate_called<i, Self, coordinates...>();
+  }
+  template <std::size_t i, class Self, class Given>
+  static constexpr auto motion() {
+    if constexpr (has_all<Given>)
+      return Given::template symbol<of_position + i>;
+    else
+      return speed_called<i, Self, speeds...>();
+  }
+};
+
+/// A turn in the home.
+constexpr void turn_about(frame_record& r, const phrase& angle, const phrase& axis) {
+  r.orientation = orientation_word::rotated;
+  r.given_as = "the angle of frame ";
+  r.given[0] = angle;
+  r.axis = axis;
+}
+
+template <class Joint>
+constexpr void not_turned(frame_record& r) {
+  turn_about(r, phrase_of<0>, phrase_of<basis(Joint::home_frame(), 2)>);
+}
+
+template <class Joint, std::size_t i>
+inline constexpr auto rate_is_speed = dot(Joint::template q<i>) == Joint::template u<i>;
+
+template <class Joint>
+inline constexpr frame_record home_of_joint = Joint::home_record();
+template <class Joint>
+inline constexpr point_record base_of_joint = Joint::base_record();
+template <class Joint>
+inline constexpr point_record point_of_joint = Joint::joint_record_of_point();
+template <class Joint>
+inline constexpr point_record center_of_joint = Joint::center_record();
+template <class Joint>
+inline constexpr body_record body_of_joint = Joint::body_record_of_child();
+template <class Joint>
+constexpr joint_record record_joint();
+template <class Joint>
+inline constexpr joint_record joint_of = record_joint<Joint>();
+
+template <class Self, class Parent, class Kind, class... Words>
+struct joint : axes<Self>, place_words, joint_words {
+  using kind = Kind;
+  template <joint_word wanted>
+  using word = typename joint_word_among<wanted, Words...>::type;
+  template <joint_word wanted>
+  static constexpr bool has = !std::is_void_v<word<wanted>>;
+  template <joint_word wanted>
+  static constexpr int times = [] {
+    int n = 0;
+    const auto count = [&](auto is_one) { n += is_one() ? 1 : 0; };
+    (count([] {
+       if constexpr (word_of_a_joint<Words>)
+         return Words::joint_word == wanted;
+       else
+         return false;
+     }),
+     ...);
+    return n;
+  }();
+
+  static constexpr std::size_t coordinates_count = Kind::symbols::of_position,
+                               speeds_count = Kind::symbols::of_motion;
+  template <std::size_t i>
+  static constexpr auto q = Kind::symbols::template position<i, Self, word<joint_word::by>>();
+  template <std::size_t i>
+  static constexpr auto u = Kind::symbols::template motion<i, Self, word<joint_word::by>>();
+
+  static constexpr bool hangs_on_itself = std::is_same_v<Parent, Self>;
+  static constexpr const frame_record* parent_frame() {
+    if constexpr (hangs_on_itself)
+      return nullptr;
+    else
+      return parts_of<Parent>::frame;
+  }
+  static constexpr const point_record* parent_point() {
+    if constexpr (hangs_on_itself)
+      return nullptr;
+    else
+      return parts_of<Parent>::point;
+  }
+  static constexpr const frame_record* child_frame() { return &frame_of<Self>; }
+
+  /// The frame that the child is where all coordinates are zero.
+  static constexpr const frame_record* home_frame() {
+    if constexpr (has<joint_word::home>)
+      return &home_of_joint<Self>;
+    else
+      return parent_frame();
+  }
+
+  /// Axes that are given in `own` ones are fixed in the home of the child, or, `seen_by` the child, in that.
+  template <std::size_t i>
+  static constexpr auto axis_in(const frame_record* seen_by) {
+    if constexpr (!has<joint_word::axis>)
+      return by_axes_of(seen_by, i == 0 ? own::z : own::x);
+    else if constexpr (i == 0)
+      return unit_along(by_axes_of(seen_by, word<joint_word::axis>::first));
+    else
+      return unit_along(by_axes_of(seen_by, word<joint_word::axis>::second));
+  }
+  template <std::size_t i>
+  static constexpr auto axis_at_home = axis_in<i>(home_frame());
+  template <std::size_t i>
+  static constexpr auto axis_of_child = axis_in<i>(child_frame());
+
+  static constexpr bool is_off_parent = has<joint_word::at>;
+  static constexpr bool is_off_child = [] {
+    if constexpr (has<joint_word::at>)
+      return word<joint_word::at>::count > 1;
+    else
+      return false;
+  }();
+
+  /// Where the joint sits in the parent.
+  static constexpr const point_record* base_point() {
+    if constexpr (is_off_parent)
+      return &base_of_joint<Self>;
+    else
+      return parent_point();
+  }
+  /// Where it sits in the child.
+  static constexpr const point_record* joint_point() {
+    if constexpr (is_off_child)
+      return &point_of_joint<Self>;
+    else
+      return &point_of<Self>;
+  }
+
+  static constexpr frame_record orientation() {
+    frame_record r;
+    r.calls_itself = type_name<Self>();
+    r.is_of_joint = true;
+    r.parent = home_frame();
+    Kind::template turn<Self>(r);
+    return r;
+  }
+
+  static constexpr point_record place() {
+    point_record r;
+    if constexpr (is_off_child) {
+      r.parent = joint_point();
+      r.offset = phrase_of<from_joint(child_frame())>;
+    } else {
+      r = joint_record_of_point();
+    }
+    r.calls_itself = type_name<Self>();
+    return r;
+  }
+
+  static constexpr frame_record home_record() {
+    frame_record r;
+    r.called = r.calls_itself = name_behind<Self, "home">.view();
+    r.parent = parent_frame();
+    if constexpr (has<joint_word::home>) word<joint_word::home>::turn(r);
+    return r;
+  }
+  static constexpr point_record base_record() {
+    point_record r;
+    r.called = r.calls_itself = name_behind<Self, "base">.view();
+    r.parent = parent_point();
+    if constexpr (is_off_parent) r.offset = phrase_of<word<joint_word::at>::in_parent>;
+    return r;
+  }
+  static constexpr point_record joint_record_of_point() {
+    point_record r = base_record();
+    r.called = r.calls_itself = name_behind<Self, "joint">.view();
+    if constexpr (Kind::moves) {
+      r.parent = base_point();
+      Kind::template move<Self>(r);
+    } else if constexpr (!is_off_parent) {
+      r.offset = phrase_of<0 * basis(parent_frame(), 0)>;
+    }
+    return r;
+  }
+  static constexpr point_record center_record() {
+    point_record r;
+    r.called = r.calls_itself = name_behind<Self, "center">.view();
+    r.parent = &point_of<Self>;
+    if constexpr (has<joint_word::body>)
+      r.offset = phrase_of<by_axes_of(child_frame(), word<joint_word::body>::center_given)>;
+    return r;
+  }
+  static constexpr body_record body_record_of_child() {
+    body_record r;
+    r.called = r.calls_itself = type_name<Self>();
+    r.center = &center_of_joint<Self>;
+    r.frame = child_frame();
+    if constexpr (has<joint_word::body>) word<joint_word::body>::give_to(r);
+    if (r.inertia_axes == &frame_of<own>) r.inertia_axes = child_frame();
+    return r;
+  }
+
+  static constexpr joint_record joint_told() {
+    joint_record r;
+    r.calls_itself = type_name<Self>();
+    r.frame = child_frame();
+    r.point = &point_of<Self>;
+    list_symbols(r, std::make_index_sequence<coordinates_count>(), std::make_index_sequence<speeds_count>());
+    if constexpr (requires { Kind::template kinematics<Self>(); })
+      r.kinematics = Kind::template kinematics<Self>();
+    else
+      r.kinematics = simple_kinematics(std::make_index_sequence<coordinates_count>());
+    if constexpr (has<joint_word::body>) r.body = &body_of_joint<Self>;
+    r.mistake = mistake();
+    if (r.mistake.empty()) r.mistake = miscount();
+    if (!r.mistake.empty() && r.mistake == miscount()) r.form = Kind::form;
+    return r;
+  }
+
+private:
+  template <std::size_t... of_position, std::size_t... of_motion>
+  static constexpr void list_symbols(joint_record& r, std::index_sequence<of_position...>,
+                                     std::index_sequence<of_motion...>) {
+    r.coordinates = list_of<phrase, &phrase_of<q<of_position>>...>::all;
+    r.speeds = list_of<phrase, &phrase_of<u<of_motion>>...>::all;
+  }
+  template <std::size_t... i>
+  static constexpr listing<phrase> simple_kinematics(std::index_sequence<i...>) {
+    return list_of<phrase, &phrase_of<rate_is_speed<Self, i>>...>::all;
+  }
+
+  /// The child's point from where the joint sits in the child.
+  static constexpr auto from_joint(const frame_record* seen_by) {
+    if constexpr (is_off_child)
+      return -by_axes_of(seen_by, word<joint_word::at>::in_child);
+    else
+      return 0 * basis(seen_by, 0);
+  }
+
+  template <joint_word wanted>
+  static constexpr bool fits() {
+    if constexpr (requires { word<wanted>::fits; })
+      return word<wanted>::fits;
+    else
+      return true;
+  }
+  template <joint_word wanted>
+  static constexpr std::size_t count_in() {
+    if constexpr (requires { word<wanted>::count; })
+      return word<wanted>::count;
+    else
+      return 0;
+  }
+
+  static constexpr std::string_view mistake() {
+    if (!(word_of_a_joint<Words> && ...))
+      return "is given something that is no word of a joint; they are at<...>, axis<...>, home<...>, by<...> "
+             "and body<...>";
+    if (hangs_on_itself) return "has itself as its parent";
+    if (times<joint_word::at> > 1)
+      return "is given two places; write at<vector in the parent, vector in own axes>";
+    if (times<joint_word::home> > 1) return "is given two homes";
+    if (times<joint_word::axis> > 1) return "is given axis<...> twice; write one list";
+    if constexpr (has<joint_word::special>) {
+      using given = word<joint_word::special>;
+      if (!requires { requires std::same_as<typename Kind::special, typename given::special>; })
+        return given::misplaced;
+      if (times<joint_word::special> > 1) return given::twice;
+    }
+    if (times<joint_word::by> > 1) return "is given by<...> twice; write one list";
+    if (times<joint_word::body> > 1) return "is given two bodies; weld<...> another one to it";
+    if (has<joint_word::at> && (count_in<joint_word::at>() == 0 || count_in<joint_word::at>() > 2))
+      return "is given at<...> of no vector or of more than two; write at<vector in the parent, vector in "
+             "own axes>";
+    if constexpr (has<joint_word::at>)
+      if (holds_own(word<joint_word::at>::in_parent))
+        return "is given its place in the parent in own axes; write at<vector in axes of the parent, vector "
+               "in own axes>";
+    if constexpr (requires { word<joint_word::home>::is_in_own_axes; })
+      if (word<joint_word::home>::is_in_own_axes)
+        return "is given its home in own axes, which turn with it; write home<angle, axis of the parent>";
+    if (!fits<joint_word::home>())
+      return "is given a home of neither an angle and an axis nor nine direction cosines nor three angles";
+    if (!fits<joint_word::body>()) return "is given a body with two inertias";
+    return {};
+  }
+
+  /// A wrong number of axes or symbols: the kind of joint says how many it takes.
+  static constexpr std::string_view miscount() {
+    if (has<joint_word::by> && count_in<joint_word::by>() != coordinates_count + speeds_count)
+      return "is given too few or too many symbols";
+    if (count_in<joint_word::axis>() < Kind::least_axes) return "lacks an axis";
+    if constexpr (requires { Kind::without_special; } && !has<joint_word::special>)
+      return Kind::without_special;
+    if (count_in<joint_word::axis>() > Kind::most_axes) return "is given an axis too many";
+    return {};
+  }
+};
+
+template <class Joint>
+constexpr joint_effort effort_of_joint() {
+  if constexpr (requires { Joint::kind::effort; })
+    return Joint::kind::effort;
+  else
+    return joint_effort::none;
+}
+
+template <class Joint>
+constexpr joint_record record_joint() {
+  joint_record r;
+  if constexpr (requires { Joint::joint_told(); }) {
+    r = Joint::joint_told();
+  } else {
+    r.instead = what_it_is<Joint>();
+    r.unparsed = is_unparsed<Joint>();
+  }
+  r.called = type_name<Joint>();
+  if constexpr (requires { sizeof(Joint); }) r.beside = find_misfit<Joint>();
+  return r;
+}
+
+} // namespace kanexpr::describe

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <kanexpr/describe/body.hpp>
+#include <kanexpr/describe/symbol.hpp>
+
+#include <cstddef>
+#include <utility>
+
+/// What a joint is given between the angle brackets behind its parent, in any order.
+namespace kanexpr {
+
+namespace describe {
+
+/// A special word belongs to some kinds of joints alone: its type `special` is that of these kinds, `twice`
+/// and `misplaced` are what is wrong with two of them, and with one elsewhere.
+enum class joint_word : unsigned char { at, home, axis, by, body, special };
+
+/// One of several expressions.
+template <std::size_t wanted, auto first, auto... rest>
+constexpr auto one_of() {
+  if constexpr (wanted == 0)
+    return first;
+  else
+    return one_of<wanted - 1, rest...>();
+}
+
+/// An expression in which `own` means the axes of a frame.
+template <class Expression>
+constexpr auto by_axes_of(const frame_record* frame, const Expression& given) {
+  if constexpr (requires { given.tokens; }) {
+    Expression e = given;
+    for (token& t : e.tokens)
+      if (t.what == token_kind::basis && t.frame == nullptr) t.frame = frame;
+    return e;
+  } else {
+    return given;
+  }
+}
+
+/// Whether an expression holds `own` axes.
+template <class Expression>
+constexpr bool holds_own(const Expression& given) {
+  if constexpr (requires { given.tokens; })
+    for (const token& t : given.tokens)
+      if (t.what == token_kind::basis && t.frame == nullptr) return true;
+  return false;
+}
+
+/// The unit vector along a direction, which a basis vector is already.
+template <class Direction>
+constexpr auto unit_along(const Direction& given) {
+  if constexpr (requires { requires shape_of_operand<Direction> == shape::vector; }) {
+    if constexpr (sizeof(given.tokens) != sizeof(token))
+      return normalized(given);
+    else
+      return given;
+  } else {
+    return given;
+  }
+}
+
+/// The word of a kind among those of a joint; `void`: there is none.
+template <joint_word wanted, class... Words>
+struct joint_word_among {
+  using type = void;
+};
+template <joint_word wanted, class Word, class... Words>
+struct joint_word_among<wanted, Word, Words...> : joint_word_among<wanted, Words...> {};
+template <joint_word wanted, class Word, class... Words>
+  requires(Word::joint_word == wanted)
+struct joint_word_among<wanted, Word, Words...> {
+  using type = Word;
+};
+
+template <class Word>
+concept word_of_a_joint = requires { Word::joint_word; };
+
+} // namespace describe
+
+/// Where a joint sits: in the parent, as a vector from the parent's point, and in the child, as a vector from
+/// the child's point in `own` axes. Without it, and without the second, at these points.
+template <auto... in_parent_and_child>
+struct at {
+  static constexpr describe::joint_word joint_word = describe::joint_word::at;
+  static constexpr std::size_t count = sizeof...(in_parent_and_child);
+  static constexpr auto in_parent = describe::one_of<0, in_parent_and_child..., 0>();
+  static constexpr auto in_child = describe::one_of<1, in_parent_and_child..., 0, 0>();
+};
+
+/// The axis of a joint, or two of them: vectors of any length that are fixed in the parent, or in `own` axes,
+/// those of the child.
+template <auto... vectors>
+struct axis {
+  static constexpr describe::joint_word joint_word = describe::joint_word::axis;
+  static constexpr std::size_t count = sizeof...(vectors);
+  static constexpr auto first = describe::one_of<0, vectors..., own::z>();
+  static constexpr auto second = describe::one_of<1, vectors..., own::z, own::z>();
+};
+
+/// How the child is turned from the parent where all coordinates of the joint are zero: by an angle and an
+/// axis in the parent, or by nine direction cosines, as those of `direction_cosines`.
+template <auto... given>
+struct home {
+  static constexpr describe::joint_word joint_word = describe::joint_word::home;
+  static constexpr std::size_t count = sizeof...(given);
+  static constexpr bool fits = count == 2 || count == 9;
+  static constexpr bool is_in_own_axes = (describe::holds_own(given) || ...);
+  static constexpr void turn(describe::frame_record& r) {
+    r.orientation =
+        count == 2 ? describe::orientation_word::rotated : describe::orientation_word::direction_cosines;
+    for (std::size_t i = 0; i < (count == 2 ? 1 : 9); ++i) r.given[i] = describe::given_phrases<given...>[i];
+    r.axis = describe::given_phrases<given...>[1];
+    r.given_as = count == 2 ? "the angle of frame " : "a direction cosine of frame ";
+  }
+};
+
+/// The same by three turns about the axes as they stand after each turn: `home_angles<"zyx", a, b, c>`.
+template <text sequence, auto... angles>
+struct home_angles {
+  static constexpr describe::joint_word joint_word = describe::joint_word::home;
+  static constexpr bool fits = sizeof...(angles) == 3;
+  static constexpr void turn(describe::frame_record& r) {
+    r.orientation = describe::orientation_word::body_fixed;
+    for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
+    for (std::size_t i = 0; i < 3; ++i) r.given[i] = describe::given_phrases<angles...>[i];
+  }
+};
+
+/// The symbols of a joint, in place of those that it chooses: its coordinates, and behind them its speeds.
+template <auto... symbols>
+struct by {
+  static constexpr describe::joint_word joint_word = describe::joint_word::by;
+  static constexpr std::size_t count = sizeof...(symbols);
+  template <std::size_t i>
+  static constexpr auto symbol = describe::one_of<i, symbols...>();
+};
+
+/// The body that moves with the child: its mass, its mass centre as a vector from the child's point, and its
+/// inertia about the mass centre; without an inertia a particle. `own` means the axes of the child, also in
+/// `inertia<own, Ixx, …>`.
+template <auto mass, auto center, class... Inertia>
+struct body {
+  static constexpr describe::joint_word joint_word = describe::joint_word::body;
+  static constexpr bool fits = sizeof...(Inertia) <= 1;
+  static constexpr auto center_given = center;
+  static constexpr void give_to(describe::body_record& r) {
+    r.mass = describe::phrase_of<mass>;
+    r.rigid = sizeof...(Inertia) == 1;
+    (describe::give_inertia<Inertia>(r), ...);
+  }
+};
+
+/// A frame and a point as the parent of a joint: `pin<Link, frame_and_point<A, P>, …>`.
+template <class Frame, class Point>
+struct frame_and_point {};
+
+namespace describe {
+
+template <class Parent>
+struct parts_of {
+  static constexpr const frame_record* frame = &frame_of<Parent>;
+  static constexpr const point_record* point = &point_of<Parent>;
+};
+template <class Frame, class Point>
+struct parts_of<frame_and_point<Frame, Point>> {
+  static constexpr const frame_record* frame = &frame_of<Frame>;
+  static constexpr const point_record* point = &point_of<Point>;
+};
+
+} // namespace describe
+
+} // namespace kanexpr

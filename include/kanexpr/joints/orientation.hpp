@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/joints/joint.hpp>
+
+/// How a child turns freely in its home: by a unit quaternion, or by three angles.
+namespace kanexpr {
+
+namespace describe {
+struct turns_freely {};
+} // namespace describe
+
+/// Three angles in place of the unit quaternion of a joint that turns freely: `angles<"zxz">`, about the axes
+/// of the child as they stand after each turn. All twelve sequences.
+template <text sequence>
+struct angles {
+  static constexpr describe::joint_word joint_word = describe::joint_word::special;
+  using special = describe::turns_freely;
+  static constexpr std::string_view twice = "is given two sequences of angles";
+  static constexpr std::string_view misplaced =
+      "is given angles<...>, which belongs to a joint that turns freely, spherical<...> or floating<...>";
+  static constexpr void turn_by(describe::frame_record& r) {
+    r.orientation = describe::orientation_word::body_fixed;
+    for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
+    if (sequence.view().size() != 3) r.sequence[0] = '?';
+  }
+};
+
+namespace describe {
+
+/// A child that turns freely: its coordinates of orientation begin with number `first_q`, its angular
+/// velocity relative to its home, in its own axes, with `first_u`.
+template <bool by_angles, std::size_t first_q, std::size_t first_u>
+struct free_orientation {
+  using special = turns_freely;
+
+  template <class Joint>
+  static constexpr auto spin = Joint::template u<first_u> * own::x + Joint::template u<first_u + 1> * own::y +
+                               Joint::template u<first_u + 2> * own::z;
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    if constexpr (by_angles) {
+      Joint::template word<joint_word::special>::turn_by(r);
+      r.given_as = "an angle of frame ";
+      r.given[0] = phrase_of<Joint::template q<first_q>>;
+      r.given[1] = phrase_of<Joint::template q<first_q + 1>>;
+      r.given[2] = phrase_of<Joint::template q<first_q + 2>>;
+    } else { // the real part comes last in the state
+      r.orientation = orientation_word::quaternion;
+      r.given_as = "the quaternion of frame ";
+      r.given[0] = phrase_of<Joint::template q<first_q + 3>>;
+      r.given[1] = phrase_of<Joint::template q<first_q>>;
+      r.given[2] = phrase_of<Joint::template q<first_q + 1>>;
+      r.given[3] = phrase_of<Joint::template q<first_q + 2>>;
+    }
+    r.reference = Joint::home_frame();
+    r.angular_velocity = phrase_of<spin<Joint>>;
+  }
+
+  template <class Joint>
+  static constexpr auto kinematics_of_orientation =
+      kinematics_between(Joint::child_frame(), Joint::home_frame());
+};
+
+template <class... Words>
+inline constexpr bool has_angles =
+    !std::is_void_v<typename joint_word_among<joint_word::special, Words...>::type>;
+
+} // namespace describe
+
+} // namespace kanexpr

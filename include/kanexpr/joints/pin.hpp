@@ -1,0 +1,32 @@
+#pragma once
+
+#include <kanexpr/joints/joint.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+struct pin_joint {
+  using symbols = joint_symbols<names<"q">, names<"u">>;
+  static constexpr std::string_view form = "pin<Self, Parent, axis<vector>, by<coordinate, speed>>";
+  static constexpr std::size_t least_axes = 1, most_axes = 1;
+  static constexpr bool moves = false;
+  static constexpr joint_effort effort = joint_effort::torque;
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+  }
+
+  template <class Joint>
+  static constexpr auto spin = Joint::template u<0> * Joint::template axis_at_home<0>;
+};
+
+} // namespace describe
+
+/// A hinge: the child turns by an angle about an axis that is fixed in both. `pin<Link, Parent, axis<own::z>,
+/// at<l*Parent::x>>`; also called revolute.
+template <class Self, class Parent, class... Words>
+struct pin : describe::joint<Self, Parent, describe::pin_joint, Words...> {};
+
+} // namespace kanexpr

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <kanexpr/joints/joint.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+struct prismatic_joint {
+  using symbols = joint_symbols<names<"q">, names<"u">>;
+  static constexpr std::string_view form = "prismatic<Self, Parent, axis<vector>, by<coordinate, speed>>";
+  static constexpr std::size_t least_axes = 1, most_axes = 1;
+  static constexpr bool moves = true;
+  static constexpr joint_effort effort = joint_effort::force;
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    not_turned<Joint>(r);
+  }
+  template <class Joint>
+  static constexpr void move(point_record& r) {
+    r.offset = phrase_of<Joint::template q<0> * Joint::template axis_at_home<0>>;
+  }
+
+  template <class Joint>
+  static constexpr auto drift = Joint::template u<0> * Joint::template axis_at_home<0>;
+};
+
+} // namespace describe
+
+/// A slider: the child goes along an axis without turning. `prismatic<Carriage, Ground, axis<Ground::x>>`.
+template <class Self, class Parent, class... Words>
+struct prismatic : describe::joint<Self, Parent, describe::prismatic_joint, Words...> {};
+
+} // namespace kanexpr

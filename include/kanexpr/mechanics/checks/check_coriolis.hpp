@@ -1,0 +1,85 @@
+#pragma once
+
+#include <kanexpr/mechanics/checks/check_lagrange.hpp>
+
+/// Whether a Coriolis matrix keeps what it promises.
+namespace kanexpr::mechanics {
+
+namespace detail {
+
+inline constexpr wording_of_rates by_coriolis{", as the Coriolis matrix supposes",
+                                              "; the Coriolis matrix is that of bodies that do not change"};
+
+/// The mass matrix may change with the coordinates of which speeds are the rates, and with nothing else: only
+/// then Ṁ − 2C can be skew-symmetric.
+constexpr sentence check_changes_of_mass(const skeleton& s, const symbolic::matrix& mass) {
+  const mechanism& m = *s.model;
+  const contents held(*m.g);
+  const auto changes_with = [&](const expression& symbol) {
+    sequence<expression> changes;
+    for (const expression& e : mass.entries)
+      if (held.holds(e, m.g->symbol_at(symbol.node()).kind)) changes.push(symbolic::differentiate(e, symbol));
+    return !vanish(m, changes);
+  };
+  const auto refused = [&](std::string_view what, std::string_view name = {}) {
+    return sentence({"the Coriolis matrix is that of a mass matrix which changes with the coordinates alone; "
+                     "this one changes with ",
+                     what, name});
+  };
+  if (changes_with(m.time)) return refused("the time");
+  for (const expression& r : m.inputs)
+    if (changes_with(r)) return refused("the prescribed quantity ", called(m, r));
+  for (const expression& u : m.speeds)
+    if (changes_with(u)) return refused("the ", speed_called(m, called(m, u)).view());
+  for (int j = 0; j < m.coordinates.size(); ++j)
+    if (!m.speeds.contains(s.coordinate_rates[j]) && changes_with(m.coordinates[j]))
+      return refused(called(m, m.coordinates[j]), ", whose rate is no speed");
+  return {};
+}
+
+/// What is quadratic in the speeds of generalized inertia forces, with the other sign.
+constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence<expression>& bias) {
+  symbolic::substitution backwards(*m.g), at_rest(*m.g);
+  for (const expression& u : m.speeds) {
+    backwards.replace(u, -u);
+    at_rest.replace(u, m.zero());
+  }
+  sequence<expression> quadratic;
+  for (const expression& b : bias) quadratic.push(at_rest.in(b) - (b + backwards.in(b)) / 2);
+  return quadratic;
+}
+
+/// Why the equations of motion may be others than Lagrange's, whose C is made of Christoffel symbols, or
+/// nothing.
+constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  if (m.derived_by == method::lagrange) return {};
+  if (const sentence found = checking_lagrange(k, acting, by_coriolis).run()) return found;
+  for (int j = 0; j < m.coordinates.size(); ++j)
+    if (!m.speeds.contains(s.coordinate_rates[j]))
+      return sentence({"the Coriolis matrix is that of coordinates whose rates are the speeds; the rate of ",
+                       called(m, m.coordinates[j]), " is none"});
+  return {};
+}
+
+} // namespace detail
+
+/// Why a matrix of Christoffel symbols is not C, or nothing: M changes with more than coordinates, or C u is
+/// not what is quadratic in the speeds of −F_r* at u̇ = 0, which `bias_of` forms where that is in doubt.
+template <class Form>
+constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic::matrix& mass,
+                                  const symbolic::matrix& c, const Form& bias_of) {
+  const skeleton& s = k.skeleton_used();
+  const mechanism& m = *s.model;
+  if (const sentence found = detail::check_changes_of_mass(s, mass)) return found;
+  const sentence doubt = detail::doubt_about_rates(k, acting);
+  if (!doubt) return {};
+  sequence<expression> off = detail::quadratic_part(m, bias_of());
+  off.resize(m.speeds.size(), m.zero()); // auxiliary speeds come last
+  for (int i = 0; i < c.rows; ++i)
+    for (int j = 0; j < c.columns; ++j) off[i] -= c(i, j) * m.speeds[j];
+  return detail::vanish(m, off) ? sentence() : doubt;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <kanexpr/robots/robot.hpp>
+
+/// What of a robot moves as one.
+namespace kanexpr::robots {
+
+/// Links between which joints are fixed, called by the first of them, in whose axes everything is.
+struct moving_body {
+  int link = -1;
+  int joint = -1;  ///< that moves it; -1: the root
+  int parent = -1; ///< its place among the moving bodies; -1: the root has none
+  pose origin{};   ///< of the joint, in the axes of the parent
+  double mass = 0;
+  vector3 center{};
+  inertia_matrix inertia{}; ///< about the mass centre
+
+  bool has_mass() const { return mass > 0 || inertia.largest() > 0; }
+};
+
+/// A link, in the axes of the moving body that it is a part of.
+struct placed_link {
+  int body = -1;
+  pose at{};
+};
+
+struct articulation {
+  std::vector<moving_body> bodies{}; ///< each behind its parent; the first has the root
+  std::vector<placed_link> links{};  ///< of all links, in their order
+  std::vector<int> joints{};         ///< those that move by coordinates of their own, in their order
+};
+
+/// Folds fixed joints away, by parallel axes.
+inline articulation articulation_of(const robot& r);
+
+} // namespace kanexpr::robots
+
+namespace kanexpr::robots {
+
+namespace detail {
+
+inline inertia_matrix sum(const inertia_matrix& a, const inertia_matrix& b) {
+  return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.yz + b.yz, a.zx + b.zx};
+}
+
+/// Of a mass at r, about the origin.
+inline inertia_matrix of_point(double mass, const vector3& r) {
+  return {mass * (r[1] * r[1] + r[2] * r[2]),
+          mass * (r[2] * r[2] + r[0] * r[0]),
+          mass * (r[0] * r[0] + r[1] * r[1]),
+          -mass * r[0] * r[1],
+          -mass * r[1] * r[2],
+          -mass * r[2] * r[0]};
+}
+
+inline inertia_matrix turned(const rotation& by, const inertia_matrix& i) {
+  if (by == no_rotation) return i; // to the last digit
+  const rotation given{{{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}}};
+  const rotation t = product(by, product(given, transposed(by)));
+  return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
+}
+
+/// Adds the mass of a link. The mass centre of a body of one link is that of the link to the last digit.
+inline void add(moving_body& to, const inertial& of, const pose& at) {
+  const pose center = product(at, of.center);
+  const inertia_matrix inertia = turned(center.turn, of.inertia);
+  if (!to.has_mass()) {
+    to.mass = of.mass, to.center = center.at, to.inertia = inertia;
+    return;
+  }
+  const double whole = to.mass + of.mass;
+  vector3 middle = of.mass > 0 ? center.at : to.center;
+  if (to.mass > 0 && of.mass > 0)
+    for (std::size_t i = 0; i < 3; ++i) middle[i] = (to.mass * to.center[i] + of.mass * center.at[i]) / whole;
+  to.inertia = sum(sum(to.inertia, of_point(to.mass, to.center - middle)),
+                   sum(inertia, of_point(of.mass, center.at - middle)));
+  to.mass = whole, to.center = middle;
+}
+
+} // namespace detail
+
+/// Links one after another from the root, the first limb to its end and then the next.
+class folding {
+public:
+  explicit folding(const robot& r) : robot_(r), outward_(r.links.size()) {
+    into_.links.resize(r.links.size());
+  }
+
+  articulation fold() {
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      const joint& each = robot_.joints[j];
+      outward_[static_cast<std::size_t>(each.parent)].push_back(static_cast<int>(j));
+      if (each.is != joint_kind::fixed && !each.mimic) into_.joints.push_back(static_cast<int>(j));
+    }
+    begin_body({.link = robot_.root});
+    open_.push_back({robot_.root, 0, {}});
+    while (!open_.empty()) {
+      const step next = open_.back();
+      open_.pop_back();
+      take(next);
+    }
+    return std::move(into_);
+  }
+
+private:
+  /// A link to come, on a body, by a joint that moves or none.
+  struct step {
+    int link = -1, body = -1;
+    pose at{};
+    int joint = -1;
+  };
+
+  void begin_body(const moving_body& b) { into_.bodies.push_back(b); }
+
+  void take(step s) {
+    if (s.joint >= 0) {
+      begin_body({.link = s.link, .joint = s.joint, .parent = s.body, .origin = s.at});
+      s.body = static_cast<int>(into_.bodies.size()) - 1;
+      s.at = {};
+    }
+    const auto link = static_cast<std::size_t>(s.link);
+    into_.links[link] = {s.body, s.at};
+    if (const auto& of = robot_.links[link].inertial)
+      detail::add(into_.bodies[static_cast<std::size_t>(s.body)], *of, s.at);
+    const std::vector<int>& next = outward_[link];
+    for (auto j = next.rbegin(); j != next.rend(); ++j) {
+      const joint& by = robot_.joints[static_cast<std::size_t>(*j)];
+      const bool moves = by.is != joint_kind::fixed;
+      open_.push_back({by.child, s.body, product(s.at, by.origin), moves ? *j : -1});
+    }
+  }
+
+  const robot& robot_;
+  articulation into_{};
+  std::vector<std::vector<int>> outward_; ///< joints at each link, in their order
+  std::vector<step> open_{};
+};
+
+inline articulation articulation_of(const robot& r) { return folding(r).fold(); }
+
+/// How a joint follows one with a coordinate of its own: q = multiplier · q_leader + offset.
+inline mimicry followed_by(const robot& r, int joint) {
+  mimicry f{joint, 1, 0};
+  while (const auto& next = r.joints[static_cast<std::size_t>(f.leader)].mimic) {
+    f.offset += f.multiplier * next->offset;
+    f.multiplier *= next->multiplier;
+    f.leader = next->leader;
+  }
+  return f;
+}
+
+} // namespace kanexpr::robots

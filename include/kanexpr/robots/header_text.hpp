@@ -1,0 +1,101 @@
+#pragma once
+
+#include <kanexpr/robots/pose.hpp>
+
+#include <charconv>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Pieces of the text of a header.
+namespace kanexpr::robots {
+
+namespace text {
+
+/// All digits of a number, and no more.
+inline std::string digits(double x) {
+  char letters[32];
+  const auto end = std::to_chars(letters, letters + sizeof letters, x + 0.0, std::chars_format::general).ptr;
+  std::string shortest(letters, end);
+  if (shortest.find_first_of(".e") == shortest.npos && shortest.size() > 9) shortest += ".0"; // is no int
+  return shortest;
+}
+
+/// A limit, which may be infinite.
+inline std::string limit(double x) {
+  if (std::abs(x) <= std::numeric_limits<double>::max()) return digits(x);
+  return x < 0 ? "-no_limit" : "no_limit";
+}
+
+/// c0 A::x + c1 A::y + c2 A::z.
+inline std::string along(const std::string& axes, const vector3& v) {
+  std::string sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (v[i] == 0) continue;
+    const double size = std::abs(v[i]);
+    sum += v[i] < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+    sum += (size == 1 ? "" : digits(size) + " * ") + axes + "::" + "xyz"[i];
+  }
+  return sum.empty() ? "0 * " + axes + "::x" : sum;
+}
+
+/// In parentheses where it is a sum.
+inline std::string factor(const std::string& e) {
+  return e.find(' ') == e.npos && !e.starts_with('-') ? e : "(" + e + ")";
+}
+
+inline std::string list(const std::vector<std::string>& all) {
+  std::string joined;
+  for (const std::string& each : all) joined += (joined.empty() ? "" : ", ") + each;
+  return joined;
+}
+
+inline constexpr std::size_t columns = 110;
+
+/// A line that begins in a column, broken behind commas and signs where it is too long; it goes on behind
+/// `indent` columns.
+inline std::string folded(const std::string& line, std::size_t column, std::size_t indent) {
+  std::string text;
+  std::size_t begun = 0, last = 0; // of what is to be written; where it may break
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const char before = line[i - 1];
+    if (line[i] == ' ' && (before == ',' || before == '+' || before == '-')) last = i;
+    if (i - begun + column < columns || last <= begun) continue;
+    text += line.substr(begun, last - begun) + "\n" + std::string(indent, ' ');
+    begun = last + 1;
+    column = indent;
+  }
+  return text + line.substr(begun);
+}
+
+/// A list over as many lines as it takes, behind `before`, under which it goes on.
+inline std::string wrapped(const std::string& before, const std::vector<std::string>& all) {
+  const std::size_t indent = before.size();
+  std::string text = before;
+  std::size_t used = indent;
+  for (const std::string& each : all) {
+    const bool is_first = &each == all.data();
+    if (!is_first && used + each.size() + 3 > columns) {
+      text += ",\n" + std::string(indent, ' ');
+      used = indent;
+    } else if (!is_first) {
+      text += ", ";
+      used += 2;
+    }
+    text += folded(each, used, indent + 4);
+    used += each.size();
+  }
+  return text;
+}
+
+/// What a file says, in a comment: nothing that ends the line or goes on behind it.
+inline std::string comment(std::string_view said) {
+  std::string plain;
+  for (char c : said.substr(0, 80)) plain += c >= ' ' && c < 0x7f && c != '\\' && c != '?' ? c : '_';
+  return plain;
+}
+
+} // namespace text
+
+} // namespace kanexpr::robots

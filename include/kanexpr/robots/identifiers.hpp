@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace kanexpr::robots {
+
+/// Letters, digits and single underscores of a name; what else there is becomes an underscore.
+inline std::string letters_of(std::string_view name) {
+  constexpr std::size_t most = 40; // leaves room for what stands before and behind in a name of 60 letters
+  std::string plain;
+  for (char c : name) {
+    const bool taken = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (taken)
+      plain += c;
+    else if (!plain.empty() && plain.back() != '_')
+      plain += '_';
+  }
+  if (plain.size() > most) plain = plain.substr(0, most / 2) + "_" + plain.substr(plain.size() - most / 2);
+  plain.erase(std::unique(plain.begin(), plain.end(), [](char a, char b) { return a == '_' && b == '_'; }),
+              plain.end());
+  while (plain.ends_with('_')) plain.pop_back();
+  return plain;
+}
+
+/// Names that are identifiers of C++, none of them twice.
+class identifiers {
+public:
+  /// Of a type, whose first letter is large: no word of the language or of the library begins so. What goes
+  /// with the type is called by its name and an ending of `endings`.
+  std::string type(std::string_view name, std::initializer_list<std::string_view> endings) {
+    std::string plain = letters_of(name);
+    if (plain.empty()) plain = "Link";
+    if (plain[0] >= '0' && plain[0] <= '9') plain = "Link_" + plain;
+    if (plain[0] >= 'a' && plain[0] <= 'z') plain[0] = static_cast<char>(plain[0] - 'a' + 'A');
+    return unused(plain, {}, endings);
+  }
+  /// Of a joint, of which symbols are called by what stands before it: "q_" and "u_".
+  std::string joint(std::string_view name, std::initializer_list<std::string_view> beginnings) {
+    const std::string plain = letters_of(name);
+    return unused(plain.empty() ? "joint" : plain, beginnings, {});
+  }
+  void reserve(std::string_view name) { used_.emplace(name); }
+
+private:
+  std::string unused(const std::string& wanted, std::initializer_list<std::string_view> beginnings,
+                     std::initializer_list<std::string_view> endings) {
+    for (int& count = next_[wanted];;) {
+      ++count;
+      const std::string name = count == 1 ? wanted : wanted + "_" + std::to_string(count);
+      std::set<std::string> all;
+      if (beginnings.size() == 0) all.insert(name);
+      for (std::string_view b : beginnings) all.insert(std::string(b) + name);
+      for (std::string_view e : endings) all.insert(name + std::string(e));
+      bool free = true;
+      for (const std::string& each : all) free = free && !used_.contains(each);
+      if (!free) continue;
+      used_.merge(all);
+      return name;
+    }
+  }
+
+  std::set<std::string> used_{};
+  std::map<std::string, int> next_{}; ///< so that a thousand links of one name take no time
+};
+
+} // namespace kanexpr::robots

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <kanexpr/robots/articulation.hpp>
+#include <kanexpr/robots/check_inertial.hpp>
+#include <kanexpr/robots/identifiers.hpp>
+#include <kanexpr/robots/model_options.hpp>
+#include <kanexpr/robots/shown.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A robot on its way to a model: what moves, and what everything is called.
+namespace kanexpr::robots {
+
+/// A joint with coordinates of its own; the base has one where it floats.
+struct planned_joint {
+  int joint = -1; ///< its place in the robot; -1: the floating base
+  joint_kind is = joint_kind::floating;
+  std::string called{};
+  std::vector<std::string> coordinates{}, speeds{};
+  std::string input{}; ///< empty: there is none
+};
+
+struct plan {
+  articulation what{};
+  std::vector<planned_joint> joints{}; ///< the base, then in the order of the file
+  std::vector<std::string> links{};    ///< names of all links
+  std::vector<int> joint_of{};         ///< the place among `joints` of each joint of the robot; -1: none
+  std::string mistake{};               ///< why there is no model; empty: there is one
+
+  const planned_joint* joint_by(int of_robot) const {
+    const int place = joint_of[static_cast<std::size_t>(of_robot)];
+    return place < 0 ? nullptr : &joints[static_cast<std::size_t>(place)];
+  }
+};
+
+/// One coordinate: a torque or a force drives it.
+inline planned_joint single(const robot& r, int place, const std::string& called) {
+  const joint_kind is = r.joints[static_cast<std::size_t>(place)].is;
+  return {place,           is,
+          called,          {"q_" + called},
+          {"u_" + called}, (is == joint_kind::prismatic ? "F_" : "T_") + called};
+}
+
+inline planned_joint planar(int place, const std::string& called) {
+  return {place,
+          joint_kind::planar,
+          called,
+          {"px_" + called, "py_" + called, "q_" + called},
+          {"vx_" + called, "vy_" + called, "u_" + called},
+          {}};
+}
+
+/// Position, unit quaternion with the scalar part last, velocity and angular velocity in its own axes.
+inline planned_joint floating(int place, const std::string& called) {
+  planned_joint made{place, joint_kind::floating, called, {}, {}, {}};
+  const std::string behind = called.empty() ? "" : "_" + called;
+  for (const char* q : {"px", "py", "pz", "e1", "e2", "e3", "e0"}) made.coordinates.push_back(q + behind);
+  for (const char* u : {"vx", "vy", "vz", "wx", "wy", "wz"}) made.speeds.push_back(u + behind);
+  return made;
+}
+
+/// Which numbers overflow where links are put together; empty: none.
+inline std::string overflowing_in(const robot& r, const articulation& a) {
+  const auto too_large = [&](int link) {
+    return "the numbers of link " + shown(r.links[static_cast<std::size_t>(link)].name) +
+           " are too large to be computed with";
+  };
+  const auto is_finite = [](const vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };
+  for (const moving_body& b : a.bodies) {
+    const inertia_matrix& i = b.inertia;
+    if (!std::isfinite(b.mass + i.xx + i.yy + i.zz + i.xy + i.yz + i.zx) || !is_finite(b.center) ||
+        !is_finite(b.origin.at))
+      return too_large(b.link);
+  }
+  for (std::size_t l = 0; l < a.links.size(); ++l)
+    if (!is_finite(a.links[l].at.at)) return too_large(static_cast<int>(l));
+  for (const moving_body& b : a.bodies) {
+    if (b.joint < 0) continue;
+    const joint& j = r.joints[static_cast<std::size_t>(b.joint)];
+    const mimicry how = followed_by(r, b.joint);
+    if (!std::isfinite(j.gear_ratio * j.gear_ratio * j.rotor_inertia + how.multiplier + how.offset))
+      return "the gear of joint " + shown(j.name) + " is too large to be computed with";
+  }
+  return {};
+}
+
+/// Which inertia is negative about some axis; empty: none.
+inline std::string indefinite_in(const robot& r, const articulation& a, const model_options& options) {
+  for (const moving_body& b : a.bodies)
+    if ((b.joint >= 0 || options.base == base_kind::floating) && is_indefinite(b.inertia))
+      return "the inertia of link " + shown(r.links[static_cast<std::size_t>(b.link)].name) +
+             ", with what is fixed to it, is indefinite: about some axis its moment is negative";
+  return {};
+}
+
+inline plan plan_of(const robot& r, const model_options& options) {
+  constexpr std::size_t most_bodies = 400;
+  plan p;
+  if (r.links.empty() || r.root < 0) return p.mistake = "the robot has no links", p;
+  p.what = articulation_of(r);
+  if (p.what.bodies.size() > most_bodies) {
+    p.mistake = "the robot has " + std::to_string(p.what.bodies.size()) +
+                " links that move, and a model has no more than " + std::to_string(most_bodies);
+    return p;
+  }
+  if (p.mistake = overflowing_in(r, p.what); !p.mistake.empty()) return p;
+  if (p.mistake = indefinite_in(r, p.what, options); !p.mistake.empty()) return p;
+  identifiers names;
+  for (const char* taken : {"N", "O", "System"}) names.reserve(taken);
+  for (const link& l : r.links)
+    p.links.push_back(
+        names.type(l.name, {"", "_home", "_origin", "_start", "_center", "_body", "_rotor", "_shape"}));
+  if (options.base == base_kind::floating) p.joints.push_back(floating(-1, ""));
+  p.joint_of.assign(r.joints.size(), -1);
+  for (int j : p.what.joints) {
+    const joint& each = r.joints[static_cast<std::size_t>(j)];
+    const std::string called = names.joint(each.name, {"q_", "u_", "T_", "F_"});
+    p.joint_of[static_cast<std::size_t>(j)] = static_cast<int>(p.joints.size());
+    p.joints.push_back(each.is == joint_kind::floating ? floating(j, called)
+                       : each.is == joint_kind::planar ? planar(j, called)
+                                                       : single(r, j, called));
+  }
+  if (p.joints.empty()) p.mistake = "no joint of the robot moves, and its base is fixed";
+  return p;
+}
+
+/// Two directions across an axis that make right-handed axes with it; of z these are x and y.
+inline std::pair<vector3, vector3> across(const vector3& axis) {
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::abs(axis[i]) > std::abs(axis[most])) most = i;
+  const std::size_t next = (most + 1) % 3;
+  vector3 first{};
+  first[next] = 1;
+  for (std::size_t i = 0; i < 3; ++i) first[i] -= axis[next] * axis[i];
+  first = direction_of(first, 0);
+  return {first, cross(axis, first)};
+}
+
+} // namespace kanexpr::robots

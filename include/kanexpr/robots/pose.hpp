@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+/// Where something sits in axes that it is fixed in, as numbers.
+namespace kanexpr::robots {
+
+using vector3 = std::array<double, 3>;
+
+/// Rows; v in the outer axes = rotation · v in the turned axes.
+using rotation = std::array<vector3, 3>;
+
+inline constexpr rotation no_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+/// A turn, and the way to the turned axes in the outer ones.
+struct pose {
+  rotation turn = no_rotation;
+  vector3 at{};
+
+  bool operator==(const pose&) const = default;
+};
+
+inline vector3 operator+(const vector3& a, const vector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline vector3 operator-(const vector3& a, const vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline double dot(const vector3& a, const vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline vector3 cross(const vector3& a, const vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline bool is_zero(const vector3& v) { return v == vector3{}; }
+
+inline vector3 turned(const rotation& by, const vector3& v) {
+  return {dot(by[0], v) + 0.0, dot(by[1], v) + 0.0, dot(by[2], v) + 0.0}; // no negative zero
+}
+inline rotation transposed(const rotation& r) {
+  return {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}};
+}
+inline rotation product(const rotation& a, const rotation& b) {
+  const rotation columns = transposed(b);
+  return transposed({turned(a, columns[0]), turned(a, columns[1]), turned(a, columns[2])});
+}
+inline pose product(const pose& a, const pose& b) {
+  return {product(a.turn, b.turn), a.at + turned(a.turn, b.at)};
+}
+
+struct sine_and_cosine {
+  double sine = 0, cosine = 1;
+};
+
+/// Of an angle that is within `tolerance` of a multiple of π/4, those of that multiple.
+inline sine_and_cosine of_angle(double angle, double tolerance) {
+  constexpr double eighth = std::numbers::pi / 4, half = std::numbers::sqrt2 / 2;
+  const double turns = (std::round)(angle / eighth);
+  if (std::abs(angle - turns * eighth) > tolerance) return {std::sin(angle), std::cos(angle)};
+  constexpr sine_and_cosine exact[]{{0, 1},  {half, half},   {1, 0},  {half, -half},
+                                    {0, -1}, {-half, -half}, {-1, 0}, {-half, half}};
+  return exact[(static_cast<int>(std::fmod(turns, 8)) + 8) % 8];
+}
+
+/// By roll, pitch and yaw about the outer axes x, y and z, one after another.
+inline rotation by_roll_pitch_yaw(const vector3& angles, double tolerance) {
+  const sine_and_cosine r = of_angle(angles[0], tolerance), p = of_angle(angles[1], tolerance),
+                        y = of_angle(angles[2], tolerance);
+  const rotation about_x{{{1, 0, 0}, {0, r.cosine, -r.sine}, {0, r.sine, r.cosine}}};
+  const rotation about_y{{{p.cosine, 0, p.sine}, {0, 1, 0}, {-p.sine, 0, p.cosine}}};
+  const rotation about_z{{{y.cosine, -y.sine, 0}, {y.sine, y.cosine, 0}, {0, 0, 1}}};
+  return product(about_z, product(about_y, about_x));
+}
+
+/// About an axis of length 1, by Rodrigues' formula.
+inline rotation by_axis(const vector3& a, double angle, double tolerance) {
+  const auto [s, c] = of_angle(angle, tolerance);
+  const double v = 1 - c;
+  return {{{c + v * a[0] * a[0], v * a[0] * a[1] - s * a[2], v * a[0] * a[2] + s * a[1]},
+           {v * a[0] * a[1] + s * a[2], c + v * a[1] * a[1], v * a[1] * a[2] - s * a[0]},
+           {v * a[0] * a[2] - s * a[1], v * a[1] * a[2] + s * a[0], c + v * a[2] * a[2]}}};
+}
+
+/// A direction of length 1, to the last digit the given one if that has it. What is within `tolerance`
+/// radians of a basis vector becomes that; of no length: zero.
+inline vector3 direction_of(vector3 v, double tolerance) {
+  const double largest = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (!(largest > 0)) return {};
+  if (largest > 1e100 || largest < 1e-100) // whose square overflows or vanishes
+    for (double& e : v) e /= largest;
+  const double least = tolerance * std::sqrt(dot(v, v));
+  for (double& e : v) e = std::abs(e) <= least ? 0 : e;
+  const double square = dot(v, v), length = std::abs(square - 1) < 1e-15 ? 1 : std::sqrt(square);
+  for (double& e : v) e = e / length + 0.0;
+  return v;
+}
+
+} // namespace kanexpr::robots

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <kanexpr/robots/pose.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A robot as a plain value: links and the joints between them, as files give them. SI units.
+namespace kanexpr::robots {
+
+/// Symmetric, about the mass centre; xy is the entry of the matrix, −∫ x y dm.
+struct inertia_matrix {
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+
+  /// The largest entry without its sign; 0 of no inertia at all.
+  double largest() const {
+    return (std::max)({std::abs(xx), std::abs(yy), std::abs(zz), std::abs(xy), std::abs(yz), std::abs(zx)});
+  }
+};
+
+struct inertial {
+  double mass = 0;
+  pose center{}; ///< the mass centre and the axes of the inertia, in the axes of the link
+  inertia_matrix inertia{};
+};
+
+enum class shape_kind : unsigned char { box, cylinder, sphere, capsule, mesh };
+
+/// What is seen or touched of a link.
+struct shape {
+  shape_kind is = shape_kind::box;
+  pose placed{};
+  vector3
+      size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius; scale of a mesh
+  std::string file{}; ///< of a mesh, as it is written
+};
+
+struct link {
+  std::string name{};
+  std::optional<robots::inertial> inertial{};
+  std::vector<shape> visual{}, collision{};
+};
+
+enum class joint_kind : unsigned char {
+  fixed,
+  revolute,
+  continuous, ///< revolute without limits
+  prismatic,
+  planar,   ///< two ways in the plane across the axis, and a turn about it
+  floating, ///< all six
+};
+
+/// Whether it moves by one coordinate.
+constexpr bool has_one_coordinate(joint_kind is) {
+  return is == joint_kind::revolute || is == joint_kind::continuous || is == joint_kind::prismatic;
+}
+
+struct joint_limits {
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity(), velocity = std::numeric_limits<double>::infinity();
+};
+
+/// A joint that follows another: q = multiplier · q_leader + offset.
+struct mimicry {
+  int leader = -1; ///< its place among the joints
+  double multiplier = 1, offset = 0;
+};
+
+struct joint {
+  std::string name{};
+  joint_kind is = joint_kind::fixed;
+  int parent = -1, child = -1; ///< places among the links
+  pose origin{};               ///< of the child at q = 0, in the axes of the parent
+  vector3 axis{1, 0, 0};       ///< of length 1, in the axes of the child
+  joint_limits limits{};
+  double damping = 0;  ///< the torque or force −damping·q̇
+  double friction = 0; ///< the torque or force −friction·sign q̇
+  std::optional<mimicry> mimic{};
+  double gear_ratio = 1;    ///< turns of the rotor for a turn of the joint
+  double rotor_inertia = 0; ///< about the axis of the rotor
+};
+
+/// The links are a tree: a joint leads to each but `root`.
+struct robot {
+  std::string name{};
+  std::vector<link> links{};
+  std::vector<joint> joints{};
+  int root = -1;
+};
+
+} // namespace kanexpr::robots

@@ -1,0 +1,254 @@
+#pragma once
+
+#include <kanexpr/robots/plan.hpp>
+#include <kanexpr/runtime/builder.hpp>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::robots {
+
+/// A robot as a model of the program: a builder that has its joints, links and motors, to which loads and
+/// constraints may be added. `derive(arm)` and `simulate(arm, …)` take it like any other.
+///
+/// The state is, of a floating base, px, py, pz, e1, e2, e3, e0 and vx, vy, vz, wx, wy, wz, and then q_ and
+/// u_ of each joint in the order of the file; the inputs are T_ (torques) and F_ (forces).
+class robot_builder : public runtime::builder {
+public:
+  using frame_id = runtime::frame_id;
+  using point_id = runtime::point_id;
+
+  explicit robot_builder(robot r, const model_options& options = {});
+
+  /// The first mistake, as a sentence; empty: there is none.
+  std::string cause() const { return plan_.mistake.empty() ? std::string((check)().view()) : plan_.mistake; }
+
+  /// Axes and origin of a link by its name in the file; the ground of a name that no link has.
+  frame_id frame_of(std::string_view link) const { return frames_[place_of(link)]; }
+  point_id origin_of(std::string_view link) const { return origins_[place_of(link)]; }
+
+  /// The values that the file has for the parameters, in their order.
+  const std::vector<std::pair<std::string, double>>& values() const { return values_; }
+
+  /// A state by names: nothing moves, and no joint is turned or moved out.
+  std::map<std::string, double> at_rest() const {
+    std::map<std::string, double> x;
+    for (const planned_joint& j : plan_.joints) {
+      for (const std::string& q : j.coordinates) x[q] = 0;
+      for (const std::string& u : j.speeds) x[u] = 0;
+      if (j.is == joint_kind::floating) x[j.coordinates.back()] = 1;
+    }
+    return x;
+  }
+
+  const robots::plan& plan() const { return plan_; }
+
+private:
+  using expression = symbolic::expression;
+  using vector = mechanics::vector;
+
+  /// The symbols by which a joint moves, or what they follow, and its input.
+  struct motion {
+    std::vector<expression> q{}, u{};
+    expression drive{};
+  };
+
+  std::size_t place_of(std::string_view link) const {
+    const auto found = places_.find(link);
+    return found == places_.end() ? frames_.size() - 1 : found->second;
+  }
+  frame_id& frame(int link) { return frames_[static_cast<std::size_t>(link)]; }
+  point_id& origin(int link) { return origins_[static_cast<std::size_t>(link)]; }
+  const std::string& name(int link) const { return plan_.links[static_cast<std::size_t>(link)]; }
+  const joint& joint_of(const moving_body& b) const {
+    return robot_.joints[static_cast<std::size_t>(b.joint)];
+  }
+  const moving_body& parent_of(const moving_body& b) const {
+    return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
+  }
+
+  vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
+
+  /// A number of the file, or a parameter that has its value there.
+  expression value(const std::string& called, double of_file) {
+    if (options_.bind == binding::numbers) return number(of_file);
+    values_.emplace_back(called, of_file);
+    return parameter(called);
+  }
+  /// Axes that are turned in others; the same ones without a turn.
+  frame_id turned(const std::string& called, frame_id in, const rotation& by) {
+    if (by == no_rotation) return in;
+    const auto row = [&](const vector3& v) {
+      return mechanics::components{number(v[0]), number(v[1]), number(v[2])};
+    };
+    mechanics::matrix3 to_parent;
+    for (int i = 0; i < 3; ++i) to_parent.row[i] = row(by[static_cast<std::size_t>(i)]);
+    return direction_cosines(called, in, to_parent);
+  }
+  point_id moved(const std::string& called, point_id from, frame_id axes, const vector3& by) {
+    return is_zero(by) ? from : offset(called, from, along_numbers(axes, by));
+  }
+
+  void add_symbols() {
+    for (const planned_joint& j : plan_.joints) {
+      motion& m = motions_.emplace_back();
+      for (const std::string& q : j.coordinates) m.q.push_back(coordinate(q));
+    }
+    for (std::size_t i = 0; i < motions_.size(); ++i)
+      for (const std::string& u : plan_.joints[i].speeds) motions_[i].u.push_back(speed(u));
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      const std::string& input_name = plan_.joints[i].input;
+      motions_[i].drive = input_name.empty() ? mechanism().zero() : input(input_name);
+    }
+  }
+
+  /// Of a joint that follows another: by the symbols of that.
+  motion motion_of(int joint) {
+    const mimicry how = followed_by(robot_, joint);
+    const motion& leader =
+        motions_[static_cast<std::size_t>(plan_.joint_of[static_cast<std::size_t>(how.leader)])];
+    if (how.leader == joint) return leader;
+    return {{how.multiplier * leader.q[0] + how.offset}, {how.multiplier * leader.u[0]}, mechanism().zero()};
+  }
+
+  void add_root() {
+    const moving_body& root = plan_.what.bodies[0];
+    const point_id ground = builder::origin("O");
+    frame(root.link) = inertial_frame(), origin(root.link) = ground;
+    frames_.back() = inertial_frame(), origins_.back() = ground;
+    if (options_.base == base_kind::floating) float_free(root.link, inertial_frame(), ground, motions_[0]);
+  }
+
+  void add_joint(const moving_body& b) {
+    const moving_body& in = parent_of(b);
+    const motion m = motion_of(b.joint);
+    const joint& j = joint_of(b);
+    const std::string& called = name(b.link);
+    if (j.is == joint_kind::prismatic) {
+      const frame_id axes = turned(called, frame(in.link), b.origin.turn);
+      const point_id start = moved(called + "_start", origin(in.link), frame(in.link), b.origin.at);
+      const vector axis = along_numbers(axes, j.axis);
+      frame(b.link) = axes;
+      origin(b.link) = offset(called + "_origin", start, m.q[0] * axis);
+      force_between(origin(b.link), start, driving(b, m) * axis);
+      return;
+    }
+    const frame_id home = turned(called + "_home", frame(in.link), b.origin.turn);
+    if (j.is == joint_kind::revolute || j.is == joint_kind::continuous) {
+      const vector axis = along_numbers(home, j.axis);
+      frame(b.link) = rotated(called, home, m.q[0], axis);
+      origin(b.link) = moved(called + "_origin", origin(in.link), frame(in.link), b.origin.at);
+      torque_between(frame(b.link), frame(in.link), driving(b, m) * axis);
+      return;
+    }
+    const point_id start = moved(called + "_start", origin(in.link), frame(in.link), b.origin.at);
+    if (j.is == joint_kind::floating) return float_free(b.link, home, start, m);
+    const auto [first, second] = across(j.axis);
+    frame(b.link) = rotated(called, home, m.q[2], along_numbers(home, j.axis));
+    origin(b.link) = offset(called + "_origin", start,
+                            m.q[0] * along_numbers(home, first) + m.q[1] * along_numbers(home, second));
+  }
+
+  /// Position in the axes that it moves in, velocity and angular velocity in its own.
+  void float_free(int link, frame_id in, point_id start, const motion& m) {
+    const std::string& called = name(link);
+    const frame_id own = quaternion(called, in, m.q[6], m.q[3], m.q[4], m.q[5]);
+    angular_velocity(own, in, along(own, m.u[3], m.u[4], m.u[5]));
+    const point_id at = offset(called + "_origin", start, along(in, m.q[0], m.q[1], m.q[2]));
+    const vector v = along(own, m.u[0], m.u[1], m.u[2]);
+    velocity(at, in, v);
+    for (std::size_t i = 0; i < 3; ++i) {
+      vector3 basis{};
+      basis[i] = 1;
+      kinematic_equation(dot(m.q[i]) - builder::dot(v, along_numbers(in, basis)));
+    }
+    kinematics_of(own, in);
+    frame(link) = own, origin(link) = at;
+  }
+
+  /// The torque or force along the axis of a joint.
+  expression driving(const moving_body& b, const motion& m) {
+    const joint& j = joint_of(b);
+    expression drive = m.drive;
+    if (options_.damping && j.damping > 0) drive = drive - value("c_" + name(b.link), j.damping) * m.u[0];
+    if (options_.friction && j.friction > 0)
+      drive = drive - value("f_" + name(b.link), j.friction) * sign(m.u[0]);
+    return drive;
+  }
+
+  void add_mass(const moving_body& b) {
+    const bool on_ground = b.joint < 0 && options_.base == base_kind::fixed;
+    if (on_ground || !b.has_mass()) return;
+    const std::string& called = name(b.link);
+    const frame_id axes = frame(b.link);
+    const inertia_matrix& i = b.inertia;
+    const expression m = value("m_" + called, b.mass);
+    const expression x = value("x_" + called, b.center[0]), y = value("y_" + called, b.center[1]),
+                     z = value("z_" + called, b.center[2]);
+    const expression xx = value("ixx_" + called, i.xx), yy = value("iyy_" + called, i.yy),
+                     zz = value("izz_" + called, i.zz), xy = value("ixy_" + called, i.xy),
+                     yz = value("iyz_" + called, i.yz), zx = value("izx_" + called, i.zx);
+    const bool is_at_origin = options_.bind == binding::numbers && is_zero(b.center);
+    const point_id center =
+        is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), along(axes, x, y, z));
+    rigid_body(called + "_body", center, axes, m, inertia(axes, xx, yy, zz, xy, yz, zx));
+    if (options_.bind == binding::numbers && is_of_no_body(i)) effective_inertia(called + "_body");
+  }
+
+  /// What turns n times as fast as the joint, beside the links: n² J is felt at the joint, and nothing else.
+  void add_rotor(const moving_body& b) {
+    const joint& j = joint_of(b);
+    const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
+    if (!(felt > 0) || !has_one_coordinate(j.is)) return;
+    const std::string called = name(b.link) + "_rotor";
+    const frame_id axes =
+        rotated(called, inertial_frame(), motion_of(b.joint).q[0], along(inertial_frame(), 0, 0, 1));
+    rigid_body(called, origins_.back(), axes, number(0),
+               inertia(axes, 0, 0, value("j_" + name(b.link), felt)));
+  }
+
+  void place_folded() {
+    for (std::size_t l = 0; l < robot_.links.size(); ++l) {
+      const placed_link& here = plan_.what.links[l];
+      const int body = plan_.what.bodies[static_cast<std::size_t>(here.body)].link;
+      if (body == static_cast<int>(l)) continue;
+      frames_[l] = turned(plan_.links[l], frame(body), here.at.turn);
+      origins_[l] = moved(plan_.links[l] + "_origin", origin(body), frame(body), here.at.at);
+    }
+  }
+
+  robot robot_;
+  model_options options_;
+  robots::plan plan_;
+  std::vector<motion> motions_{};
+  std::vector<frame_id> frames_{}; ///< of the links, and behind them the ground
+  std::vector<point_id> origins_{};
+  std::map<std::string, std::size_t, std::less<>> places_{};
+  std::vector<std::pair<std::string, double>> values_{};
+};
+
+inline robot_builder::robot_builder(robot r, const model_options& options)
+    : builder("N"), robot_(std::move(r)), options_(options), plan_(plan_of(robot_, options)) {
+  frames_.resize(robot_.links.size() + 1);
+  origins_.resize(robot_.links.size() + 1);
+  if (!plan_.mistake.empty()) return;
+  for (std::size_t l = 0; l < robot_.links.size(); ++l) places_.emplace(robot_.links[l].name, l);
+  add_symbols();
+  add_root();
+  for (const planned_joint& j : plan_.joints) {
+    const motion& m = motions_[static_cast<std::size_t>(&j - plan_.joints.data())];
+    if (j.is == joint_kind::floating) continue;
+    for (std::size_t i = 0; i < m.q.size(); ++i) kinematic_equation(dot(m.q[i]) - m.u[i]);
+  }
+  for (const moving_body& b : plan_.what.bodies) {
+    if (b.joint >= 0) add_joint(b);
+    add_mass(b);
+    if (b.joint >= 0) add_rotor(b);
+  }
+  place_folded();
+  gravity(along(inertial_frame(), 0, 0, -value("g", options_.gravity)));
+}
+
+} // namespace kanexpr::robots

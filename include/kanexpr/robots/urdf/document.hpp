@@ -1,0 +1,122 @@
+#pragma once
+
+#include <kanexpr/robots/pose.hpp>
+#include <kanexpr/robots/shown.hpp>
+#include <kanexpr/robots/urdf/numbers.hpp>
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr::robots::urdf {
+
+using element = tinyxml2::XMLElement;
+
+/// A file that is being read: its elements, their numbers, and the first mistake in it.
+class document {
+public:
+  document(std::string called, double right_angles) : called_(std::move(called)), tolerance_(right_angles) {}
+
+  /// The root element; null after a mistake.
+  const element* open(const std::string& text) {
+    if (text.find('\0') != std::string::npos) return refuse("the file holds a zero byte, so it is not XML");
+    if (xml_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
+      return fail(xml_.ErrorLineNum(), cause_of(xml_.ErrorID())), nullptr;
+    for (const tinyxml2::XMLNode* n = xml_.FirstChild(); n; n = n->NextSibling())
+      if (n->ToUnknown() && std::string_view(n->Value()).find_first_of("[&%") != std::string_view::npos)
+        return fail(n->GetLineNum(), "the document type declares entities, which are not expanded"), nullptr;
+    return xml_.RootElement();
+  }
+
+  const std::string& mistake() const { return mistake_; }
+  double tolerance() const { return tolerance_; }
+  /// What was left out or taken in another way than it is written.
+  const std::vector<std::string>& notes() const { return notes_; }
+  std::vector<std::string>&& take_notes() { return std::move(notes_); }
+
+  bool fail(int line, const std::string& what) {
+    if (mistake_.empty()) mistake_ = at(line) + what;
+    return false;
+  }
+  bool fail(const element& e, const std::string& what) { return fail(e.GetLineNum(), what); }
+  void note(int line, const std::string& what) {
+    if (notes_.size() < most_notes) notes_.push_back(at(line) + what);
+  }
+  void note(const element& e, const std::string& what) { note(e.GetLineNum(), what); }
+
+  /// An attribute that has to be there.
+  std::optional<std::string> text(const element& e, const char* attribute, const std::string& whose) {
+    if (const char* found = e.Attribute(attribute); found && *found) return std::string(found);
+    fail(e, whose + " has no " + attribute);
+    return {};
+  }
+
+  /// Reads an attribute into a number, which stays as it is without one.
+  bool take(const element& e, const char* attribute, double& into, const std::string& whose) {
+    const char* const found = e.Attribute(attribute);
+    return !found || take_words(e, attribute, found, &into, 1, whose);
+  }
+  bool take(const element& e, const char* attribute, vector3& into, const std::string& whose) {
+    const char* const found = e.Attribute(attribute);
+    return !found || take_words(e, attribute, found, into.data(), 3, whose);
+  }
+  /// Reads the <origin> in an element.
+  bool take_origin(const element& in, pose& into, const std::string& whose) {
+    const element* const origin = in.FirstChildElement("origin");
+    if (!origin) return true;
+    const std::string of = "the origin of " + whose;
+    vector3 angles{};
+    if (!take(*origin, "xyz", into.at, of) || !take(*origin, "rpy", angles, of)) return false;
+    into.turn = by_roll_pitch_yaw(angles, tolerance_);
+    return true;
+  }
+
+private:
+  const element* refuse(const std::string& what) {
+    if (mistake_.empty()) mistake_ = called_.empty() ? what : called_ + ": " + what;
+    return nullptr;
+  }
+  std::string at(int line) const {
+    return "line " + std::to_string((std::max)(line, 1)) + (called_.empty() ? "" : " of " + called_) + ": ";
+  }
+  static std::string cause_of(tinyxml2::XMLError error) {
+    if (error == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) return "there is no element, so this is no robot";
+    if (error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) return "elements lie too deep in one another";
+    if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) return "an element is not closed where it should be";
+    return "this is no XML";
+  }
+
+  static const char* advice_on(std::string_view word) {
+    if (word.find('$') != word.npos) return "; this may be a xacro file, so run xacro on it first";
+    return word.find(',') == word.npos ? "" : "; decimals are written with a point";
+  }
+
+  bool take_words(const element& e, const char* attribute, std::string_view words, double* into, int count,
+                  const std::string& whose) {
+    const std::string what = std::string(attribute) + "=\"" + shown(words) + "\" of " + whose;
+    for (int i = 0; i < count; ++i) {
+      const std::string_view word = next_word(words);
+      if (word.empty())
+        return fail(e, what + " has too few numbers, " + std::to_string(i) + " of " + std::to_string(count));
+      const std::optional<double> value = number_in(word);
+      if (!value)
+        return fail(e, what + " holds " + shown(word) + ", which is not a finite number" + advice_on(word));
+      into[i] = *value;
+    }
+    return next_word(words).empty() ||
+           fail(e, what + " has more than " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
+  }
+
+  static constexpr std::size_t most_notes = 100;
+
+  tinyxml2::XMLDocument xml_{};
+  std::string called_, mistake_{};
+  std::vector<std::string> notes_{};
+  double tolerance_;
+};
+
+} // namespace kanexpr::robots::urdf

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <kanexpr/robots/check_inertial.hpp>
+#include <kanexpr/robots/urdf/document.hpp>
+
+namespace kanexpr::robots::urdf {
+
+inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {
+  inertial read;
+  if (!from.take_origin(e, read.center, "the mass centre of " + whose)) return false;
+  const element* const mass = e.FirstChildElement("mass");
+  const element* const inertia = e.FirstChildElement("inertia");
+  if (!mass || !mass->Attribute("value")) return from.fail(e, whose + " has an inertial without a mass");
+  if (!from.take(*mass, "value", read.mass, "the mass of " + whose)) return false;
+  if (read.mass < 0) return from.fail(*mass, "the mass of " + whose + " is negative");
+  if (inertia) {
+    inertia_matrix& i = read.inertia;
+    const std::string of = "the inertia of " + whose;
+    if (!from.take(*inertia, "ixx", i.xx, of) || !from.take(*inertia, "iyy", i.yy, of) ||
+        !from.take(*inertia, "izz", i.zz, of) || !from.take(*inertia, "ixy", i.xy, of) ||
+        !from.take(*inertia, "iyz", i.yz, of) || !from.take(*inertia, "ixz", i.zx, of))
+      return false;
+    if (is_indefinite(i) && is_rounding(i, read.mass)) i = {};
+    if (i.xx < 0 || i.yy < 0 || i.zz < 0)
+      return from.fail(*inertia, "a moment of inertia of " + whose + " is negative");
+    if (is_indefinite(i)) // which what moves with the link may make up for
+      from.note(*inertia, of + " is indefinite: about some axis its moment is negative");
+    else if (is_of_no_body(i))
+      from.note(*inertia,
+                of + " is that of no body: one principal moment is larger than the other two together");
+  }
+  into.inertial = read;
+  return true;
+}
+
+inline bool read_shape(document& from, const element& e, const std::string& whose, std::vector<shape>& into) {
+  const element* const geometry = e.FirstChildElement("geometry");
+  const element* const is = geometry ? geometry->FirstChildElement() : nullptr;
+  if (!is) return from.note(e, whose + " has a shape without a geometry, which is left out"), true;
+  shape read;
+  const std::string_view kind = is->Name();
+  const std::string of = "the " + shown(kind) + " of " + whose;
+  if (!from.take_origin(e, read.placed, of)) return false;
+  bool taken = true;
+  if (kind == "box") {
+    taken = from.take(*is, "size", read.size, of);
+  } else if (kind == "sphere") {
+    read.is = shape_kind::sphere;
+    taken = from.take(*is, "radius", read.size[0], of);
+  } else if (kind == "cylinder" || kind == "capsule") {
+    read.is = kind == "capsule" ? shape_kind::capsule : shape_kind::cylinder;
+    taken = from.take(*is, "radius", read.size[0], of) && from.take(*is, "length", read.size[1], of);
+  } else if (kind == "mesh") {
+    read.is = shape_kind::mesh;
+    read.size = {1, 1, 1};
+    if (const char* file = is->Attribute("filename")) read.file = file;
+    taken = from.take(*is, "scale", read.size, of);
+  } else {
+    from.note(*is, of + " is a shape that is not known here, and left out");
+    return true;
+  }
+  if (taken) into.push_back(std::move(read));
+  return taken;
+}
+
+inline bool read_link(document& from, const element& e, link& into) {
+  const auto name = from.text(e, "name", "a link");
+  if (!name) return false;
+  into.name = *name;
+  const std::string whose = "link " + shown(into.name);
+  if (const element* inertial = e.FirstChildElement("inertial"))
+    if (!read_inertial(from, *inertial, whose, into)) return false;
+  for (const element* s = e.FirstChildElement("visual"); s; s = s->NextSiblingElement("visual"))
+    if (!read_shape(from, *s, whose, into.visual)) return false;
+  for (const element* s = e.FirstChildElement("collision"); s; s = s->NextSiblingElement("collision"))
+    if (!read_shape(from, *s, whose, into.collision)) return false;
+  return true;
+}
+
+} // namespace kanexpr::robots::urdf

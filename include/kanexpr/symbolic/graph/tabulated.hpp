@@ -1,0 +1,105 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/composed.hpp>
+
+/// Functions through given points.
+namespace kanexpr::symbolic {
+
+namespace detail {
+
+/// The points of a table, the lengths of its intervals and the slopes of the straight lines across them.
+struct table_points {
+  sequence<expression> x{}, y{}, length{}, slope{};
+
+  constexpr table_points(const expression* given, int count) {
+    for (int i = 0; i < count; ++i) {
+      x.push(*given++);
+      y.push(*given++);
+    }
+    for (int i = 0; i + 1 < count; ++i) {
+      length.push(x[i + 1] - x[i]);
+      slope.push((y[i + 1] - y[i]) / length[i]);
+    }
+  }
+};
+
+/// The slope where two intervals meet: the weighted harmonic mean of those across them, or zero where these
+/// have different signs, so that the curve is monotone where its points are. Fritsch & Butland, A method for
+/// constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
+constexpr expression slope_between(const table_points& p, int before, int behind) {
+  const expression left = 2 * p.length[behind] + p.length[before],
+                   right = p.length[behind] + 2 * p.length[before];
+  const expression product = p.slope[before] * p.slope[behind], zero = product.number(exactly(0));
+  const expression mean = (left + right) * product / (left * p.slope[behind] + right * p.slope[before]);
+  return if_positive(product, mean, zero);
+}
+
+/// The slope at an end, of the parabola through three points, as far as the curve stays monotone with it.
+/// Moler, Numerical Computing with MATLAB (2004), section 3.6.
+constexpr expression slope_at_end(const table_points& p, int first, int second) {
+  const expression h = p.length[first], beside = p.length[second], s = p.slope[first];
+  const expression parabola = ((2 * h + beside) * s - h * p.slope[second]) / (h + beside);
+  const expression most = 3 * s, zero = s.number(exactly(0));
+  const expression bounded =
+      if_positive(s * p.slope[second], parabola, if_positive(abs(parabola) - abs(most), most, parabola));
+  return if_positive(parabola * s, bounded, zero);
+}
+
+constexpr sequence<expression> monotone_slopes(const table_points& p) {
+  const int last = p.x.size() - 1;
+  sequence<expression> all;
+  all.push(last == 1 ? p.slope[0] : slope_at_end(p, 0, 1));
+  for (int i = 1; i < last; ++i) all.push(slope_between(p, i - 1, i));
+  all.push(last == 1 ? p.slope[0] : slope_at_end(p, last - 1, last - 2));
+  return all;
+}
+
+/// The cubics of all intervals, with the slopes d at the points. `passed` is what of x lies beyond each
+/// point but the last.
+constexpr expression climbed(const table_points& p, const sequence<expression>& d,
+                             const sequence<expression>& passed) {
+  expression sum = p.y[0];
+  for (int i = 0; i < passed.size(); ++i) {
+    const expression t = i + 1 < passed.size() ? passed[i] - passed[i + 1] : passed[i], h = p.length[i];
+    const expression bend = (3 * p.slope[i] - 2 * d[i] - d[i + 1]) / h,
+                     twist = (d[i] + d[i + 1] - 2 * p.slope[i]) / (h * h);
+    sum += t * (d[i] + t * (bend + t * twist));
+  }
+  return sum;
+}
+
+constexpr expression beyond(expression x, expression point) {
+  const expression rest = x - point;
+  return selected(operation::if_positive, rest, rest);
+}
+
+} // namespace detail
+
+/// A monotone cubic through points x₀, y₀, x₁, y₁, …, two or more with x growing, and constant beyond them.
+/// Each interval adds what the curve climbs within it, a cubic of the part t of it that x has passed: nothing
+/// is looked up, and the derivatives are those of the cubics. At a point itself they are those before it.
+constexpr expression tabulated(expression x, const expression* points, int count) {
+  const detail::table_points p(points, count);
+  const expression within = (min)(x, p.x.back());
+  sequence<expression> passed;
+  for (int i = 0; i + 1 < count; ++i) passed.push(detail::beyond(within, p.x[i]));
+  return detail::climbed(p, detail::monotone_slopes(p), passed);
+}
+
+/// The same of a curve that begins anew at the last point, with the value and the slope of the first. Where x
+/// is in the period is told by the angle that it stands for, so that no derivative jumps.
+constexpr expression periodic(expression x, const expression* points, int count) {
+  constexpr double whole_turn = 6.28318530717958647692;
+  const detail::table_points p(points, count);
+  const int last = count - 1;
+  const expression middle = (p.x[0] + p.x[last]) / 2, turn = whole_turn / (p.x[last] - p.x[0]),
+                   angle = turn * (x - middle), within = middle + atan2(sin(angle), cos(angle)) / turn;
+  sequence<expression> d, passed;
+  for (int i = 0; i <= last; ++i)
+    d.push(detail::slope_between(p, i == 0 ? last - 1 : i - 1, i == last ? 0 : i));
+  passed.push(within - p.x[0]);
+  for (int i = 1; i < last; ++i) passed.push(detail::beyond(within, p.x[i]));
+  return detail::climbed(p, d, passed);
+}
+
+} // namespace kanexpr::symbolic

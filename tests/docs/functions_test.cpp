@@ -1,0 +1,60 @@
+// Functions of models: docs/guide/functions.md.
+#include "docs/complete.hpp"
+
+#include <kanexpr/symbolic.hpp>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"q0"> q0;
+constexpr parameter<"k"> k;
+constexpr parameter<"c"> c;
+constexpr parameter<"b"> b;
+constexpr parameter<"T0"> T0;
+constexpr input<"T"> T;
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, A::x> {};
+struct Bob : particle<Bob, P, 1> {};
+
+template <class... Loads>
+struct moved : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                           loads<Loads...>> {};
+
+using choices = moved<
+#include <docs/guide/functions/choices.cpp>
+    >;
+
+constexpr parameter<"q1"> q1;
+constexpr parameter<"v"> v;
+constexpr parameter<"width"> width;
+
+using smooth_ones = moved<
+#include <docs/guide/functions/smooth.cpp>
+    >;
+
+TEST(functions, are_smooth) { EXPECT_EQ(derive<smooth_ones>().mistake(), ""); }
+
+constexpr parameter<"F1"> F1;
+constexpr parameter<"F2"> F2;
+
+using tables = moved<
+#include <docs/guide/functions/tables.cpp>
+    >;
+
+TEST(functions, are_tables) { EXPECT_EQ(derive<tables>().mistake(), ""); }
+
+TEST(functions, choose) {
+  EXPECT_EQ(derive<choices>().mistake(), "");
+  EXPECT_EQ(derive<choices>().forcing().entries.size(), 1);
+}
+
+} // namespace

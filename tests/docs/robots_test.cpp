@@ -1,0 +1,36 @@
+// Robots from files: docs/robots.md.
+#include <arm_picture.hpp>
+
+#include <kanexpr/robots.hpp>
+#include <kanexpr/simulate.hpp>
+#include <kanexpr/simulate/model.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr;
+
+TEST(robots, are_controlled) {
+#include <docs/robots/control.cpp>
+  ASSERT_TRUE(run) << run.cause();
+  EXPECT_NEAR((run.state.q() - goal).norm(), 0, 2e-3);
+#include <docs/robots/tool.cpp>
+  const animation seen = animated<arm::picture>(run.trajectory);
+  EXPECT_TRUE(seen) << seen.cause();
+  EXPECT_LT(v.norm(), 0.05);
+  EXPECT_EQ(equations_of_motion<Pushed>::inputs::RowsAtCompileTime, 4);
+}
+
+TEST(robots, are_read_while_the_program_runs) {
+  std::filesystem::current_path(KANEXPR_ROBOT_FILES);
+#include <docs/robots/run_time.cpp>
+  ASSERT_TRUE(read) << read.cause();
+  ASSERT_TRUE(fall) << fall.cause();
+  EXPECT_EQ(udot(Eigen::VectorXd::Zero(6), Eigen::VectorXd(), Eigen::Vector3d::Zero()).size(), 3);
+}
+
+} // namespace

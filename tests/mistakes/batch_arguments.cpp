@@ -1,0 +1,47 @@
+#include <kanexpr/batch.hpp>
+#include <kanexpr/fixed_step.hpp>
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"m"> m;
+constexpr input<"F"> F;
+
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, q * N::x> {};
+struct Mass : particle<Mass, P, m> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Mass>,
+                            inputs<F>, loads<force<P, F * N::x>>> {};
+using eom = equations_of_motion<System>;
+
+many_results<decltype(eom::udot)> results(4);
+rollout<runge_kutta_4<System>> ahead(4, {});
+many<eom::state> x(4);
+const many<eom::state> constant(4);
+many<state<System, float>> of_less_precision(4);
+const many<parameter_values<System, float>> p_of_less_precision(4);
+const eom::state one = eom::state::Zero();
+const eom::parameters p(1);
+const eom::inputs r(0);
+
+// expect: evaluate is given `many` of one precision for results of another
+const status of_float = results.evaluate(of_less_precision, p, r);
+
+// expect: evaluate takes `many` states: of one state, call the function itself
+const status of_one = results.evaluate(one, p, r);
+
+// expect: run is given `many` of one precision for states of another
+const status by_float = ahead.run(x, p_of_less_precision, r);
+
+// expect: run moves `many` states of its system and precision, which must not be constant
+const status of_constant = ahead.run(constant, p, r);
+
+// expect: run takes `many` states: of one state, call the step itself
+const status moved_one = ahead.run(one, p, r);
+
+// expect: the inputs are neither those of one system nor `many` nor a function (t, x) that is constant, a
+// expect: lambda without `mutable`
+const status by_mutable =
+    ahead.run(x, p, [calls = 0](double, const eom::state&) mutable { return eom::inputs(++calls); });

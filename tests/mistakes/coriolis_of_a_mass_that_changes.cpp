@@ -1,0 +1,10 @@
+// expect: the mass of Sponge changes with coordinate s; the Coriolis matrix is that of bodies that do not
+// change
+#include "pendulum.hpp"
+
+struct Sponge : particle<Sponge, S, m * (1 + s * s)> {};
+struct System : kane_system<inertial<N>, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, bodies<Sponge>> {
+};
+using eom = equations_of_motion<System>;
+
+int main() { eom::coriolis(eom::state(), eom::parameters()); }

@@ -1,0 +1,9 @@
+// expect: input G, which the force at P holds, comes behind those that extended<...> adds; let inputs<...>
+// list it
+#include "pendulum.hpp"
+
+constexpr input<"F"> F;
+constexpr input<"G"> G;
+struct System : extended<pendulum_with<Bob>, inputs<F>, loads<force<P, F * N::x>, force<P, G * N::y>>> {};
+
+int main() { use<System>(); }

@@ -1,0 +1,122 @@
+// Motors, constraints, reactions and kinematic equations of joints that make no sense.
+#include "joints.hpp"
+
+// expect: which is for a joint that turns about one axis or slides along one
+namespace n1 {
+struct Link : spherical<Link, Ground, mass> {};
+struct System : jointed<joints<Link>, loads<motor<Link>>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: the motor between Arm and Ground multiplies a vector by a vector; write dot, cross or
+// expect: outer
+namespace n2 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T * Arm::z>>> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: the motor between Arm and Ground has an argument too many; write motor<Joint, torque or force>
+namespace n3 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T, T>>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: the friction between Arm and Ground lacks an argument; write joint_friction<Joint, damping>
+namespace n4 {
+struct System : jointed<joints<Arm>, loads<joint_friction<Arm>>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: loads<...> lists motor<Ground>, which is for a joint that turns about one axis or slides
+// expect: along one
+namespace n5 {
+struct System : jointed<joints<Arm>, loads<motor<Ground>>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: a configuration constraint with Link couples something other than two joints that each turn
+// expect: about one axis or slide along one
+namespace n6 {
+struct Link : spherical<Link, Ground, mass> {};
+struct System : jointed<joints<Arm, Link>, configuration_constraints<gear<Link, Arm, 2>>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: a configuration constraint couples something other than two joints that each turn about one axis
+// expect: or slide along one
+namespace n7 {
+struct System : jointed<joints<Arm>, configuration_constraints<rack_and_pinion<Ground, Arm, l>>> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: zero_along<...> of a configuration constraint with Arm is given no direction
+namespace n8 {
+struct System : jointed<joints<Arm>, configuration_constraints<coincident<Arm, Ground>>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: reactions are asked for of Ground, which is not a joint
+namespace n9 {
+struct System : jointed<joints<Arm>, reactions<Ground>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: reactions are asked for of joint Link, which is not listed in joints<...>
+namespace n10 {
+struct Link : pin<Link, Ground, up, mass> {};
+struct System : jointed<joints<Arm>, reactions<Link>> {};
+void f() { use<System>(); }
+} // namespace n10
+
+// expect: kinematics<simple> has 1 coordinate and 2 speeds in no other kinematic differential
+// expect: equation; there must be as many
+namespace n11 {
+struct P : offset<P, Ground, s * Ground::x> {};
+struct Bob : particle<Bob, P, m> {};
+struct System : jointed<coordinates<s>, speeds<v, u>, kinematics<simple>, bodies<Bob>> {};
+void f() { use<System>(); }
+} // namespace n11
+
+// expect: kinematics<simple> has no coordinate left; all have other equations
+namespace n12 {
+struct System : jointed<joints<Arm>, kinematics<simple>> {};
+void f() { use<System>(); }
+} // namespace n12
+
+// expect: kinematics<...> holds simple twice
+namespace n13 {
+struct P : offset<P, Ground, s * Ground::x> {};
+struct Bob : particle<Bob, P, m> {};
+struct System : jointed<coordinates<s>, speeds<v>, kinematics<simple, simple>, bodies<Bob>> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// expect: velocity_constraints<...> holds something that is not an equation; write an equation or
+// expect: zero_along<...>
+namespace n14 {
+struct System : jointed<joints<Arm>, velocity_constraints<simple>> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: the reactions of joints need the rate of configuration constraint 1 by velocities; write it in
+// expect: velocity_constraints<...> too, as zero_along<velocity_of<P> - velocity_of<Q>, directions>
+namespace n15 {
+struct Link : pin<Link, Arm, up, at<l * Arm::x>, mass> {};
+struct System : jointed<joints<Arm, Link>, configuration_constraints<coincident<Link, Ground, Ground::x>>,
+                        reactions<Arm>> {};
+void f() { use<System>(); }
+} // namespace n15
+
+// expect: the system System has reactions<...>; a lagrange_system has no speeds but the rates of its
+// expect: coordinates
+namespace n16 {
+struct System : lagrange_system<inertial<Ground>, joints<Arm>, reactions<Arm>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the friction between Arm and Ground holds the speed u_Arm; a lagrange_system has no speeds but
+// expect: the rates of its coordinates
+namespace n17 {
+struct System : lagrange_system<inertial<Ground>, joints<Arm>, loads<joint_friction<Arm, l>>> {};
+void f() { use<System>(); }
+} // namespace n17

@@ -1,0 +1,65 @@
+// Models of robots that kanexpr_add_robot wrote and the compiler derived, beside the numbers of Pinocchio.
+#include "robots/files.hpp"
+
+#include <arm_robot.hpp>
+#include <gripper_robot.hpp>
+#include <walker_robot.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace kanexpr;
+
+template <class Vector>
+Vector filled(const std::vector<double>& numbers) {
+  Vector v;
+  EXPECT_EQ(static_cast<std::size_t>(v.size()), numbers.size());
+  std::ranges::copy(numbers, v.data());
+  return v;
+}
+
+template <class Matrix>
+void expect_equal(const Matrix& ours, const std::vector<double>& theirs) {
+  double largest = 0;
+  for (double e : theirs) largest = std::max(largest, std::abs(e));
+  for (Eigen::Index i = 0; i < ours.size(); ++i)
+    EXPECT_NEAR(ours(i / ours.cols(), i % ours.cols()), theirs[static_cast<std::size_t>(i)], 1e-12 * largest)
+        << i;
+}
+
+template <class System>
+void agrees(const std::string& robot, const parameter_values<System>& p) {
+  using eom = equations_of_motion<System>;
+  const auto references = robot_files::references_of(robot);
+  ASSERT_EQ(references.size(), 2u);
+  for (const robot_files::reference& there : references) {
+    const auto x = filled<state<System>>(there.at("state"));
+    const auto r = filled<input_values<System>>(there.at("inputs"));
+    const auto [mass, forcing] = eom::together(eom::mass_matrix, eom::forcing)(x, p, r);
+    expect_equal(mass, there.at("mass"));
+    expect_equal(forcing, there.at("forcing"));
+  }
+}
+
+TEST(compiled_robots, agree_with_pinocchio) {
+  agrees<arm_robot::System>("arm.fixed", {});
+  agrees<walker_robot::System>("walker.floating", {});
+  agrees<gripper_robot::System>("gripper.fixed", gripper_robot::values());
+}
+
+// A joint of the arm in two lines, and what is folded away is still there to be asked for.
+TEST(compiled_robots, can_be_asked_for_their_links) {
+  state<arm_robot::System> x = arm_robot::at_rest();
+  x[arm_robot::q_waist] = 0.3, x[arm_robot::u_waist] = 2;
+  const Eigen::Vector3d v = function<arm_robot::System, velocity_of<arm_robot::Tool_origin>>{}(x);
+  EXPECT_NEAR(v.z(), 0, 1e-15);
+  EXPECT_GT(v.norm(), 0.1);
+  EXPECT_EQ(arm_robot::limits::effort[1], 60);
+  EXPECT_EQ(walker_robot::at_rest()[walker_robot::e0], 1);
+}
+
+} // namespace

@@ -1,0 +1,131 @@
+// Models of robots while the program runs, beside the numbers of Pinocchio at random states.
+#include "robots/files.hpp"
+
+#include <kanexpr/robots/read_urdf.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
+
+#include <Eigen/Core>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace kanexpr;
+using namespace kanexpr::robots;
+using mechanics::quantity;
+
+robot robot_of(const std::string& file) {
+  const read_robot read = read_urdf(robot_files::path_of(file));
+  EXPECT_TRUE(read) << read.cause();
+  return read.robot;
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& numbers) {
+  return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+/// Relative to the largest entry.
+template <class Matrix>
+void expect_equal(const Matrix& ours, const std::vector<double>& theirs, const std::string& what) {
+  ASSERT_EQ(static_cast<std::size_t>(ours.size()), theirs.size()) << what;
+  double largest = 0;
+  for (double e : theirs) largest = std::max(largest, std::abs(e));
+  for (Eigen::Index i = 0; i < ours.size(); ++i)
+    EXPECT_NEAR(ours(i / ours.cols(), i % ours.cols()), theirs[static_cast<std::size_t>(i)], 1e-12 * largest)
+        << what << ' ' << i;
+}
+
+class robot_builders : public testing::TestWithParam<std::string> {};
+
+TEST_P(robot_builders, agree_with_pinocchio) {
+  const std::string called = GetParam();
+  const bool floats = called.ends_with(".floating");
+  for (const binding bind : {binding::numbers, binding::parameters}) {
+    const robot_builder built(
+        robot_of(called.substr(0, called.find('.')) + ".urdf"),
+        {.base = floats ? base_kind::floating : base_kind::fixed, .bind = bind, .damping = false});
+    ASSERT_EQ(built.cause(), "");
+    model m = derive(built);
+    ASSERT_EQ(m.mistake(), "");
+    Eigen::VectorXd p(static_cast<Eigen::Index>(built.values().size()));
+    for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = built.values()[static_cast<std::size_t>(i)].second;
+    const auto references = robot_files::references_of(called);
+    ASSERT_EQ(references.size(), 2u);
+    for (const robot_files::reference& there : references) {
+      const Eigen::VectorXd x = vector_of(there.at("state")), r = vector_of(there.at("inputs"));
+      for (const auto& [is, what] : {std::pair(quantity::mass_matrix, "mass"),
+                                     {quantity::forcing, "forcing"},
+                                     {quantity::udot, "udot"},
+                                     {quantity::kinetic_energy, "kinetic"},
+                                     {quantity::potential_energy, "potential"}}) {
+        auto f = m.function(m.get(is));
+        expect_equal(f(x, p, r), there.at(what), called + " " + what);
+        EXPECT_TRUE(f.status()) << f.status().cause();
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(files, robot_builders,
+                         testing::Values("arm.fixed", "arm.floating", "carts.fixed", "gripper.fixed",
+                                         "walker.floating"),
+                         [](const auto& of) {
+                           std::string name = of.param;
+                           std::ranges::replace(name, '.', '_');
+                           return name;
+                         });
+
+TEST(robot_builder, knows_links_by_their_names_in_the_file) {
+  robot_builder arm(robot_of("arm.urdf"));
+  EXPECT_EQ(arm.frame_of("pedestal"), runtime::builder::inertial_frame());
+  EXPECT_NE(arm.frame_of("tool"), arm.frame_of("forearm"));
+  EXPECT_EQ(arm.frame_of("nobody"), runtime::builder::inertial_frame());
+  arm.force(arm.origin_of("tool"), arm.along(arm.frame_of("tool"), arm.input("push"), 0, 0));
+  EXPECT_EQ(arm.cause(), "");
+  EXPECT_EQ(arm.mechanism().inputs.size(), 4);
+}
+
+// Damping, dry friction and rotors are felt at their joints and nowhere else.
+TEST(robot_builder, feels_what_is_at_joints) {
+  robot r = robot_of("arm.urdf");
+  r.joints[1].gear_ratio = -20, r.joints[1].rotor_inertia = 0.003;
+  const robot_builder with(r, {.friction = true}), without(robot_of("arm.urdf"), {.damping = false});
+  ASSERT_EQ(with.cause(), "");
+  model m = derive(with), n = derive(without);
+  Eigen::VectorXd x(6), none;
+  x << 0.3, -0.4, 0.9, 1.5, -0.7, 0.2;
+  const Eigen::Vector3d inputs(1, 2, 3);
+  auto mass = m.function(m.mass_matrix()), plain_mass = n.function(n.mass_matrix());
+  Eigen::Matrix3d added = Eigen::Matrix3d::Zero();
+  added(1, 1) = 400 * 0.003;
+  EXPECT_TRUE((mass(x, none, inputs) - plain_mass(x, none, inputs)).isApprox(added, 1e-12));
+  auto forcing = m.function(m.forcing()), plain = n.function(n.forcing());
+  const Eigen::Vector3d felt(-0.6 * 1.5 - 0.2, 0.4 * 0.7, 0);
+  EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
+}
+
+TEST(robot_builder, survives_broken_files) {
+  int built_well = 0;
+  robot_files::each_broken(100, [&](const std::string& text) {
+    const read_robot read = read_urdf_text(text);
+    if (!read) return;
+    const robot_builder built(read.robot, {.friction = true});
+    if (built.cause().empty()) ++built_well, static_cast<void>(derive(built).udot());
+  });
+  EXPECT_GT(built_well, 20);
+}
+
+TEST(robot_builder, says_what_is_wrong) {
+  const read_robot still = read_urdf_text("<robot><link name='a'/></robot>");
+  EXPECT_EQ(robot_builder(still.robot).cause(), "no joint of the robot moves, and its base is fixed");
+  const read_robot light =
+      read_urdf_text("<robot><link name='a'/><link name='b'/><joint name='j' type='revolute'>"
+                     "<parent link='a'/><child link='b'/></joint></robot>");
+  EXPECT_NE(robot_builder(light.robot).cause(), "");
+}
+
+} // namespace
