@@ -18,4 +18,5 @@
 #include <kanexpr/joints/planar.hpp>
 #include <kanexpr/joints/prismatic.hpp>
 #include <kanexpr/joints/spherical.hpp>
+#include <kanexpr/joints/universal.hpp>
 #include <kanexpr/joints/weld.hpp>

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <kanexpr/joints/joint.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+template <class Joint>
+inline constexpr frame_record cross_of_joint = [] {
+  frame_record r;
+  r.called = r.calls_itself = name_behind<Joint, "cross">.view();
+  r.parent = Joint::home_frame();
+  turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+  return r;
+}();
+
+struct universal_joint {
+  using symbols = joint_symbols<names<"q1", "q2">, names<"u1", "u2">>;
+  static constexpr std::string_view form =
+      "universal<Self, Parent, axis<vector in the parent, vector in the child>, by<two angles, two speeds>>";
+  static constexpr std::size_t least_axes = 2, most_axes = 2;
+  static constexpr bool moves = false;
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    r.parent = &cross_of_joint<Joint>;
+    turn_about(r, phrase_of<Joint::template q<1>>,
+               phrase_of<Joint::template axis_in<1>(&cross_of_joint<Joint>)>);
+  }
+
+  template <class Joint>
+  static constexpr auto spin = Joint::template u<1> * Joint::template axis_in<1>(&cross_of_joint<Joint>);
+};
+
+} // namespace describe
+
+/// A cross between two shafts, Hooke's joint: the cross turns in the parent by q1 about the first axis, which
+/// is fixed there, and the child on the cross by q2 about the second, which is fixed in the child:
+/// `universal<Shaft, Parent, axis<Parent::x, own::y>>`. The axes may stand at any angle to each other.
+template <class Self, class Parent, class... Words>
+struct universal : describe::joint<Self, Parent, describe::universal_joint, Words...> {};
+
+} // namespace kanexpr
