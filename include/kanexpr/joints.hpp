@@ -17,6 +17,7 @@
 #include <kanexpr/joints/pin.hpp>
 #include <kanexpr/joints/planar.hpp>
 #include <kanexpr/joints/prismatic.hpp>
+#include <kanexpr/joints/screw.hpp>
 #include <kanexpr/joints/spherical.hpp>
 #include <kanexpr/joints/universal.hpp>
 #include <kanexpr/joints/weld.hpp>

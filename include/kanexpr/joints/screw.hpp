@@ -1,0 +1,65 @@
+#pragma once
+
+#include <kanexpr/joints/joint.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+struct advances {};
+} // namespace describe
+
+/// How far a screw goes for each radian that it turns, in metres: of a thread that advances by p a turn,
+/// p/(2π). Negative for a left-handed one.
+template <auto advance>
+struct pitch {
+  static constexpr describe::joint_word joint_word = describe::joint_word::special;
+  using special = describe::advances;
+  static constexpr std::string_view twice = "is given two pitches";
+  static constexpr std::string_view misplaced = "is given pitch<...>, which belongs to a screw<...>";
+  static constexpr auto value = advance;
+};
+
+namespace describe {
+
+struct screw_joint {
+  using symbols = joint_symbols<names<"q">, names<"u">>;
+  static constexpr std::string_view form =
+      "screw<Self, Parent, axis<vector>, pitch<advance for each radian>, by<coordinate, speed>>";
+  static constexpr std::size_t least_axes = 1, most_axes = 1;
+  static constexpr bool moves = true;
+  using special = advances;
+  static constexpr std::string_view without_special = "lacks a pitch";
+  static constexpr joint_effort effort = joint_effort::torque;
+
+  template <class Joint>
+  static constexpr auto pitch_of() {
+    using given = typename Joint::template word<joint_word::special>;
+    if constexpr (std::is_void_v<given>)
+      return constant(1);
+    else
+      return with_numbers_as_scalars(given::value);
+  }
+
+  template <class Joint>
+  static constexpr void turn(frame_record& r) {
+    turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+  }
+  template <class Joint>
+  static constexpr void move(point_record& r) {
+    r.offset = phrase_of<pitch_of<Joint>() * Joint::template q<0> * Joint::template axis_at_home<0>>;
+  }
+
+  template <class Joint>
+  static constexpr auto spin = Joint::template u<0> * Joint::template axis_at_home<0>;
+  template <class Joint>
+  static constexpr auto drift = pitch_of<Joint>() * Joint::template u<0> * Joint::template axis_at_home<0>;
+};
+
+} // namespace describe
+
+/// The child turns about an axis and goes along it in proportion: `screw<Nut, Ground, axis<Ground::z>,
+/// pitch<h>>`. A motor drives it by a torque.
+template <class Self, class Parent, class... Words>
+struct screw : describe::joint<Self, Parent, describe::screw_joint, Words...> {};
+
+} // namespace kanexpr

@@ -1,0 +1,341 @@
+// Joints that are given what they do not take, or stand where they do not belong.
+#include "joints.hpp"
+
+// expect: joint Link lacks an axis; write pin<Self, Parent, axis<vector>, by<coordinate, speed>>
+namespace n1 {
+struct Link : pin<Link, Ground, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: joint Link is given an axis too many; write pin<Self, Parent, axis<vector>, by<coordinate,
+// expect: speed>>
+namespace n2 {
+struct Link : pin<Link, Ground, axis<own::x, own::y>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: joint Link is given too few or too many symbols; write pin<Self, Parent, axis<vector>,
+// expect: by<coordinate, speed>>
+namespace n3 {
+struct Link : pin<Link, Ground, up, by<q>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: joint Link is given too few or too many symbols; write cylindrical<Self, Parent, axis<vector>,
+// expect: by<angle, displacement, their two speeds>>
+namespace n4 {
+struct Link : cylindrical<Link, Ground, up, by<q, u>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: joint Link is given two places; write at<vector in the parent, vector in own axes>
+namespace n5 {
+struct Link : pin<Link, Ground, up, at<l * Ground::x>, at<l * own::x>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: joint Link is given two homes
+namespace n6 {
+struct Link : pin<Link, Ground, up, home<1, Ground::x>, home<2, Ground::y>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: joint Link is given axis<...> twice; write one list
+namespace n7 {
+struct Link : pin<Link, Ground, up, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: joint Link is given by<...> twice; write one list
+namespace n8 {
+struct Link : pin<Link, Ground, up, by<q, u>, by<s, v>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: joint Link is given two bodies; weld<...> another one to it
+namespace n9 {
+struct Link : pin<Link, Ground, up, mass, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: joint Link is given at<...> of no vector or of more than two; write at<vector in the parent,
+// expect: vector in own axes>
+namespace n10 {
+struct Link : pin<Link, Ground, up, at<l * Ground::x, l * own::x, l * own::y>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n10
+
+// expect: joint Link is given a home of neither an angle and an axis nor nine direction cosines nor three
+// expect: angles
+namespace n11 {
+struct Link : pin<Link, Ground, up, home<1, 2, 3>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n11
+
+// expect: joint Link is given a body with two inertias
+namespace n12 {
+struct Link : pin<Link, Ground, up, body<2, l * own::x, inertia<own, 1, 1, 1>, inertia<own, 1, 1, 1>>> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n12
+
+// expect: joint Link is given angles<...>, which belongs to a joint that turns freely, spherical<...> or
+// expect: floating<...>
+namespace n13 {
+struct Link : pin<Link, Ground, up, angles<"zxz">, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// expect: joint Link is given two sequences of angles
+namespace n14 {
+struct Link : spherical<Link, Ground, angles<"zxz">, angles<"xyz">, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: joint Link is given an axis too many; write spherical<Self, Parent, by<e1, e2, e3, e0, three
+// expect: speeds>>, without an axis
+namespace n15 {
+struct Link : spherical<Link, Ground, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n15
+
+// expect: joint Link is given something that is no word of a joint; they are at<...>, axis<...>,
+// expect: home<...>, by<...> and body<...>
+namespace n16 {
+struct Link : pin<Link, Ground, up, inertia<own, 1, 1, 1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the axis of frame Link is a scalar; it must be a vector
+namespace n17 {
+struct Link : pin<Link, Ground, axis<l>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: the axis of frame Link holds normalized of a vector of no length
+namespace n18 {
+struct Link : pin<Link, Ground, axis<0.0 * own::z>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: the offset of point Link is a scalar; it must be a vector
+namespace n19 {
+struct Link : pin<Link, Ground, up, at<l>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the offset of point Link_center is a scalar; it must be a vector
+namespace n20 {
+struct Link : pin<Link, Ground, up, body<2, l>> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n20
+
+// expect: frame Link_home is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+namespace n21 {
+struct Link : pin<Link, Ground, up, home_angles<"zz", 1, 2, 3>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: the direction cosines of frame Link_home are not right-handed: they mirror
+namespace n22 {
+struct Link : pin<Link, Ground, up, home<1, 0, 0, 0, 1, 0, 0, 0, -1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: speed u is in the list of coordinates
+namespace n23 {
+struct Link : pin<Link, Ground, up, by<u, q>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: Link is two joints; give each a name of its own
+namespace n24 {
+struct Link : pin<Link, Ground, up, mass>, weld<Link, Ground> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: a motion stands beside joint Link, which moves as a joint of its kind does
+namespace n25 {
+struct Link : pin<Link, Ground, up, mass>, angular_velocity<Ground, u * own::z> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: frame Link is given two orientations
+namespace n26 {
+struct Link : pin<Link, Ground, up, mass>, rotated<Link, Ground, q, Ground::z> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n26
+
+// expect: point Link is given two places
+namespace n27 {
+struct Link : pin<Link, Ground, up, mass>, offset<Link, Ground, l * Ground::x> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n27
+
+// expect: Link hides what it is derived from, as a class does; write struct
+namespace n28 {
+class Link : pin<Link, Ground, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n28
+
+// expect: joint Link calls itself Arm; the first argument of what it is derived from must be Link
+namespace n29 {
+struct Link : pin<Arm, Ground, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n29
+
+// expect: joint Link has itself as its parent
+namespace n30 {
+struct Link : pin<Link, Link, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n30
+
+// expect: joint Arm, which Link uses, is not listed in joints<...>
+namespace n31 {
+struct Link : pin<Link, Arm, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n31
+
+// expect: frame Link is turned about an axis that is not fixed in Ground
+namespace n32 {
+struct Link : pin<Link, Ground, axis<Arm::x>, mass> {};
+struct System : jointed<joints<Arm, Link>> {};
+void f() { use<System>(); }
+} // namespace n32
+
+// expect: joint Arm is listed twice
+namespace n33 {
+struct System : jointed<joints<Arm, Arm>> {};
+void f() { use<System>(); }
+} // namespace n33
+
+// expect: joints<...> lists Bob, which is a body; write bodies<...> around it
+namespace n34 {
+struct P : offset<P, Ground, l * Ground::x> {};
+struct Bob : particle<Bob, P, m> {};
+struct System : jointed<joints<Arm, Bob>> {};
+void f() { use<System>(); }
+} // namespace n34
+
+// expect: joints<...> lists A, which is a frame; frames are found by what uses them
+namespace n35 {
+struct A : rotated<A, Ground, 1, Ground::x> {};
+struct System : jointed<joints<Arm, A>> {};
+void f() { use<System>(); }
+} // namespace n35
+
+// expect: joint Arm stands among the words of System; write joints<Arm>
+namespace n36 {
+struct System : jointed<joints<Arm>, Arm> {};
+void f() { use<System>(); }
+} // namespace n36
+
+// expect: bodies<...> lists Arm, which is a joint; write joints<...> around it
+namespace n37 {
+struct System : jointed<joints<Arm>, bodies<Arm>> {};
+void f() { use<System>(); }
+} // namespace n37
+
+// expect: the system System has no bodies<...>
+namespace n38 {
+struct Link : pin<Link, Ground, up> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n38
+
+// expect: the system System lists joints<...> twice; write one list
+namespace n39 {
+struct System : jointed<joints<Arm>, joints<Arm>> {};
+void f() { use<System>(); }
+} // namespace n39
+
+// expect: A, which Link uses as a point, is a frame
+namespace n40 {
+struct A : rotated<A, Ground, 1, Ground::x> {};
+struct Link : pin<Link, A, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n40
+
+// expect: frame Other, which Link uses, is not connected to the inertial frame Ground
+namespace n41 {
+struct Other : inertial_ground<Other> {};
+struct Link : pin<Link, Other, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n41
+
+// expect: q is listed twice among the coordinates
+namespace n42 {
+struct Link : pin<Link, Ground, up, by<q, u>, mass> {};
+struct Next : pin<Next, Link, up, by<q, v>, mass> {};
+struct System : jointed<joints<Link, Next>> {};
+void f() { use<System>(); }
+} // namespace n42
+
+// expect: joint Link lacks a pitch; write screw<Self, Parent, axis<vector>, pitch<advance for each radian>,
+// expect: by<coordinate, speed>>
+namespace n43 {
+struct Link : screw<Link, Ground, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n43
+
+// expect: joint Link is given pitch<...>, which belongs to a screw<...>
+namespace n44 {
+struct Link : pin<Link, Ground, up, pitch<l>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n44
+
+// expect: joint Link is given two pitches
+namespace n45 {
+struct Link : screw<Link, Ground, up, pitch<l>, pitch<l>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n45
+
+// expect: joint Link is given its place in the parent in own axes; write at<vector in axes of the parent,
+// expect: vector in own axes>
+namespace n46 {
+struct Link : pin<Link, Ground, up, at<l * own::x>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n46
+
+// expect: joint Link is given its home in own axes, which turn with it; write home<angle, axis of the parent>
+namespace n47 {
+struct Link : pin<Link, Ground, up, home<1, own::x>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n47
