@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
+#include <kanexpr/mechanics/dynamics/full_form.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
@@ -103,8 +104,14 @@ public:
     switch (wanted) {
     case quantity::mass_matrix: return mass();
     case quantity::forcing: return column(dynamics_.force());
-    case quantity::mass_matrix_full: return mass_matrix_full();
-    case quantity::forcing_full: return column(s_.coordinate_rates, forcing_full());
+    case quantity::mass_matrix_full: {
+      const symbolic::matrix& formed = mass();
+      return mass_matrix_of_all(*m_, speeds_, formed, dynamics_.dependent());
+    }
+    case quantity::forcing_full: {
+      const sequence<expression>& force = dynamics_.force();
+      return column(s_.coordinate_rates, forcing_of_all(force, dynamics_.dependent()));
+    }
     case quantity::qdot: return column(s_.coordinate_rates);
     case quantity::udot: return column(accelerations());
     case quantity::rhs: return column(s_.coordinate_rates, accelerations());
@@ -297,26 +304,6 @@ private:
   constexpr const sequence<expression>& accelerations() {
     mass(); // which may be a mistake
     return dynamics_.accelerations();
-  }
-
-  constexpr symbolic::matrix mass_matrix_full() {
-    const int n = m_->coordinates.size(), p = m_->speeds.size();
-    symbolic::matrix full(*m_->g, n + p, n + p);
-    for (int i = 0; i < n; ++i) full(i, i) = m_->one();
-    int row = n;
-    for (int i = 0; i < mass().rows; ++i, ++row)
-      for (int j = 0; j < mass().columns; ++j) full(row, n + speeds_.independent[j]) = mass()(i, j);
-    for (int d = 0; d < speeds_.dependent.size(); ++d, ++row) {
-      full(row, n + speeds_.dependent[d]) = m_->one();
-      for (int j = 0; j < speeds_.independent.size(); ++j)
-        full(row, n + speeds_.independent[j]) = -dynamics_.dependent().on_independent(d, j);
-    }
-    return full;
-  }
-  constexpr sequence<expression> forcing_full() {
-    sequence<expression> full = dynamics_.force();
-    for (const expression& b : dynamics_.dependent().acceleration_bias) full.push(b);
-    return full;
   }
 
   constexpr sequence<expression> forces_of_gravity() const {
