@@ -19,4 +19,5 @@ endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
   COMPATIBILITY SameMinorVersion ${kanexpr_serves})
 install(FILES ${PROJECT_BINARY_DIR}/kanexpr-config.cmake ${PROJECT_BINARY_DIR}/kanexpr-config-version.cmake
-  cmake/parts.cmake cmake/kanexpr_add_model.cmake cmake/kanexpr_add_robot.cmake DESTINATION ${kanexpr_package_dir})
+  cmake/parts.cmake cmake/kanexpr_add_model.cmake cmake/kanexpr_add_robot.cmake
+  cmake/kanexpr_export.cmake DESTINATION ${kanexpr_package_dir})

@@ -1,0 +1,72 @@
+# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float]
+#   [BIND <parameter>=<number>...] [RESULTS <results>...]): the target <name> leaves results of a system in a folder, for
+# other languages: of the format c <name>.c and <name>.h. Each of RESULTS is a function, of one result or of several with
+# spaces between them; without any there are M and f, u̇, ẋ, and A and B:
+#
+#     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
+#       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing")
+#
+# A program that is compiled here writes them. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs
+# it.
+function(kanexpr_export name)
+  cmake_parse_arguments(PARSE_ARGV 1 export "" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS")
+  if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> "
+      "[SCALAR double|float] [BIND <parameter>=<number>...] [RESULTS <results>...])")
+  endif()
+  cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  cmake_path(ABSOLUTE_PATH export_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
+  if(NOT EXISTS ${export_HEADER})
+    message(FATAL_ERROR "kanexpr_export: there is no ${export_HEADER}")
+  endif()
+  foreach(format IN LISTS export_FORMATS)
+    if(NOT format STREQUAL "c")
+      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there is c")
+    endif()
+  endforeach()
+
+  set(chosen "")
+  if(export_SCALAR STREQUAL "float")
+    string(APPEND chosen "  chosen.number = kanexpr::exporting::precision::single_precision;\n")
+  elseif(export_SCALAR AND NOT export_SCALAR STREQUAL "double")
+    message(FATAL_ERROR "kanexpr_export: SCALAR is double or float, not ${export_SCALAR}")
+  endif()
+  foreach(bound IN LISTS export_BIND)
+    if(NOT bound MATCHES "^([^=]+)=([-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.)$")
+      message(FATAL_ERROR "kanexpr_export: BIND ${bound} is not <parameter>=<number>")
+    endif()
+    string(APPEND chosen "  chosen.bound.push_back({\"${CMAKE_MATCH_1}\", ${CMAKE_MATCH_2}});\n")
+  endforeach()
+  if(export_RESULTS)
+    string(APPEND chosen "  chosen.functions.clear();\n")
+  endif()
+  foreach(results IN LISTS export_RESULTS)
+    string(APPEND chosen "  chosen.functions.push_back(kanexpr::exporting::results(\"${results}\"));\n")
+  endforeach()
+
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_export)
+  file(CONFIGURE OUTPUT ${directory}/write.cpp @ONLY CONTENT [[
+#include <kanexpr/export.hpp>
+
+#include "@export_HEADER@"
+
+#include <cstdio>
+
+int main(int, char** arguments) {
+  kanexpr::exporting::c_options chosen;
+@chosen@  const kanexpr::outcome written = kanexpr::write_c<@export_SYSTEM@>(arguments[1], "@name@", chosen);
+  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
+  return written ? 0 : 1;
+}
+]])
+  add_executable(${name}_export ${directory}/write.cpp)
+  if(TARGET kanexpr::engine)
+    target_link_libraries(${name}_export PRIVATE kanexpr::engine)
+  else()
+    target_link_libraries(${name}_export PRIVATE kanexpr::kanexpr)
+  endif()
+  set(files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+  add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
+    COMMENT "Writing ${name}.c and ${name}.h" VERBATIM)
+  add_custom_target(${name} ALL DEPENDS ${files})
+endfunction()

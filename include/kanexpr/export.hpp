@@ -1,0 +1,7 @@
+#pragma once
+
+/// Models for other languages and tools, written by a program: `write_c`.
+
+#include <kanexpr/symbolic.hpp>
+
+#include <kanexpr/export/write_c.hpp>

@@ -1,0 +1,270 @@
+#pragma once
+
+#include <kanexpr/export/c/code_writer.hpp>
+#include <kanexpr/export/c/filled.hpp>
+#include <kanexpr/export/c/in_c.hpp>
+#include <kanexpr/export/c/sine_and_cosine.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
+#include <kanexpr/version.hpp>
+
+#include <string>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Writes NAME.h and NAME.c: a function of C99 for each of the system, without a branch and without memory of
+/// its own.
+class c_file {
+public:
+  c_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+
+  std::string header() const {
+    std::string text =
+        filled(R"(/* @title@
+@changed@ */
+#ifndef @NAME@_H
+#define @NAME@_H
+
+#if defined(__CUDACC__)
+#define @NAME@_FUNCTION __host__ __device__
+#else
+#define @NAME@_FUNCTION
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Places in the state x, the coordinates and then the speeds; in the parameters p; in the inputs r. */
+@places@)",
+               {{"title", title()}, {"changed", told_of_names()}, {"NAME", name()}, {"places", places()}});
+    for (const exported_function& f : system().functions) text += declaration(f);
+    text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+    return text;
+  }
+
+  std::string source() const {
+    std::string bodies;
+    for (const exported_function& f : system().functions) bodies += definition(f);
+    std::string text = filled(R"(/* @title@
+
+   Compilers may fuse multiplications with additions by -ffp-contract=fast, which changes last bits; -ffast-math
+   would break the sines. -fno-math-errno saves a branch in square roots. */
+#include "@name@.h"
+
+#include <math.h>
+
+#if defined(__FAST_MATH__)
+#error "compile this file without -ffast-math; -ffp-contract=fast -fno-math-errno is what it gains from"
+#endif
+
+#if defined(__GNUC__)
+#define @name@_INLINE static __attribute__((always_inline)) inline @name@_FUNCTION
+#else
+#define @name@_INLINE static inline @name@_FUNCTION
+#endif
+)",
+                              {{"title", title()}, {"name", name()}});
+    text += helpers(bodies);
+    return text + bodies;
+  }
+
+private:
+  const exported_system& system() const { return mapped_.system; }
+  const std::string& name() const { return mapped_.system.name; }
+
+  std::string title() const {
+    return "Equations of motion of " + name() + ", written by kanexpr " +
+           std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
+           std::to_string(KANEXPR_VERSION_PATCH) + '.';
+  }
+
+  std::string told_of_names() const {
+    std::string text;
+    for (const auto& [before, after] : mapped_.changed)
+      text += "   " + before + " is called " + after + " here.\n";
+    return text;
+  }
+
+  static std::string upper(std::string text) {
+    for (char& c : text)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+  }
+
+  /// One enumerator after another, and how many there are.
+  std::string places() const {
+    const exported_system& s = system();
+    std::string text = "enum {\n";
+    int next = 0;
+    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
+      for (const std::string& each : *names)
+        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
+    for (const std::vector<std::string>* names : {&s.parameters, &s.inputs}) {
+      next = 0;
+      for (const std::string& each : *names)
+        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
+    }
+    const auto count = [&](const char* of, std::size_t n, const char* end) {
+      text += "  " + name() + '_' + of + " = " + std::to_string(n) + end;
+    };
+    count("coordinates", s.coordinates.size(), ",\n");
+    count("speeds", s.speeds.size(), ",\n");
+    count("states", s.coordinates.size() + s.speeds.size(), ",\n");
+    count("parameters", s.parameters.size(), ",\n");
+    count("inputs", s.inputs.size(), "\n");
+    return text + "};\n";
+  }
+
+  static std::string counted(int n, const char* one, const char* many) {
+    return std::to_string(n) + ' ' + (n == 1 ? one : many);
+  }
+
+  std::string told_of(const exported_function& f) const {
+    const symbolic::cost& c = f.cost;
+    std::string text = "\n/* " + counted(c.multiplications, "multiplication", "multiplications") + ", " +
+                       counted(c.additions, "addition", "additions") + ", " +
+                       counted(c.divisions, "division", "divisions") + ", " +
+                       counted(c.trigonometric, "sine and cosine", "sines and cosines") + " or the like, " +
+                       counted(c.other, "other function", "other functions") + '.';
+    for (const exported_result& each : f.results) {
+      text += "\n   " + each.name;
+      if (each.columns > 1)
+        text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", by rows";
+      else
+        text += ": " + std::to_string(each.rows);
+      for (std::size_t i = 0; i < each.of_rows.size(); ++i)
+        text += (i == 0 ? each.columns > 1 ? "; the rows are of " : ", of " : ", ") + each.of_rows[i];
+      text += '.';
+    }
+    for (std::size_t i = 0; i < f.checks.size(); ++i)
+      text += "\n   Bit " + std::to_string(i) + " of what is returned: " + f.checks[i].cause + '.';
+    if (f.checks.empty()) text += "\n   It returns 0: nothing can be singular.";
+    return text + " */\n";
+  }
+
+  std::string signature(const exported_function& f) const {
+    const std::string given = std::string("const ") + number_.type() + " *";
+    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(' +
+                       number_.type() + " t, " + given + "x, " + given + "p, " + given + 'r';
+    if (f.takes_rates) text += ", " + given + 'a';
+    for (const exported_result& each : f.results)
+      text += std::string(", ") + number_.type() + " *" + each.name;
+    return text + ')';
+  }
+
+  std::string declaration(const exported_function& f) const {
+    std::string text = told_of(f) + "enum {\n";
+    for (const exported_result& each : f.results) {
+      const std::string begin =
+          "  " + name() + '_' + (each.name == f.name ? "" : f.name + '_') + each.name + '_';
+      text += begin + "rows = " + std::to_string(each.rows) + ",\n";
+      text += begin + "columns = " + std::to_string(each.columns) + ",\n";
+    }
+    text += "  " + name() + '_' + f.name + "_checks = " + std::to_string(f.checks.size()) + "\n};\n";
+    text += signature(f) + ";\n";
+    if (!f.checks.empty())
+      text += "extern const char *const " + name() + '_' + f.name + "_causes[" +
+              std::to_string(f.checks.size()) + "];\n";
+    return text;
+  }
+
+  std::string definition(const exported_function& f) const {
+    code_writer writer(f, system(), name(), number_);
+    std::string text = '\n' + signature(f) + " {\n" + writer.lines();
+    for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
+    if (f.takes_rates) text += "  (void)a;\n";
+    for (const exported_result& each : f.results)
+      for (int i = 0; i < each.entries(); ++i)
+        text += "  " + each.name + '[' + std::to_string(i) +
+                "] = " + writer.value(f.code.results[each.first + i]) + ";\n";
+    text += "  return " + checked(f, writer) + ";\n}\n";
+    if (!f.checks.empty()) {
+      text += "const char *const " + name() + '_' + f.name + "_causes[" + std::to_string(f.checks.size()) +
+              "] = {\n";
+      for (std::size_t i = 0; i < f.checks.size(); ++i)
+        text += "  \"" + f.checks[i].cause + (i + 1 < f.checks.size() ? "\",\n" : "\"\n};\n");
+    }
+    return text;
+  }
+
+  std::string checked(const exported_function& f, const code_writer& writer) const {
+    std::string bits;
+    for (std::size_t i = 0; i < f.checks.size(); ++i) {
+      const int place = f.entries() + 2 * static_cast<int>(i);
+      const std::string measure = writer.value(f.code.results[place]),
+                        scale = writer.value(f.code.results[place + 1]);
+      const std::string bit = f.checks[i].of_finiteness
+                                  ? name() + "_is_infinite(" + measure + ')'
+                                  : name() + "_is_singular(" + measure + ", " + scale + ')';
+      bits += (i == 0 ? "" : " | ") + bit + (i == 0 ? "" : " << " + std::to_string(i));
+    }
+    return bits.empty() ? "0" : bits;
+  }
+
+  /// The functions that the bodies call.
+  std::string helpers(const std::string& bodies) const {
+    const auto calls = [&](const std::string& what) {
+      return bodies.find(name() + '_' + what + '(') != bodies.npos;
+    };
+    const double least = number_.is_single ? mechanics::least_singularity_measure<float>()
+                                           : mechanics::least_singularity_measure<double>();
+    const auto in_text = [&](std::string_view text) {
+      return filled(text, {{"name", name()},
+                           {"number", number_.type()},
+                           {"bits", number_.bits()},
+                           {"least", number_.number(least)},
+                           {"fabs", number_.function("fabs")},
+                           {"one", number_.number(1)},
+                           {"zero", number_.number(0)},
+                           {"exponent", number_.exponent_bits()}});
+    };
+    std::string text;
+    const bool turns = calls("sine_and_cosine"), signs = calls("sign"), chooses = signs || calls("choose"),
+               ends = calls("is_infinite");
+    if (turns || chooses || ends)
+      text += in_text(R"(
+typedef union { @number@ number; @bits@ bits; } @name@_bits;
+typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1 : -1];
+)");
+    if (turns) text += sine_and_cosine_in_c(name(), number_);
+    if (chooses)
+      text += in_text(R"(
+/* The first value where `by` is positive, else the second. */
+@name@_INLINE @number@ @name@_choose(@number@ by, @number@ first, @number@ second) {
+  const @bits@ is_first = 0 - (@bits@)(by > @zero@);
+  @name@_bits one, other;
+  one.number = first;
+  other.number = second;
+  one.bits = (one.bits & is_first) | (other.bits & ~is_first);
+  return one.number;
+}
+)");
+    if (signs)
+      text += in_text(R"(
+@name@_INLINE @number@ @name@_sign(@number@ x) {
+  return @name@_choose(x, @one@, @name@_choose(-x, -@one@, x + @zero@));
+}
+)");
+    if (calls("is_singular"))
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {
+  return (unsigned long long)(@fabs@(measure) - @least@ * @fabs@(scale) <= @zero@);
+}
+)");
+    if (ends)
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_infinite(@number@ measure) {
+  @name@_bits given;
+  given.number = measure;
+  return (unsigned long long)((given.bits & @exponent@) == @exponent@);
+}
+)");
+    return text;
+  }
+
+  system_in_c mapped_;
+  scalar number_;
+};
+
+} // namespace kanexpr::exporting

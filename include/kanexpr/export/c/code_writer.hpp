@@ -1,0 +1,151 @@
+#pragma once
+
+#include <kanexpr/export/c/identifiers.hpp>
+#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/exported_system.hpp>
+
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Writes the statements of a function in C, an operation a line.
+class code_writer {
+public:
+  /// `name` begins what the file defines; `arguments` are the names of symbols by their kinds.
+  code_writer(const exported_function& of, const exported_system& system, std::string name,
+              const scalar& number)
+      : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
+    names_.reserve_words();
+    for (const char* taken : {"t", "x", "p", "r", "a"}) names_.reserve(taken);
+    for (const exported_result& each : of.results) names_.reserve(each.name);
+  }
+
+  /// All lines; what they give is named by `value`.
+  std::string lines() {
+    std::string text;
+    values_.resize(static_cast<std::size_t>(code_.lines.size()));
+    for (int i = 0; i < code_.lines.size(); ++i) text += line(i);
+    return text;
+  }
+
+  const std::string& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
+
+private:
+  using kind = lower::statement::kind;
+
+  std::string line(int i) {
+    const lower::statement& s = code_.lines[i];
+    std::string& own = values_[static_cast<std::size_t>(i)];
+    if (s.is == kind::number) {
+      own = number_of(code_.numbers[s.a]);
+      return {};
+    }
+    if (s.is == kind::argument) return argument(own, code_.arguments[s.a]);
+    if (s.is == kind::choice) {
+      own = next("v");
+      return declared(own) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " + value(s.b) +
+             ");\n";
+    }
+    if (s.op == symbolic::operation::sin || s.op == symbolic::operation::cos) return sine_or_cosine(i, s);
+    own = next("v");
+    return declared(own) + operation(s) + ";\n";
+  }
+
+  std::string next(const char* letter) { return names_.of(letter + std::to_string(++count_)); }
+  std::string declared(const std::string& value) const {
+    return std::string("  const ") + number_.type() + ' ' + value + " = ";
+  }
+
+  /// An exact fraction is divided in the type of the numbers.
+  std::string number_of(const symbolic::number& n) const {
+    if (number_.is_single) return number_.number(static_cast<double>(lower::number_as<float>(n)));
+    return number_.number(lower::number_as<double>(n));
+  }
+
+  std::string argument(std::string& own, const lower::load& from) {
+    using symbolic::symbol_kind;
+    if (from.from == symbol_kind::time) {
+      own = "t";
+      return {};
+    }
+    const auto place = static_cast<std::size_t>(from.position);
+    const char* vector = "x";
+    const std::string* symbol = nullptr;
+    if (from.from == symbol_kind::coordinate)
+      symbol = &system_.coordinates[place];
+    else if (from.from == symbol_kind::speed)
+      symbol = &system_.speeds[place];
+    else if (from.from == symbol_kind::parameter)
+      vector = "p", symbol = &system_.parameters[place];
+    else if (from.from == symbol_kind::input)
+      vector = "r", symbol = &system_.inputs[place];
+    else
+      vector = "a", symbol = &system_.speeds[place];
+    own = names_.of(*symbol + (from.from == symbol_kind::speed_rate ? "_rate" : ""));
+    const std::size_t index = from.from == symbol_kind::speed ? system_.coordinates.size() + place : place;
+    return declared(own) + vector + '[' + std::to_string(index) + "];\n";
+  }
+
+  /// Both at once where one of them comes first.
+  std::string sine_or_cosine(int i, const lower::statement& s) {
+    const bool is_sine = s.op == symbolic::operation::sin;
+    for (const angle& known : angles_)
+      if (known.place == s.a) {
+        values_[static_cast<std::size_t>(i)] = is_sine ? known.sine : known.cosine;
+        return {};
+      }
+    const angle one{s.a, next("s"), names_.of("c" + std::to_string(count_))};
+    angles_.push_back(one);
+    values_[static_cast<std::size_t>(i)] = is_sine ? one.sine : one.cosine;
+    return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +
+           "_sine_and_cosine(" + value(s.a) + ", &" + one.sine + ", &" + one.cosine + ");\n";
+  }
+
+  std::string operation(const lower::statement& s) const {
+    using symbolic::form;
+    const std::string &first = value(s.a), &second = value(s.b);
+    switch (symbolic::form_of(s.op)) {
+    case form::negate: return '-' + (first[0] == '-' ? '(' + first + ')' : first);
+    case form::add: return first + " + " + second;
+    case form::subtract: return first + " - " + second;
+    case form::multiply: return first + " * " + second;
+    case form::divide: return first + " / " + second;
+    case form::power: return called("pow", first + ", " + second);
+    case form::atan2: return called("atan2", first + ", " + second);
+    case form::function:
+      if (s.op == symbolic::operation::sign) return name_ + "_sign(" + first + ')';
+      return called(s.op == symbolic::operation::abs ? "fabs" : std::string(symbolic::function_name(s.op)),
+                    first);
+    case form::constant:
+    case form::symbol: // have no line
+    case form::selection:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::singularity_measure: break; // are written out
+    }
+    return "";
+  }
+  std::string called(const std::string& function, const std::string& with) const {
+    return number_.function(function) + '(' + with + ')';
+  }
+
+  struct angle {
+    int place;
+    std::string sine, cosine;
+  };
+
+  const exported_function& of_;
+  const lower::statements& code_;
+  const exported_system& system_;
+  std::string name_;
+  scalar number_;
+  identifiers names_{};
+  std::vector<std::string> values_{}; ///< by line
+  std::vector<angle> angles_{};
+  int count_ = 0;
+};
+
+} // namespace kanexpr::exporting

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kanexpr::exporting {
+
+/// A text in which `@name@` stands for something else.
+inline std::string filled(std::string_view text,
+                          std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
+  std::string all;
+  while (!text.empty()) {
+    const std::size_t begin = text.find('@');
+    all += text.substr(0, begin);
+    if (begin == text.npos) break;
+    const std::size_t end = text.find('@', begin + 1);
+    const std::string_view name = text.substr(begin + 1, end - begin - 1);
+    for (const auto& [called, meaning] : meanings)
+      if (called == name) all += meaning;
+    text.remove_prefix(end + 1);
+  }
+  return all;
+}
+
+} // namespace kanexpr::exporting

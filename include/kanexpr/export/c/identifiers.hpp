@@ -1,0 +1,73 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace kanexpr::exporting {
+
+/// Names as identifiers of C and C++, none of them twice.
+class identifiers {
+public:
+  /// The name, or one like it: other characters become `u` and their number, and what is taken gets an
+  /// underscore.
+  std::string of(std::string_view name) {
+    std::string plain = spelled(name);
+    while (!used_.insert(plain).second) plain += '_';
+    return plain;
+  }
+
+  void reserve(std::string_view name) { used_.emplace(name); }
+
+  /// What no variable of a function may be called.
+  void reserve_words() {
+    for (const std::string_view word :
+         {"alignas",   "alignof",  "and",      "and_eq",   "asm",      "auto",    "bitand",    "bitor",
+          "bool",      "break",    "case",     "catch",    "char",     "class",   "compl",     "concept",
+          "const",     "continue", "decltype", "default",  "delete",   "do",      "double",    "else",
+          "enum",      "explicit", "export",   "extern",   "false",    "float",   "for",       "friend",
+          "goto",      "if",       "inline",   "int",      "long",     "mutable", "namespace", "new",
+          "noexcept",  "not",      "not_eq",   "nullptr",  "operator", "or",      "or_eq",     "private",
+          "protected", "public",   "register", "requires", "restrict", "return",  "short",     "signed",
+          "sizeof",    "static",   "struct",   "switch",   "template", "this",    "throw",     "true",
+          "try",       "typedef",  "typeid",   "typename", "typeof",   "union",   "unsigned",  "using",
+          "virtual",   "void",     "volatile", "while",    "xor",      "xor_eq",  "linux",     "unix"})
+      reserve(word);
+  }
+
+private:
+  static bool is_letter(unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  }
+  static bool is_digit(unsigned char c) { return c >= '0' && c <= '9'; }
+
+  static std::string spelled(std::string_view name) {
+    std::string plain;
+    for (std::size_t i = 0; i < name.size();) {
+      const auto c = static_cast<unsigned char>(name[i]);
+      if (c < 0x80) {
+        plain += is_letter(c) || is_digit(c) ? static_cast<char>(c) : '_';
+        ++i;
+      } else {
+        plain += code_point(name, i);
+      }
+    }
+    if (plain.empty() || is_digit(static_cast<unsigned char>(plain[0]))) plain.insert(0, "n");
+    return plain;
+  }
+
+  /// `u03b1` for α, and moves on behind it.
+  static std::string code_point(std::string_view name, std::size_t& i) {
+    const auto lead = static_cast<unsigned char>(name[i++]);
+    unsigned point = lead >= 0xf0 ? lead & 0x07u : lead >= 0xe0 ? lead & 0x0fu : lead & 0x1fu;
+    for (; i < name.size() && (static_cast<unsigned char>(name[i]) & 0xc0u) == 0x80; ++i)
+      point = point << 6 | (static_cast<unsigned char>(name[i]) & 0x3fu);
+    std::string hex;
+    for (int k = 4; k-- > 0;) hex += "0123456789abcdef"[point >> 4 * k & 0xfu];
+    return "u" + hex;
+  }
+
+  std::set<std::string> used_{};
+};
+
+} // namespace kanexpr::exporting

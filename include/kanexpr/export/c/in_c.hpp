@@ -1,0 +1,57 @@
+#pragma once
+
+#include <kanexpr/export/c/identifiers.hpp>
+#include <kanexpr/export/exported_system.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// A system with the names that it has in a file of C.
+struct system_in_c {
+  exported_system system{};
+  std::vector<std::pair<std::string, std::string>> changed{}; ///< names of the model, and what became of them
+};
+
+/// All symbols and functions share one list of names: `NAME_` stands before each of them.
+inline system_in_c in_c(exported_system s) {
+  identifiers taken;
+  for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
+                          "INLINE", "H", "SINES_OF_THE_LIBRARY", "has_bits_of_that_size", "sine_and_cosine",
+                          "choose", "sign", "is_singular", "is_infinite"})
+    taken.reserve(own);
+  std::vector<std::pair<std::string, std::string>> changed;
+  const auto map = [&](std::string& name, identifiers& among) {
+    const std::string mapped = among.of(name);
+    if (mapped != name) changed.emplace_back(name, mapped);
+    name = mapped;
+  };
+  for (exported_function& f : s.functions) {
+    map(f.name, taken);
+    identifiers arguments; // of that function
+    arguments.reserve_words();
+    for (const char* own : {"t", "x", "p", "r", "a"}) arguments.reserve(own);
+    for (exported_result& each : f.results) map(each.name, arguments);
+  }
+  // the same symbols stand in the lists of rows
+  std::vector<std::pair<std::string, std::string>> symbols;
+  for (std::vector<std::string>* names : {&s.coordinates, &s.speeds, &s.parameters, &s.inputs})
+    for (std::string& each : *names) {
+      const std::string before = each;
+      map(each, taken);
+      symbols.emplace_back(before, each);
+    }
+  for (exported_function& f : s.functions)
+    for (exported_result& of : f.results)
+      for (std::string& row : of.of_rows) {
+        const auto found =
+            std::find_if(symbols.begin(), symbols.end(), [&](const auto& each) { return each.first == row; });
+        if (found != symbols.end()) row = found->second;
+      }
+  return {std::move(s), std::move(changed)};
+}
+
+} // namespace kanexpr::exporting

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <kanexpr/export/c/filled.hpp>
+#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/numeric/sine_and_cosine.hpp>
+
+#include <string>
+
+namespace kanexpr::exporting {
+
+namespace detail {
+
+/// A polynomial in `square` by Horner's rule, as in numeric/sine_and_cosine.hpp.
+template <class Number, std::size_t count>
+std::string polynomial(const Number (&coefficients)[count], const scalar& of) {
+  std::string sum = of.number(static_cast<double>(coefficients[count - 1]));
+  for (std::size_t i = count - 1; i-- > 0;)
+    sum = '(' + sum + " * square + " + of.number(static_cast<double>(coefficients[i])) + ')';
+  return sum;
+}
+
+inline constexpr std::string_view reduction_of_double = R"(  {
+    double q, first, subtracted;
+    along.number = magnitude.number * @quadrants@ + @integers@;
+    quadrant = along.bits;
+    q = along.number - @integers@;
+    first = magnitude.number - q * 0x1.921fb54440000p+0;
+    subtracted = q * 0x1.68c234c4c0000p-39;
+    offset = first - subtracted;
+    rest = ((first - offset) - subtracted) - q * 0x1.98a2e03707344p-77;
+  }
+)";
+
+// Where there is no arithmetic of `double`, fused operations leave exact remainders.
+inline constexpr std::string_view reduction_of_float = R"(  {
+#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
+    const float q = (along.number = fmaf(magnitude.number, @quadrants@, @integers@)) - @integers@;
+    quadrant = along.bits;
+    offset = fmaf(q, -0x1.846988p-48F, fmaf(q, -0x1.4442d0p-24F, fmaf(q, -0x1.921fb4p+0F, magnitude.number)));
+#else
+    union { double number; unsigned long long bits; } shifted;
+    double q, exact;
+    shifted.number = (double)magnitude.number * @wide_quadrants@ + @wide_integers@;
+    quadrant = (unsigned int)shifted.bits;
+    q = shifted.number - @wide_integers@;
+    exact = ((double)magnitude.number - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
+    offset = (float)exact;
+    rest = (float)(exact - (double)offset);
+#endif
+  }
+)";
+
+inline constexpr std::string_view sum_with_rest = R"(  along.number = offset + (rest + cube * @S@);
+  across.number = @one@ + (square * falling - offset * rest);
+)";
+
+inline constexpr std::string_view sum_of_float = R"(#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
+  along.number = offset + cube * @S@;
+  across.number = @one@ + square * falling;
+  rest = 0;
+  (void)rest;
+#else
+@sum_with_rest@#endif
+)";
+
+inline constexpr std::string_view sine_and_cosine = R"(
+/* Reduction to a quadrant by Cody and Waite's method, then minimax polynomials: less than 1.5 ulp off up to
+   131072 rad, and NaN beyond. With @name@_SINES_OF_THE_LIBRARY math.h takes its place. */
+@name@_INLINE void @name@_sine_and_cosine(@number@ angle, @number@ *sine, @number@ *cosine) {
+#if defined(@name@_SINES_OF_THE_LIBRARY)
+  *sine = @sin@(angle);
+  *cosine = @cos@(angle);
+#else
+  const @bits@ sign = (@bits@)1 << @last@;
+  @name@_bits given, magnitude, along, across;
+  @bits@ quadrant, exchanged;
+  @number@ offset, rest, square, cube, falling;
+  given.number = angle;
+  magnitude.number = @farthest@;
+  magnitude.bits = (given.bits & ~sign) | (0 - ((magnitude.bits - (given.bits & ~sign)) >> @last@));
+@reduction@  square = offset * offset;
+  cube = offset * square;
+  falling = square * @C@ - @half@;
+@sum@  exchanged = (along.bits ^ across.bits) & (0 - (quadrant & 1));
+  along.bits ^= exchanged ^ (((quadrant << (@last@ - 1)) ^ given.bits) & sign);
+  across.bits ^= exchanged ^ (((quadrant + 1) << (@last@ - 1)) & sign);
+  *sine = along.number;
+  *cosine = across.number;
+#endif
+}
+)";
+
+} // namespace detail
+
+/// The routine of numeric/sine_and_cosine.hpp in C, for one angle: the same operations in the same order.
+/// Instead of a branch for angles beyond its reach it gives NaN.
+inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& of) {
+  using numeric::detail::circular;
+  const scalar wide(precision::double_precision);
+  const auto single = [&](float x) { return of.number(static_cast<double>(x)); };
+  const auto in_both = [&](auto known) {
+    return std::pair(detail::polynomial(known.S, of), detail::polynomial(known.C, of));
+  };
+  const auto [S, C] = of.is_single ? in_both(circular<float>()) : in_both(circular<double>());
+  const std::string with_rest = filled(detail::sum_with_rest, {{"S", S}, {"one", of.number(1)}});
+  const std::string reduction =
+      of.is_single
+          ? filled(detail::reduction_of_float, {{"quadrants", single(circular<float>::quadrants)},
+                                                {"integers", single(circular<float>::integers)},
+                                                {"wide_quadrants", wide.number(circular<double>::quadrants)},
+                                                {"wide_integers", wide.number(circular<double>::integers)}})
+          : filled(detail::reduction_of_double, {{"quadrants", wide.number(circular<double>::quadrants)},
+                                                 {"integers", wide.number(circular<double>::integers)}});
+  const std::string sum =
+      of.is_single
+          ? filled(detail::sum_of_float, {{"S", S}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
+          : with_rest;
+  return filled(detail::sine_and_cosine, {{"name", name},
+                                          {"number", of.type()},
+                                          {"bits", of.bits()},
+                                          {"last", of.last_bit()},
+                                          {"sin", of.function("sin")},
+                                          {"cos", of.function("cos")},
+                                          {"farthest", of.number(numeric::farthest_angle)},
+                                          {"half", of.number(0.5)},
+                                          {"C", C},
+                                          {"reduction", reduction},
+                                          {"sum", sum}});
+}
+
+} // namespace kanexpr::exporting

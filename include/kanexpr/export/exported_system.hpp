@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kanexpr/lower/statements.hpp>
+#include <kanexpr/symbolic/cost.hpp>
+
+#include <string>
+#include <vector>
+
+/// A system as a backend writes it: names, and straight-line code. Nothing of how it was derived.
+namespace kanexpr::exporting {
+
+/// One result of a function. Its entries stand by rows among those of the function, from `first` on.
+struct exported_result {
+  std::string name{};
+  int rows = 0;
+  int columns = 0;
+  int first = 0;
+  std::vector<std::string> of_rows{}; ///< the symbols that rows belong to, where they do
+
+  int entries() const { return rows * columns; }
+};
+
+/// What may be singular on the way to the results. Its measure and its scale stand behind all results, by
+/// pairs; see lower/regular.hpp.
+struct exported_check {
+  std::string cause{};
+  bool of_finiteness = false;
+};
+
+/// What one call computes.
+struct exported_function {
+  std::string name{};
+  std::vector<exported_result> results{};
+  std::vector<exported_check> checks{};
+  lower::statements code{};
+  symbolic::cost cost{};
+  bool takes_rates = false; ///< of the speeds, as an argument
+
+  int entries() const { return results.empty() ? 0 : results.back().first + results.back().entries(); }
+};
+
+/// The vectors that functions are given: states are the coordinates, then the speeds.
+struct exported_system {
+  std::string name{};
+  std::vector<std::string> coordinates{}, speeds{}, parameters{}, inputs{};
+  std::vector<exported_function> functions{};
+};
+
+} // namespace kanexpr::exporting

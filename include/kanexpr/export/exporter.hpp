@@ -1,0 +1,187 @@
+#pragma once
+
+#include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace kanexpr::exporting {
+
+/// A parameter that is a number in what is exported, and no argument.
+struct bound_parameter {
+  std::string name{};
+  double value = 0;
+};
+
+struct options {
+  std::vector<wanted_function> functions = default_results();
+  std::vector<bound_parameter> bound{};
+};
+
+/// A system to be exported, or why it cannot be.
+struct exported {
+  exported_system system{};
+  std::string mistake{};
+};
+
+/// Derives each function by itself, so that its code is that of the compiled one, whatever else is exported.
+class exporter {
+public:
+  exporter(std::string name, std::function<model()> derive, const options& chosen)
+      : derive_(std::move(derive)), chosen_(chosen) {
+    made_.system.name = std::move(name);
+  }
+
+  exported run() {
+    if (!is_identifier(made_.system.name))
+      refuse("what is exported needs a name that is one in C, of letters, digits and underscores; \"" +
+             made_.system.name + "\" is none");
+    else
+      take_names();
+    for (const wanted_function& wanted : chosen_.functions)
+      if (made_.mistake.empty()) add(wanted);
+    return made_;
+  }
+
+private:
+  /// Which reserved words are not: the name begins longer ones.
+  static bool is_identifier(std::string_view name) {
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    return !name.empty() && letters.find(name[0]) != letters.npos &&
+           std::all_of(name.begin(), name.end(),
+                       [&](char c) { return letters.find(c) != letters.npos || (c >= '0' && c <= '9'); });
+  }
+
+  void take_names() {
+    const model first = derive_();
+    known_ = first.known();
+    if (made_.mistake = first.mistake(); !made_.mistake.empty()) return;
+    using symbolic::symbol_kind;
+    exported_system& s = made_.system;
+    s.coordinates = names_of(symbol_kind::coordinate), s.speeds = names_of(symbol_kind::speed);
+    s.inputs = names_of(symbol_kind::input);
+    const std::vector<std::string> parameters = names_of(symbol_kind::parameter);
+    is_bound_.assign(parameters.size(), std::nullopt);
+    for (const bound_parameter& b : chosen_.bound) {
+      const auto place = std::find(parameters.begin(), parameters.end(), b.name);
+      if (place == parameters.end())
+        return refuse("there is no parameter " + b.name + " that could be bound to a number");
+      if (!std::isfinite(b.value)) return refuse("parameter " + b.name + " is bound to no finite number");
+      is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      place_.push_back(static_cast<int>(s.parameters.size()));
+      if (!is_bound_[i]) s.parameters.push_back(parameters[i]);
+    }
+  }
+
+  std::vector<std::string> names_of(symbolic::symbol_kind kind) const {
+    std::vector<std::string> names;
+    for (int i = 0; i < known_->count_of(kind); ++i)
+      names.emplace_back(known_->names[known_->first_of(kind) + i].view());
+    return names;
+  }
+
+  void add(const wanted_function& wanted) {
+    if (!wanted.mistake.empty()) return refuse(wanted.mistake);
+    model from = derive_();
+    exported_function made{.name = wanted.name};
+    symbolic::sequence<int> nodes;
+    for (const wanted_result& each : wanted.results) {
+      const symbolic::matrix found = from.get(each.request);
+      if (!from.mistake().empty()) return refuse(from.mistake());
+      if (found.entries.empty()) continue; // without inputs there is no B
+      made.results.push_back(
+          {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
+      for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+      made.takes_rates = made.takes_rates || holds_rates(each.request);
+    }
+    if (made.results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
+    for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
+      made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
+      nodes.push(c.measure.node());
+      nodes.push(c.scale.node());
+    }
+    const lower::tape code = lower::tape_of(from.graph(), bound(from, nodes));
+    made.code = lower::statements_of(code);
+    made.cost = lower::cost_of(code);
+    for (lower::load& l : made.code.arguments) {
+      const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
+      if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
+        return refuse("function " + wanted.name + " holds a " + (is_parameter ? "parameter" : "input") +
+                      " that the system does not have");
+      if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
+    }
+    made_.system.functions.push_back(std::move(made));
+  }
+
+  static bool holds_rates(const deriving::request& r) {
+    return r.what == deriving::request::kind::result && mechanics::row_of(r.wanted).holds_speed_rates;
+  }
+
+  symbolic::sequence<int> bound(model& from, const symbolic::sequence<int>& nodes) const {
+    if (chosen_.bound.empty()) return nodes;
+    symbolic::substitution numbers(from.graph());
+    for (std::size_t i = 0; i < is_bound_.size(); ++i)
+      if (is_bound_[i])
+        numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
+                        from.mechanism().number(*is_bound_[i]));
+    symbolic::sequence<int> with_numbers;
+    for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
+    return with_numbers;
+  }
+
+  /// The symbols whose rates or forces the rows are.
+  std::vector<std::string> symbols_of_rows(const deriving::request& r) const {
+    using mechanics::extent_by;
+    if (r.what != deriving::request::kind::result) return {};
+    const exported_system& s = made_.system;
+    const auto pick = [&](bool coordinates, bool speeds, bool independent_alone) {
+      std::vector<std::string> names;
+      const int first = coordinates ? 0 : known_->coordinates;
+      const int end = speeds ? known_->coordinates + known_->speeds : known_->coordinates;
+      for (int i = first; i < end; ++i)
+        if (!independent_alone || !known_->dependent[i]) names.emplace_back(known_->names[i].view());
+      return names;
+    };
+    switch (mechanics::row_of(r.wanted).rows) {
+    case extent_by::coordinates: return pick(true, false, false);
+    case extent_by::speeds: return pick(false, true, false);
+    case extent_by::coordinates_and_speeds: return pick(true, true, false);
+    case extent_by::independent_speeds: return pick(false, true, true);
+    case extent_by::independent_states: return pick(true, true, true);
+    case extent_by::inputs: return s.inputs;
+    case extent_by::scalar:
+    case extent_by::one:
+    case extent_by::three:
+    case extent_by::configuration_constraints:
+    case extent_by::speed_constraints:
+    case extent_by::all_constraints:
+    case extent_by::auxiliary_speeds:
+    case extent_by::unknowns: break;
+    }
+    return {};
+  }
+
+  void refuse(std::string because) { made_.mistake = std::move(because); }
+
+  std::function<model()> derive_;
+  const options& chosen_;
+  std::shared_ptr<const deriving::survey> known_{};
+  std::vector<std::optional<double>> is_bound_{};
+  std::vector<int> place_{}; ///< of a parameter among those that are not bound
+  exported made_{};
+};
+
+/// The code of a system by its words: `exported_from<pendulum::System>("pendulum")`.
+template <class System>
+exported exported_from(std::string name, const options& chosen = {}) {
+  return exporter(std::move(name), [] { return kanexpr::derive<System>(); }, chosen).run();
+}
+
+} // namespace kanexpr::exporting

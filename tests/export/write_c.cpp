@@ -1,0 +1,44 @@
+// Writes the C of some models into the folder that it is given, as double.c, …, for the tests that compile
+// it.
+#include <kanexpr/export.hpp>
+
+#include <models/four_bar.hpp>
+#include <models/iiwa.hpp>
+#include <models/rolling_disc.hpp>
+#include <models/simple_pendulum.hpp>
+
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr::exporting;
+
+template <class System>
+bool write(const char* folder, const char* name, c_options chosen) {
+  chosen.number = precision::double_precision;
+  kanexpr::outcome written = kanexpr::write_c<System>(folder, name, chosen);
+  if (written) {
+    chosen.number = precision::single_precision;
+    written = kanexpr::write_c<System>(folder, name + std::string("_in_float"), chosen);
+  }
+  if (!written) std::cerr << written.cause() << '\n';
+  return static_cast<bool>(written);
+}
+
+} // namespace
+
+int main(int, char** arguments) {
+  const char* const folder = arguments[1];
+  c_options dynamics;
+  dynamics.functions = {results("udot"), results("inverse_dynamics")};
+  c_options bound{
+      {.functions = {results("udot"), results("mass_matrix forcing")}, .bound = {{"g", 9.81}, {"m", 2}}},
+      precision::single_precision};
+  const bool is_bound_written =
+      static_cast<bool>(kanexpr::write_c<simple_pendulum::System>(folder, "bound_pendulum", bound));
+  return is_bound_written && write<iiwa::System>(folder, "iiwa", dynamics) &&
+                 write<four_bar::System>(folder, "four_bar", {}) &&
+                 write<rolling_disc::System>(folder, "disc", {})
+             ? 0
+             : 1;
+}
