@@ -44,7 +44,7 @@ function(kanexpr_export name)
     string(APPEND chosen "  chosen.functions.push_back(kanexpr::exporting::results(\"${results}\"));\n")
   endforeach()
 
-  set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_export)
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_exported)
   file(CONFIGURE OUTPUT ${directory}/write.cpp @ONLY CONTENT [[
 #include <kanexpr/export.hpp>
 

@@ -1,5 +1,5 @@
 # kanexpr_version, from the header in which it stands.
-set(version_header ${CMAKE_CURRENT_LIST_DIR}/../include/kanexpr/version.hpp)
+set(version_header ${CMAKE_CURRENT_LIST_DIR}/../include/kanexpr/base/version.hpp)
 file(STRINGS ${version_header} version_lines REGEX "^#define KANEXPR_VERSION_(MAJOR|MINOR|PATCH) [0-9]+$")
 list(TRANSFORM version_lines REPLACE "^.* " "")
 list(JOIN version_lines . kanexpr_version)

@@ -1,4 +1,4 @@
-// The code of tests/export/write_c.cpp, compiled as C, beside the compiled functions.
+// The code of tests/export/models_in_c.cpp, compiled as C, beside the compiled functions.
 #include <kanexpr/kanexpr.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
@@ -11,11 +11,13 @@
 #include <four_bar.h>
 #include <iiwa.h>
 #include <iiwa_in_float.h>
+#include <pendulum.h>
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <random>
 #include <string>
@@ -163,6 +165,20 @@ TEST(C, BindsParameters) {
   float rate[1];
   EXPECT_EQ(bound_pendulum_udot(0, state, parameters, input, rate), 0);
   EXPECT_NEAR(rate[0], eom::udot(x, p, r)(0), 2e-5);
+}
+
+TEST(C, IsCalledAsTheGuideSays) {
+#include <docs/export/c/call.cpp>
+  EXPECT_EQ(status, 0);
+  const equations_of_motion<simple_pendulum::System>::state at{{simple_pendulum::q, 0.3},
+                                                               {simple_pendulum::u, 0}};
+  equations_of_motion<simple_pendulum::System>::parameters with{{simple_pendulum::m, 2},
+                                                                {simple_pendulum::l, 0.5},
+                                                                {simple_pendulum::g, 9.81},
+                                                                {simple_pendulum::c, 0.1}};
+  EXPECT_EQ(rate[0],
+            equations_of_motion<simple_pendulum::System>::udot(
+                at, with, equations_of_motion<simple_pendulum::System>::inputs{{simple_pendulum::T, 0}})(0));
 }
 
 TEST(C, HasNoNumberForAnglesOutOfReach) {

@@ -2,12 +2,10 @@
 
 #include <kanexpr/base/outcome.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -23,8 +21,10 @@ inline outcome write_files(const std::vector<file_text>& files) {
     std::filesystem::path other = f.path;
     return other += ".part";
   };
+  std::vector<std::filesystem::path> written;
   const auto give_up = [&](const std::filesystem::path& at) {
     std::error_code ignored;
+    for (const std::filesystem::path& done : written) std::filesystem::remove(done, ignored);
     for (const file_text& f : files) std::filesystem::remove(beside(f), ignored);
     return outcome(at.string() + " cannot be written");
   };
@@ -40,6 +40,7 @@ inline outcome write_files(const std::vector<file_text>& files) {
     std::error_code failed;
     std::filesystem::rename(beside(f), f.path, failed);
     if (failed) return give_up(f.path);
+    written.push_back(f.path);
   }
   return {};
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/version.hpp>
 #include <kanexpr/export/c/code_writer.hpp>
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/in_c.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
-#include <kanexpr/version.hpp>
 
 #include <string>
 #include <vector>
@@ -46,11 +46,12 @@ extern "C" {
   std::string source() const {
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
-    std::string text = filled(R"(/* @title@
+    std::string text =
+        filled(R"(/* @title@
 
    Compilers may fuse multiplications with additions by -ffp-contract=fast, which changes last bits; -ffast-math
    would break the sines. -fno-math-errno saves a branch in square roots. */
-#include "@name@.h"
+@own_header@
 
 #include <math.h>
 
@@ -64,7 +65,7 @@ extern "C" {
 #define @name@_INLINE static inline @name@_FUNCTION
 #endif
 )",
-                              {{"title", title()}, {"name", name()}});
+               {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
   }

@@ -34,7 +34,11 @@ int main(int, char** arguments) {
   c_options bound{
       {.functions = {results("udot"), results("mass_matrix forcing")}, .bound = {{"g", 9.81}, {"m", 2}}},
       precision::single_precision};
+  using namespace kanexpr;
+  using namespace simple_pendulum;
+#include <docs/export/c/write.cpp>
   const bool is_bound_written =
+      written &&
       static_cast<bool>(kanexpr::write_c<simple_pendulum::System>(folder, "bound_pendulum", bound));
   return is_bound_written && write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", {}) &&

@@ -1,0 +1,113 @@
+// Exports by builders, and what cannot be exported.
+#include <kanexpr/export.hpp>
+#include <kanexpr/runtime/builder.hpp>
+
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace {
+
+using namespace kanexpr;
+using namespace exporting;
+using testing::HasSubstr;
+
+/// A folder that is gone with the test.
+struct folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / "kanexpr_write_c_test";
+  folder() { std::filesystem::remove_all(path); }
+  ~folder() { std::filesystem::remove_all(path); }
+
+  std::string text_of(const std::string& file) const {
+    std::ostringstream all;
+    all << std::ifstream(path / file).rdbuf();
+    return all.str();
+  }
+};
+
+std::string cause_of(const std::string& name, const c_options& chosen) {
+  const folder to;
+  const outcome written = write_c<simple_pendulum::System>(to.path, name, chosen);
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(std::filesystem::exists(to.path)) << "something is left";
+  return written.cause();
+}
+
+c_options with(std::vector<wanted_function> functions) { return {{.functions = std::move(functions)}}; }
+
+TEST(WriteC, NamesWhatCannotBeExported) {
+  EXPECT_EQ(cause_of("arm", with({results("velocity")})), "no result is called velocity");
+  EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "no result is called speeds");
+  EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
+  EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
+  EXPECT_EQ(cause_of("arm", {{.bound = {{"k", 1}}}}),
+            "there is no parameter k that could be bound to a number");
+  EXPECT_EQ(cause_of("arm", {{.bound = {{"m", std::numeric_limits<double>::infinity()}}}}),
+            "parameter m is bound to no finite number");
+  EXPECT_EQ(cause_of("7 arms", {}), "what is exported needs a name that is one in C, of letters, digits and "
+                                    "underscores; \"7 arms\" is none");
+  EXPECT_EQ(cause_of("", {}),
+            "what is exported needs a name that is one in C, of letters, digits and underscores; \"\" "
+            "is none");
+}
+
+TEST(WriteC, LeavesNothingHalfWritten) {
+  const folder to;
+  std::filesystem::create_directories(to.path / "arm.c"); // where a file should be
+  const outcome written = write_c<simple_pendulum::System>(to.path, "arm");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.cause(), (to.path / "arm.c").string() + " cannot be written");
+  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.h"));
+  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.c.part"));
+  EXPECT_EQ(write_c<simple_pendulum::System>("/proc/none/of/these", "arm").cause(),
+            "/proc/none/of/these/arm.h cannot be written");
+}
+
+TEST(WriteC, ExportsExpressionsByNamesOfTheirOwn) {
+  using namespace simple_pendulum;
+  const folder to;
+  const outcome written =
+      write_c<System>(to.path, "arm", with({exporting::expression<position_of<P, O>>("tip")}));
+  ASSERT_TRUE(written) << written.cause();
+  EXPECT_THAT(to.text_of("arm.h"), HasSubstr("arm_tip_rows = 3,"));
+  EXPECT_THAT(to.text_of("arm.c"), HasSubstr("tip[0] = "));
+}
+
+TEST(WriteC, TakesWhatABuilderBuilt) {
+  runtime::builder b("N");
+  const auto angle = b.coordinate("int"), rate = b.speed("ω"), g = b.parameter("g");
+  b.kinematic_equation(b.dot(angle) - rate);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, angle, b.along(N, 0, 0, 1));
+  b.particle("Bob", b.offset("P", b.origin("O"), b.along(A, 2, 0, 0)), b.number(3));
+  b.gravity(b.along(N, g, 0, 0));
+  const folder to;
+  ASSERT_TRUE(write_c(b, to.path, "pendulum", with({results("udot")})));
+  const std::string header = to.text_of("pendulum.h"), code = to.text_of("pendulum.c");
+  EXPECT_THAT(header, HasSubstr("   ω is called u03c9 here.\n"));
+  EXPECT_THAT(header, HasSubstr("  pendulum_int = 0,\n  pendulum_u03c9 = 1,\n  pendulum_g = 0,\n"));
+  EXPECT_THAT(code, HasSubstr("  const double int_ = x[0];\n")) << "no word of the language";
+
+  ASSERT_TRUE(write_c(b, to.path, "again", with({results("udot")})));
+  std::string again = to.text_of("again.c");
+  for (std::size_t at = 0; (at = again.find("again", at)) != again.npos;) again.replace(at, 5, "pendulum");
+  EXPECT_EQ(again, code) << "the same, however often it is written";
+}
+
+TEST(WriteC, TellsTheMistakeOfAModel) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u");
+  b.inertial_frame();
+  b.kinematic_equation(b.dot(q) - 2 * u);
+  const folder to;
+  EXPECT_EQ(write_c(b, to.path, "arm").cause(), derive(b).mistake());
+  EXPECT_NE(derive(b).mistake(), "");
+}
+
+} // namespace

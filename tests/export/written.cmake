@@ -1,0 +1,29 @@
+# Code that was written is compiled by a compiler of C, without fused operations, and linked with what tests it.
+find_program(KANEXPR_C_COMPILER NAMES cc gcc clang-19 REQUIRED)
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
+add_executable(export_models_in_c export/models_in_c.cpp)
+target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples)
+target_link_libraries(export_models_in_c PRIVATE ${engine} kanexpr_strict kanexpr_snippets)
+set(names iiwa iiwa_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
+list(TRANSFORM names REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
+add_custom_command(OUTPUT ${files} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)
+foreach(name IN LISTS names)
+  add_custom_command(OUTPUT ${folder}/${name}.o COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O1 -ffp-contract=off -fPIE -pedantic
+    -Wall -Wextra -Wconversion -Wshadow -Werror -c ${folder}/${name}.c -o ${folder}/${name}.o
+    DEPENDS ${folder}/${name}.c VERBATIM)
+  target_sources(export_c PRIVATE ${folder}/${name}.o)
+endforeach()
+target_link_libraries(export_c PRIVATE kanexpr_snippets)
+target_include_directories(export_c SYSTEM PRIVATE ${folder})
+set_source_files_properties(export/c_test.cpp PROPERTIES OBJECT_DEPENDS "${files}")
+
+# Every compiler takes it.
+add_test(NAME export_c_compilers COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/export/compilers ${folder})
+
+# The same in CMake, to the byte
+kanexpr_export(bound_pendulum HEADER ${PROJECT_SOURCE_DIR}/examples/models/simple_pendulum.hpp SYSTEM simple_pendulum::System
+  FORMATS c OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/by_cmake SCALAR float BIND g=9.81 m=2 RESULTS udot "mass_matrix forcing")
+target_include_directories(bound_pendulum_export PRIVATE ${PROJECT_SOURCE_DIR}/examples)
+foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h)
+  add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
+endforeach()
