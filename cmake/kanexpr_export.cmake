@@ -1,7 +1,7 @@
-# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float]
+# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
 #   [BIND <parameter>=<number>...] [RESULTS <results>...]): the target <name> leaves results of a system in a folder, for
-# other languages: of the format c <name>.c and <name>.h. Each of RESULTS is a function, of one result or of several with
-# spaces between them; without any there are M and f, u̇, ẋ, and A and B:
+# other languages: of the format c <name>.c and <name>.h, with Python <name>.py too. Each of RESULTS is a function, of one
+# result or of several with spaces between them; without any there are M and f, u̇, ẋ, and A and B:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing")
@@ -9,10 +9,10 @@
 # A program that is compiled here writes them. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs
 # it.
 function(kanexpr_export name)
-  cmake_parse_arguments(PARSE_ARGV 1 export "" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS")
+  cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS")
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> "
-      "[SCALAR double|float] [BIND <parameter>=<number>...] [RESULTS <results>...])")
+      "[SCALAR double|float] [WITH_PYTHON] [BIND <parameter>=<number>...] [RESULTS <results>...])")
   endif()
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   cmake_path(ABSOLUTE_PATH export_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
@@ -30,6 +30,11 @@ function(kanexpr_export name)
     string(APPEND chosen "  chosen.number = kanexpr::exporting::precision::single_precision;\n")
   elseif(export_SCALAR AND NOT export_SCALAR STREQUAL "double")
     message(FATAL_ERROR "kanexpr_export: SCALAR is double or float, not ${export_SCALAR}")
+  endif()
+  set(files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+  if(export_WITH_PYTHON)
+    string(APPEND chosen "  chosen.with_python = true;\n")
+    list(APPEND files ${export_OUTPUT}/${name}.py)
   endif()
   foreach(bound IN LISTS export_BIND)
     if(NOT bound MATCHES "^([^=]+)=([-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.)$")
@@ -65,8 +70,7 @@ int main(int, char** arguments) {
   else()
     target_link_libraries(${name}_export PRIVATE kanexpr::kanexpr)
   endif()
-  set(files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
-    COMMENT "Writing ${name}.c and ${name}.h" VERBATIM)
+    COMMENT "Writing ${name} in C" VERBATIM)
   add_custom_target(${name} ALL DEPENDS ${files})
 endfunction()

@@ -29,7 +29,9 @@ bool write(const char* folder, const char* name, c_options chosen) {
 
 int main(int, char** arguments) {
   const char* const folder = arguments[1];
-  c_options dynamics;
+  c_options dynamics, with_python;
+  with_python.with_python = true;
+  dynamics.with_python = true;
   dynamics.functions = {results("udot"), results("inverse_dynamics")};
   c_options bound{
       {.functions = {results("udot"), results("mass_matrix forcing")}, .bound = {{"g", 9.81}, {"m", 2}}},
@@ -41,7 +43,7 @@ int main(int, char** arguments) {
       written &&
       static_cast<bool>(kanexpr::write_c<simple_pendulum::System>(folder, "bound_pendulum", bound));
   return is_bound_written && write<iiwa::System>(folder, "iiwa", dynamics) &&
-                 write<four_bar::System>(folder, "four_bar", {}) &&
+                 write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {})
              ? 0
              : 1;

@@ -27,3 +27,10 @@ target_include_directories(bound_pendulum_export PRIVATE ${PROJECT_SOURCE_DIR}/e
 foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h)
   add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
 endforeach()
+
+# In Python
+add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
+  for name in four_bar iiwa pendulum; do
+    '${KANEXPR_C_COMPILER}' -std=c99 -O1 -fno-math-errno -shared -fPIC $name.c -o lib$name.so -lm
+  done
+  python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/python_test.py' '${folder}'")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/export/c/c_file.hpp>
+#include <kanexpr/export/c/python_file.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/files.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -11,15 +12,19 @@ namespace exporting {
 
 struct c_options : options {
   precision number = precision::double_precision;
+  bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
 };
 
 namespace detail {
 
-inline outcome write_c(const exported& of, const std::filesystem::path& folder, precision number) {
+inline outcome write_c(const exported& of, const std::filesystem::path& folder, const c_options& chosen) {
   if (!of.mistake.empty()) return outcome(of.mistake);
-  const c_file file(of.system, number);
-  return write_files(
-      {{folder / (of.system.name + ".h"), file.header()}, {folder / (of.system.name + ".c"), file.source()}});
+  const c_file file(of.system, chosen.number);
+  std::vector<file_text> files{{folder / (of.system.name + ".h"), file.header()},
+                               {folder / (of.system.name + ".c"), file.source()}};
+  if (chosen.with_python)
+    files.push_back({folder / (of.system.name + ".py"), python_file(of.system, chosen.number).text()});
+  return write_files(files);
 }
 
 } // namespace detail
@@ -32,14 +37,14 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
 template <class System>
 outcome write_c(const std::filesystem::path& folder, const std::string& name,
                 const exporting::c_options& chosen = {}) {
-  return exporting::detail::write_c(exporting::exported_from<System>(name, chosen), folder, chosen.number);
+  return exporting::detail::write_c(exporting::exported_from<System>(name, chosen), folder, chosen);
 }
 
 /// The same of what a builder built.
 inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
                        const std::string& name, const exporting::c_options& chosen = {}) {
   exporting::exporter each(name, [&] { return derive(of); }, chosen);
-  return exporting::detail::write_c(each.run(), folder, chosen.number);
+  return exporting::detail::write_c(each.run(), folder, chosen);
 }
 
 } // namespace kanexpr

@@ -1,0 +1,45 @@
+"""The modules that write_c writes: python_test.py FOLDER, which has libfour_bar.so beside four_bar.py."""
+
+import math
+import sys
+
+sys.path.insert(0, sys.argv[1])
+sys.dont_write_bytecode = True
+
+import four_bar
+import iiwa
+import pendulum
+
+
+def refused(kind, call):
+    try:
+        call()
+    except kind as error:
+        return str(error)
+    raise AssertionError("nothing was refused")
+
+
+p = dict.fromkeys(four_bar.parameters, 1.0)
+x = {"q1": 0.3, "q2": 1.1, "q3": -0.7, "u1": 0.5, "u2": -0.2, "u3": 0.1}
+by_name = four_bar.udot(x, p, {"T": 2.0})
+assert by_name == four_bar.udot(list(x.values()), [1.0] * len(p), [2.0])
+assert len(by_name) == 3 and all(math.isfinite(rate) for rate in by_name)
+A, B = four_bar.explicit_form(x, p, {"T": 2.0})
+assert len(A) == 2 and len(A[0]) == 2 and len(B) == 2
+
+assert "u2 and u3" in refused(four_bar.Singular, lambda: four_bar.udot([0.0] * 6, p, [0.0]))
+assert refused(KeyError, lambda: four_bar.udot(x | {"q9": 0}, p, [0.0])) == repr(
+    "q9 is not one of the states q1, q2, q3, u1, u2, u3")
+assert refused(KeyError, lambda: four_bar.udot({"q1": 0}, p, [0.0])) == repr(
+    "no value is given for q2, q3, u1, u2, u3 of the states")
+assert refused(ValueError, lambda: four_bar.udot([0.0], p, [0.0])) == "there are 6 states, not 1"
+
+state, torques = [0.1 * i for i in range(14)], [1.0] * 7
+rates = iiwa.udot(state, r=torques)
+# What must act beside the torques for the rates that these bring about is nothing.
+left = iiwa.inverse_dynamics(state, r=torques, a=rates)
+assert max(map(abs, left)) < 1e-11 * max(map(abs, iiwa.inverse_dynamics(state, r=torques, a=[0.0] * 7)))
+
+rate = pendulum.udot({"q": 0.3, "u": 0}, {"m": 2, "l": 0.5, "c": 0.1}, {"T": 0})
+assert abs(rate[0] - -9.81 / 0.5 * math.sin(0.3)) < 1e-12
+assert pendulum.tip([0.0, 0.0], [1.0, 0.5, 0.0], [0.0]) == [0.5, 0.0, 0.0]
