@@ -55,7 +55,7 @@ inline std::string obj() {
     for (int i : t) all += " " + std::to_string(i + 1);
     all += "\n";
   }
-  return all;
+  return all + "l 1 2\n"; // left behind by a program
 }
 
 /// In centimetres, z up, a metre beside its place, to which its node brings it, beside a lamp.

@@ -1,5 +1,5 @@
 // Meshes out of the files that the page holds.
-import { Box3, DoubleSide, Group, Mesh, Texture } from 'three';
+import { BackSide, Box3, DoubleSide, Group, Mesh, Texture } from 'three';
 import { ColladaComposer } from 'three/addons/loaders/collada/ColladaComposer.js';
 import { ColladaParser } from 'three/addons/loaders/collada/ColladaParser.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
@@ -20,8 +20,9 @@ function dae(bytes) {
   return scene;
 }
 
+/// Without single lines and points: with one of them three.js takes all faces around it for lines, too.
 function obj(bytes) {
-  return new OBJLoader().parse(text(bytes));
+  return new OBJLoader().parse(text(bytes).replace(/^[lp]\s.*$/gm, ''));
 }
 
 /// Normals in such files are often zero.
@@ -50,7 +51,9 @@ function partsOf({ kind, data }) {
   whole.updateMatrixWorld(true);
   const parts = [];
   whole.traverse((part) => {
-    if (part.isMesh && trianglesIn(part) > 0) parts.push(part);
+    if (!part.isMesh || trianglesIn(part) === 0) return;
+    if (!part.geometry.hasAttribute('normal')) part.geometry.computeVertexNormals();
+    parts.push(part);
   });
   const box = parts.reduce((all, part) => all.expandByObject(part), new Box3());
   const numbers = [...box.min.toArray(), ...box.max.toArray()];
@@ -58,12 +61,12 @@ function partsOf({ kind, data }) {
   return parts;
 }
 
-/// Of files only COLLADA says what its parts look like. Published meshes are not always wound outwards.
+/// Only COLLADA says what its parts look like, and is often wrong about how transparent they are. Not all
+/// meshes are wound outwards.
 function surface(own, isColoured, colour, opacity) {
-  const made = isColoured && !own.isMeshBasicMaterial
-    ? material(own.color, own.opacity * opacity)
-    : material(colour, opacity);
+  const made = material(isColoured && !own.isMeshBasicMaterial ? own.color : colour, opacity);
   made.side = DoubleSide;
+  made.shadowSide = BackSide; // or its own shadow would speckle it
   return made;
 }
 
