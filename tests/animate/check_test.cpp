@@ -60,6 +60,25 @@ TEST(picture_check, wants_options_that_fit) {
             "the sphere at P is shown with Bob, which is not an option of a shape");
 }
 
+TEST(picture_check, wants_meshes_in_files_of_known_kinds) {
+  EXPECT_EQ((told<upright, files_in<"/robots">, show<mesh<A, P, "Arm.STL">>, show<mesh<A, P, "a.b.dae", l>>,
+                  show<mesh<A, P, "../a.obj", 1, -1, l / 2>, colour<"#000000">>>()),
+            "");
+  EXPECT_EQ((told<upright, show<mesh<A, P, "arm.step">>>()),
+            "the file of the mesh at P, arm.step, is none of the kinds .stl, .dae and .obj");
+  for (std::string_view none : {"arm", "stl", ".stl.", "arm.stlx", "", "a.ob", "arm_stl"})
+    EXPECT_EQ(kanexpr::mesh_kind_of(none), "") << none;
+  EXPECT_EQ((told<upright, show<mesh<A, P, "">>>()), "the mesh at P names no file");
+  EXPECT_EQ((told<upright, show<mesh<A, P, 0.001>>>()), "the mesh at P names no file");
+  EXPECT_EQ((told<upright, show<mesh<A, P, "a.stl", 1, 2>>>()),
+            "the mesh at P has two scales; it has one, or one along each axis");
+  EXPECT_EQ((told<upright, show<mesh<A, P, "a.stl", 1, 2, 3, 4>>>()),
+            "the mesh at P has more than three scales; it has one, or one along each axis");
+  EXPECT_EQ((told<upright, show<mesh<A, P, "a.stl", 1, q, 1>>>()),
+            "the scale along y of the mesh at P holds the coordinate q; it may hold parameters only");
+  EXPECT_EQ((told<upright, bob, files_in<"a">, files_in<"b">>()), "the picture lists files_in<...> twice");
+}
+
 TEST(picture_check, wants_shapes_within_show) {
   EXPECT_EQ((told<upright, show<Bob>>()), "the picture shows Bob, which is not a shape");
   EXPECT_EQ((told<upright, sphere<P, 1>>()),

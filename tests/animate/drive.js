@@ -7,7 +7,8 @@ import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
 const [browserPath, directory] = process.argv.slice(2);
-const address = pathToFileURL(join(directory, 'disc.html')).href;
+const addressOf = (name) => pathToFileURL(join(directory, name)).href;
+const address = addressOf('disc.html');
 const expected = JSON.parse(readFileSync(join(directory, 'disc.json'), 'utf8'));
 const home = mkdtempSync(join(tmpdir(), 'kanexpr-page-'));
 
@@ -28,6 +29,7 @@ try {
   await page.goto(address);
   await checkTitle(page);
   await checkPoses(page);
+  await checkMeshes(page);
   await checkBetween(page);
   await checkPicture(page);
   await checkScrubbing(page);
@@ -37,16 +39,19 @@ try {
   await checkMotionByItself(page);
   assert.deepEqual(troubles, []);
   await page.close();
+  await checkBrokenMeshes(context);
   await checkWithoutWebGL(context);
 } finally {
   await context.close();
   rmSync(home, { recursive: true, force: true });
 }
 
-/// Everything that the page says, and every request beyond the file itself.
+/// Everything that the page says, but what is for its authors, and every request beyond the file itself.
 function listen(page) {
   const troubles = [];
-  page.on('console', (message) => troubles.push(message.text()));
+  page.on('console', (message) => {
+    if (message.type() !== 'debug') troubles.push(message.text());
+  });
   page.on('pageerror', (error) => troubles.push(error.message));
   page.on('request', (request) => {
     if (request.url() !== address && !request.url().startsWith('data:')) troubles.push(request.url());
@@ -98,6 +103,24 @@ async function checkPoses(page) {
     }
     const row = page.locator('#values tr', { hasText: 'q3' }).locator('td');
     assert.equal(await row.textContent(), q3 === 0 ? '0' : q3.toFixed(4));
+  }
+}
+
+/// The boxes around the wedges, from the files of all kinds.
+async function checkMeshes(page) {
+  for (const { t, poses } of expected) {
+    const meshes = poses.filter((pose) => pose.corners);
+    assert.equal(meshes.length, 5);
+    const seen = await page.evaluate(([time, names]) => {
+      window.kanexpr.seek(time);
+      return names.map((name) => window.kanexpr.measure(name));
+    }, [t, meshes.map((mesh) => mesh.name)]);
+    meshes.forEach(({ name, corners }, k) => {
+      const along = [0, 1, 2].map((i) => corners.map((corner) => corner[i]));
+      assert.equal(seen[k].triangles, 4, name);
+      assertNear(seen[k].least, along.map((values) => Math.min(...values)), `the least of ${name} at ${t}`);
+      assertNear(seen[k].most, along.map((values) => Math.max(...values)), `the most of ${name} at ${t}`);
+    });
   }
 }
 
@@ -183,6 +206,33 @@ async function checkMotionByItself(page) {
   await page.emulateMedia({ reducedMotion: 'no-preference' });
   await page.reload();
   await page.waitForFunction(() => window.kanexpr.playing && window.kanexpr.time > 0);
+}
+
+/// They are told, and the wedge is seen, in the colour of its file.
+async function checkBrokenMeshes(context) {
+  const page = await context.newPage();
+  const requests = [];
+  page.on('request', (request) => requests.push(request.url()));
+  await page.goto(addressOf('broken.html'));
+  assert.equal(await page.locator('#trouble').textContent(),
+    'What is in these files cannot be shown: cut.stl, vast.stl, words.stl, entities.dae, robot.dae, cut.dae, ' +
+    'points.obj, odd.obj.');
+  const [whole, none] = await page.evaluate(() => ['DAE', 'cut.stl'].map((name) => window.kanexpr.measure(name)));
+  assert.deepEqual([whole.triangles, none.triangles], [4, 0]);
+  const green = await page.evaluate(() => {
+    window.kanexpr.seek(0);
+    const source = document.querySelector('#view canvas');
+    const paper = new OffscreenCanvas(source.width, source.height).getContext('2d');
+    paper.drawImage(source, 0, 0);
+    const points = paper.getImageData(0, 0, source.width, source.height).data;
+    let count = 0;
+    for (let i = 0; i < points.length; i += 4)
+      if (points[i + 1] > 60 && points[i + 1] > 2 * Math.max(points[i], points[i + 2])) ++count;
+    return (4 * count) / points.length;
+  });
+  assert.ok(green > 0.01, `${green} of the picture is green`);
+  assert.deepEqual(requests.filter((url) => !url.startsWith('data:')), [addressOf('broken.html')]);
+  await page.close();
 }
 
 async function checkWithoutWebGL(context) {

@@ -1,10 +1,12 @@
 #include "animate/disc_on_a_circle.hpp"
+#include "animate/wedge_files.hpp"
 
 #include <kanexpr/animate.hpp>
 
 #include <cstdio>
 
-// page DIRECTORY: writes a page with a shape of every kind, and where its shapes are at some times.
+// page DIRECTORY: writes a page with a shape of every kind, and where its shapes are at some times; and one
+// with files that hold no mesh.
 
 namespace {
 
@@ -19,7 +21,24 @@ using shapes =
                      show<cylinder<R, Dmc, R::y, r / 3, r / 3>>, show<ring<R, Beside, R::x, r / 4, r / 15>>,
                      show<cone<R, Above, -N::z, r / 6, r / 2>>, show<box<R, Beside, r / 5, r / 6, r / 7>>,
                      show<ellipsoid<R, Above, r / 4, r / 6, r / 8>, opacity<0.6>>, show<sphere<Dmc, r / 5>>,
-                     show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>, show<coil<Dmc, Above, r / 8, 7>>>;
+                     show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>, show<coil<Dmc, Above, r / 8, 7>>,
+                     show<mesh<R, Beside, "binary.STL", r / 10>, named<"binary STL">>,
+                     show<mesh<L, Beside, "text.stl", 0.03, 0.05, -0.04>, named<"mirrored STL">>,
+                     show<mesh<R, Above, "wedge.obj", 0.04>, named<"OBJ">, colour<"#ffffff">>,
+                     show<mesh<R, Dmc, "wedge.dae", 0.04>, named<"DAE">, opacity<0.5>>,
+                     show<mesh<L, Dmc, "wedge.dae", 0.05>, named<"the same DAE">>>;
+
+/// The corners of a mesh, in inertial axes.
+nlohmann::json corners_of(const kanexpr::animation::shape& s, std::size_t k) {
+  const Eigen::Matrix3d scale = Eigen::Vector3d(s.sizes.data()).asDiagonal();
+  nlohmann::json all = nlohmann::json::array();
+  for (const wedge::corner& c : wedge::corners) {
+    const Eigen::Vector3d at =
+        s.placements[k].position + s.placements[k].orientation * scale * Eigen::Vector3d(c[0], c[1], c[2]);
+    all.push_back({at(0), at(1), at(2)});
+  }
+  return all;
+}
 
 nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
   nlohmann::json poses = nlohmann::json::array();
@@ -30,24 +49,41 @@ nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
     nlohmann::json one{{"name", s.name}, {"position", {p(0), p(1), p(2)}}};
     if (s.placed_by == kanexpr::animate::placing::pose)
       one["axes"] = {{r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)}, {r(0, 2), r(1, 2), r(2, 2)}};
+    if (s.kind == "mesh") one["corners"] = corners_of(s, k);
     poses.push_back(one);
   }
   return {{"t", a.times[k]}, {"q3", a.columns[2].values[k]}, {"poses", poses}};
+}
+
+/// A green wedge among meshes that are none.
+kanexpr::outcome write_broken(kanexpr::animation a, const kanexpr::page_options& options,
+                              const std::string& directory) {
+  std::vector<kanexpr::animation::shape> shown(1 + std::size(wedge::broken), *a.find("DAE"));
+  shown[0].file = "green.dae";
+  shown[0].opacity = 1;
+  for (std::size_t i = 1; i < shown.size(); ++i) shown[i].file = shown[i].name = wedge::broken[i - 1];
+  a.shapes = shown;
+  a.ground.reset();
+  return kanexpr::animate::write_page(directory + "/broken.html", a, options);
 }
 
 } // namespace
 
 int main(int, char** arguments) {
   const std::string directory = arguments[1];
+  wedge::write(directory);
   const tests::disc_on_a_circle closed_form;
   const tests::known_motion<System, tests::disc_on_a_circle> run(closed_form.parameters(), closed_form, 300,
                                                                  0.02);
-  const auto report = kanexpr::write_page<shapes>(
-      directory + "/disc.html", run,
-      {.title = "A disc <on a circle> & @motion@</script>", .text = "A shape of every kind."});
+  const auto report = kanexpr::write_page<shapes>(directory + "/disc.html", run,
+                                                  {.title = "A disc <on a circle> & @motion@</script>",
+                                                   .text = "A shape of every kind.",
+                                                   .folder = directory});
   if (!report) return std::fprintf(stderr, "%s\n", report.cause().c_str()), 1;
 
   const kanexpr::animation a = kanexpr::animated<shapes>(run);
+  const auto broken = write_broken(a, {.title = "Broken files", .folder = directory}, directory);
+  if (!broken) return std::fprintf(stderr, "%s\n", broken.cause().c_str()), 1;
   std::ofstream(directory + "/disc.json")
       << nlohmann::json{poses_at(a, 0), poses_at(a, 70), poses_at(a, 300)};
 }

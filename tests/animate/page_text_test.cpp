@@ -189,4 +189,76 @@ TEST_F(page, tells_why_it_is_not_written) {
           "; the target kanexpr_page makes it, with npm");
 }
 
+/// Two meshes of one file, and what else is seen of the pendulum.
+kanexpr::animation hammer() {
+  kanexpr::animation a = pendulum_along(swing({0.3}));
+  a.folder = "/no/such/folder";
+  for (const std::size_t i : {2u, 3u}) {
+    a.shapes[i].kind = "mesh";
+    a.shapes[i].file = "head.stl";
+    a.shapes[i].sizes = {1, -0.7, 0.01};
+  }
+  a.shapes[2].name = "head";
+  return a;
+}
+
+TEST(base64, is_that_of_the_standard) { // RFC 4648, section 10
+  const char* written[]{"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};
+  for (std::size_t n = 0; n < 7; ++n)
+    EXPECT_EQ(kanexpr::animate::base64(std::string_view("foobar").substr(0, n)), written[n]);
+  EXPECT_EQ(kanexpr::animate::base64("\xFB\xFF\xBF"), "+/+/");
+}
+
+TEST(animation, tells_which_scale_is_none) {
+  kanexpr::animation a = hammer();
+  EXPECT_EQ(kanexpr::animate::check_numbers(a), "");
+  for (const double none : {0.0, std::numeric_limits<double>::infinity()}) {
+    a.shapes[2].sizes[1] = none;
+    EXPECT_EQ(kanexpr::animate::check_numbers(a), "a scale of the head is zero, or not a number");
+  }
+}
+
+TEST_F(page, holds_the_file_of_a_mesh_once) {
+  write("head.stl", "foobar");
+  kanexpr::page_options asked = options("A");
+  asked.folder = path("");
+  const auto report = kanexpr::animate::write_page(path("page.html"), hammer(), asked);
+  ASSERT_TRUE(report) << report.cause();
+  const std::string all = read("page.html");
+  const std::size_t from = all.find("{"), to = all.rfind("}") + 1;
+  const auto text = nlohmann::json::parse(all.substr(from, to - from));
+  EXPECT_EQ(text["files"], nlohmann::json({{{"name", "head.stl"}, {"kind", "stl"}, {"data", "Zm9vYmFy"}}}));
+  ASSERT_EQ(text["shapes"].size(), 4u);
+  EXPECT_FALSE(text["shapes"][1].contains("file"));
+  for (const std::size_t i : {2u, 3u}) {
+    EXPECT_EQ(text["shapes"][i]["file"], "head.stl");
+    EXPECT_EQ(text["shapes"][i]["sizes"], nlohmann::json({1.0, -0.7, 0.01}));
+  }
+}
+
+TEST_F(page, tells_which_mesh_it_cannot_hold) {
+  kanexpr::animation a = hammer();
+  const auto cause = [&](const std::string& folder) {
+    kanexpr::page_options asked = options("A");
+    asked.folder = folder;
+    return kanexpr::animate::write_page(path("page.html"), a, asked).cause();
+  };
+  EXPECT_EQ(cause(""), "the file of the head, /no/such/folder/head.stl, is not there");
+  const std::string file = "the file of the head, " + path("meshes/head.stl") + ",";
+  EXPECT_EQ(cause(path("meshes")), file + " is not there");
+  std::filesystem::create_directories(path("meshes/head.stl"));
+  EXPECT_EQ(cause(path("meshes")), file + " is not a file");
+  std::filesystem::remove(path("meshes/head.stl"));
+  write("meshes/head.stl", "");
+  EXPECT_EQ(cause(path("meshes")), file + " is empty");
+  std::filesystem::resize_file(path("meshes/head.stl"), 256'000'001); // of holes
+  EXPECT_EQ(cause(path("meshes")), file + " is too large: a page holds 256 MB of meshes at most");
+  a.shapes[2].file = "/other/head.stl";
+  EXPECT_EQ(cause(path("meshes")), "the file of the head, /other/head.stl, is not there");
+  a.shapes[2].file = "head.txt";
+  EXPECT_EQ(cause(path("meshes")), "the file of the head, " + path("meshes/head.txt") +
+                                       ", is none of the kinds .stl, .dae and .obj");
+  EXPECT_FALSE(std::filesystem::exists(path("page.html")));
+}
+
 } // namespace

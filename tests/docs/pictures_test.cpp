@@ -14,6 +14,9 @@ using namespace kanexpr;
 
 #include <docs/pictures/picture.cpp>
 
+#include <docs/pictures/mesh.cpp>
+static_assert(!drawn::mistake);
+
 TEST(pictures, move) {
   const auto run = simulate<System>(
       {{q1, 0.5}, {q2, 1}, {u1, 0}, {u2, 0}},

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace {
@@ -92,6 +94,99 @@ TEST(header_writer, writes_what_a_robot_looks_like) {
               HasSubstr("show<sphere<Left_thigh_origin, 0.017>, colour<")); // nothing of it is seen
 }
 
+class meshes : public testing::Test {
+protected:
+  void SetUp() override { std::filesystem::create_directories(root_ / "some robot/urdf"); }
+  void TearDown() override { std::filesystem::remove_all(root_); }
+
+  void leave(const std::string& file) const {
+    std::filesystem::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << "solid";
+  }
+  std::string folder() const { return (root_ / "some robot/urdf").string(); }
+  /// Of an arm whose link is seen by one mesh, and another that is there.
+  std::string picture_of(const std::string& mesh, const std::string& origin = "",
+                         std::string* note = nullptr) {
+    leave("some robot/urdf/hand.dae");
+    const robot arm = robot_in(
+
+        "<link name='a'/><link name='b'><visual>" + origin + "<geometry><mesh " + mesh +
+        "/></geometry></visual></link><link name='hand'><visual><geometry><mesh filename='hand.dae'/>"
+        "</geometry></visual></link>"
+        "<joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint>"
+        "<joint name='k' type='fixed'><parent link='b'/><child link='hand'/><origin xyz='1 0 "
+        "0'/></joint>");
+    picture_writer writer(arm, {}, folder());
+    const std::string picture = writer.write("arm");
+    if (note) *note = writer.note();
+    return picture;
+  }
+
+  const std::filesystem::path root_ = std::filesystem::weakly_canonical(testing::TempDir()) /
+                                      testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(meshes, are_named_from_the_folder_of_the_file) {
+  leave("some robot/urdf/arm.stl");
+  std::string note = "none yet";
+  const std::string picture = picture_of("filename='arm.stl'", "", &note);
+  EXPECT_THAT(picture, HasSubstr("files_in<\"" + folder() + "\">"));
+  EXPECT_THAT(picture, HasSubstr("show<mesh<B, B_origin, \"arm.stl\">, colour<"));
+  EXPECT_THAT(picture, HasSubstr("show<mesh<Hand, Hand_origin, \"hand.dae\">>"));
+  EXPECT_THAT(picture, Not(HasSubstr("rod<")));
+  EXPECT_EQ(note, "");
+}
+
+TEST_F(meshes, have_scales_and_poses) {
+  leave("some robot/urdf/arm.stl");
+  EXPECT_THAT(picture_of("filename='arm.stl' scale='0.001 0.001 0.001'"), HasSubstr("\"arm.stl\", 0.001>"));
+  EXPECT_THAT(picture_of("filename='arm.stl' scale='1 -1 1'"), HasSubstr("\"arm.stl\", 1, -1, 1>"));
+  EXPECT_THAT(picture_of("filename='arm.stl' scale='1 0 1'"), Not(HasSubstr("arm.stl"))); // nothing is seen
+  const std::string turned = picture_of("filename='arm.stl'", "<origin xyz='0 0 0.1' rpy='0 1.5708 0'/>");
+  EXPECT_THAT(turned, HasSubstr("struct B_shape : offset<B_shape, B_origin, 0.1 * B::z> {};"));
+  EXPECT_THAT(
+      turned,
+      HasSubstr("struct B_shape_axes : direction_cosines<B_shape_axes, B, 0, 0, 1, 0, 1, 0, -1, 0, 0> {};"));
+  EXPECT_THAT(turned, HasSubstr("show<mesh<B_shape_axes, B_shape, \"arm.stl\">,"));
+}
+
+TEST_F(meshes, are_found_in_packages) {
+  leave("some robot/meshes/arm.OBJ");
+  EXPECT_THAT(picture_of("filename='package://some robot/meshes/arm.OBJ'"),
+              HasSubstr("\"../meshes/arm.OBJ\""));
+  EXPECT_THAT(picture_of("filename='package://some_robot/meshes/arm.OBJ'"),
+              HasSubstr("\"../meshes/arm.OBJ\""));
+  EXPECT_THAT(picture_of("filename='model:///some robot/meshes/arm.OBJ'"),
+              HasSubstr("\"../meshes/arm.OBJ\""));
+  EXPECT_THAT(picture_of("filename='../meshes/arm.OBJ'"), HasSubstr("\"../meshes/arm.OBJ\""));
+  const std::string whole = (root_ / "some robot/meshes/arm.OBJ").string();
+  EXPECT_THAT(picture_of("filename='file://" + whole + "'"), HasSubstr("\"" + whole + "\""));
+  leave("other/arm.stl"); // the package itself goes before what is like it
+  leave("some robot/arm.stl");
+  EXPECT_THAT(picture_of("filename='package://other/arm.stl'"), HasSubstr("\"../../other/arm.stl\""));
+}
+
+TEST_F(meshes, are_rods_where_they_are_not_found) {
+  leave("some robot/urdf/arm.step");
+  std::string note;
+  const std::string picture = picture_of("filename='package://x/arm.stl'", "", &note);
+  EXPECT_THAT(picture, HasSubstr("// the mesh package://x/arm.stl of link b was not found\n"));
+  EXPECT_THAT(picture, HasSubstr("show<rod<B_origin, Hand_origin, 0.05>"));
+  EXPECT_EQ(note, "1 mesh is left out of the picture: the mesh package://x/arm.stl of link b was not found");
+  picture_of("filename='arm.step'", "", &note);
+  EXPECT_THAT(note, testing::EndsWith("the mesh arm.step of link b is of a kind that pages do not show"));
+  for (const char* none : {"filename=''", "filename='package://'", "filename='package:///'", "filename='.'",
+                           "filename='file://'", "scale='1 1 1'", "filename='package://some robot/'"})
+    EXPECT_THAT(picture_of(none), HasSubstr("show<rod<B_origin")) << none;
+  EXPECT_THAT(picture_of("filename='" + std::string(100'000, 'a') + ".stl'"), HasSubstr("show<rod<B_origin"));
+}
+
+TEST_F(meshes, may_have_any_name) {
+  leave("some robot/urdf/an + \\ odd, \"name\".stl");
+  EXPECT_THAT(picture_of("filename='an + \\ odd, &quot;name&quot;.stl'"),
+              HasSubstr(R"("an +\040\134 odd,\040\042name\042.stl")"));
+}
+
 TEST(header_writer, says_why_there_is_none) {
   EXPECT_EQ(header_of(robot_in("<link name='a'/>")), "no joint of the robot moves, and its base is fixed");
   const std::string indefinite =
@@ -126,7 +221,7 @@ TEST(header_writer, survives_broken_files) {
     if (!read) return;
     for (const base_kind base : {base_kind::fixed, base_kind::floating}) {
       EXPECT_FALSE(header_of(read.robot, {.base = base, .bind = binding::parameters}).empty());
-      static_cast<void>(picture_writer(read.robot, {.base = base}).write("arm"));
+      static_cast<void>(picture_writer(read.robot, {.base = base}, "/tmp").write("arm"));
     }
   });
   EXPECT_GT(read_well, 300);

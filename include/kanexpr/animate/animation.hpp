@@ -13,6 +13,7 @@ struct animation {
   struct shape {
     std::string name{}, kind{}; ///< the kind is that of the word: "sphere", "trace"
     std::string colour{};       ///< "#rrggbb"; empty: the page chooses
+    std::string file{};         ///< of a mesh, as the picture names it
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placing placed_by = animate::placing::place;
@@ -31,6 +32,7 @@ struct animation {
   std::optional<Eigen::Vector3d> seen_from{};
   std::optional<double> ground{};
   bool carried = false;
+  std::string folder{}; ///< where files with relative names are; empty: the current one
   std::string failure{};
 
   explicit operator bool() const { return failure.empty(); }

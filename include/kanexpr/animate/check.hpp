@@ -31,7 +31,10 @@ struct check_word<show<Shape, Options...>> {
       return sentence({"the picture shows ", name_of<Shape>(), ", which is not a shape"});
     } else {
       constexpr title whom = title_of<shown>();
-      sentence found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
+      sentence found;
+      if constexpr (requires { Shape::file; })
+        found = check_mesh(Shape::file, Shape::scale_count, whom.view());
+      if (!found) found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
       if constexpr (requires { Shape::axis; })
         if (!found) found = check_vector(Shape::axis, "the axis of the ", whom.view());
       if (!found) found = check_options<Shape, Options...>(whom.view());
@@ -95,7 +98,7 @@ constexpr sentence check_words() {
   const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
   if (times("up") == 0) return sentence({"the picture does not say which way is up; write up<vector>"});
-  for (std::string_view word : {"up", "seen_from", "ground", "carried"})
+  for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})
     if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
   (origins.look_at<Words>(), ...);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/words.hpp>
+#include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 
@@ -87,6 +88,21 @@ constexpr sentence check_look(const look& l, std::string_view whom) {
   if (!(l.opacity > 0 && l.opacity <= 1))
     return sentence({"the opacity of the ", whom, " is not above 0 and at most 1"});
   return {};
+}
+
+/// Of the name of the file alone, which is read when a page is written.
+constexpr sentence check_file(std::string_view file, std::string_view whom) {
+  if (file.empty()) return sentence({"the ", whom, " names no file"});
+  if (mesh_kind_of(file).empty())
+    return sentence({"the file of the ", whom, ", ", file, ", is none of the kinds .stl, .dae and .obj"});
+  return {};
+}
+
+constexpr sentence check_mesh(std::string_view file, std::size_t scales, std::string_view whom) {
+  if (scales == 2 || scales > 3)
+    return sentence({"the ", whom, " has ", scales == 2 ? "two scales" : "more than three scales",
+                     "; it has one, or one along each axis"});
+  return check_file(file, whom);
 }
 
 template <std::size_t size>

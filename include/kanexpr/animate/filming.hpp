@@ -24,6 +24,7 @@ inline animation::shape shape_of(const word_record& r, const footage& f) {
   s.name = r.looks.name.empty() ? r.name.view() : r.looks.name;
   s.kind = r.shape;
   s.colour = r.looks.colour;
+  s.file = r.file;
   s.opacity = r.looks.opacity;
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.still; ++i) s.sizes.push_back(f.numbers(r.first_still + i, 0));
@@ -55,6 +56,7 @@ inline void develop(animation& a, std::span<const word_record> words, const foot
     if (!r.shape.empty()) a.shapes.push_back(shape_of(r, f));
     if (r.word == "up") a.up = triple(f.numbers, r.first_still, 0).normalized();
     if (r.word == "seen_from") a.seen_from = triple(f.numbers, r.first_still, 0).normalized();
+    if (r.word == "files_in") a.folder = r.file;
     if (r.word == "ground") a.ground = f.numbers(r.first_still, 0);
   }
   for (const word_record& r : words)
@@ -66,6 +68,14 @@ inline std::string at_time(double t) {
   return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
 }
 
+/// A mesh may be mirrored.
+inline std::string check_number(const animation::shape& s, double size) {
+  const bool is_scale = s.kind == "mesh";
+  if (std::isfinite(size) && (size > 0 || (is_scale && size < 0))) return {};
+  if (is_scale) return "a scale of the " + s.name + " is zero, or not a number";
+  return "a size of the " + s.name + " is not a positive number";
+}
+
 /// What in an animation is not a number, as a sentence; empty: nothing.
 inline std::string check_numbers(const animation& a) {
   if (!(a.up.norm() > 0.5)) return "the direction of up has no length";
@@ -73,7 +83,7 @@ inline std::string check_numbers(const animation& a) {
   if (a.ground && !std::isfinite(*a.ground)) return "the height of the ground is not a number";
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
-      if (!std::isfinite(size) || size <= 0) return "a size of the " + s.name + " is not a positive number";
+      if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k) {
       const placement& here = s.placements[k];
       if (!here.position.allFinite() || !here.end.allFinite())

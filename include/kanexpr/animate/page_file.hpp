@@ -43,8 +43,10 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
     return outcome("the page without a motion is not there" +
                    (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
                    "; the target kanexpr_page makes it, with npm");
-  outcome filled = fill(page, without_markup(options.title), page_text(a, options.title, options.text),
-                        options.empty_page);
+  const mesh_files meshes = read_meshes(a, options.folder.empty() ? a.folder : options.folder);
+  if (!meshes) return outcome(meshes.cause());
+  const std::string motion = page_text(a, options.title, options.text, meshes.all());
+  outcome filled = fill(page, without_markup(options.title), motion, options.empty_page);
   if (!filled) return filled;
   std::ofstream out(path, std::ios::binary);
   out << page;

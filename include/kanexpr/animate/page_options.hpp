@@ -14,6 +14,7 @@ struct page_options {
   std::string title{};                  ///< the name of the system, unless given
   std::string text{};                   ///< a sentence under the title
   std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
+  std::string folder{};                 ///< of files with relative names; empty: that of the picture
 };
 
 namespace animate {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/mesh_files.hpp>
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name_of_time.hpp>
 
@@ -62,6 +62,7 @@ inline nlohmann::json shape_text(const animation::shape& s) {
                      {"sizes", list_of(s.sizes)},
                      {"rows", list_of(rows_of(s))}};
   if (!s.colour.empty()) one["colour"] = s.colour;
+  if (!s.file.empty()) one["file"] = s.file;
   return one;
 }
 
@@ -82,10 +83,15 @@ inline std::string sound_text(const std::string& text) {
   return nlohmann::json::parse(written(text)).get<std::string>();
 }
 
+inline nlohmann::json file_text(const mesh_file& f) {
+  return {{"name", f.name}, {"kind", mesh_kind_of(f.name)}, {"data", f.data}};
+}
+
 inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 /// Holds no `<`, so that it can be put in a page as it is.
-inline std::string page_text(const animation& a, const std::string& title, const std::string& text) {
+inline std::string page_text(const animation& a, const std::string& title, const std::string& text,
+                             const std::vector<mesh_file>& files = {}) {
   nlohmann::json all{{"title", title},
                      {"text", text},
                      {"times", list_of(a.times)},
@@ -93,12 +99,14 @@ inline std::string page_text(const animation& a, const std::string& title, const
                      {"up", list_of(a.up)},
                      {"carried", a.carried},
                      {"shapes", nlohmann::json::array()},
-                     {"columns", nlohmann::json::array()}};
+                     {"columns", nlohmann::json::array()},
+                     {"files", nlohmann::json::array()}};
   if (a.seen_from) all["seenFrom"] = list_of(*a.seen_from);
   if (a.ground) all["ground"] = rounded(*a.ground);
   for (const animation::shape& s : a.shapes) all["shapes"].push_back(shape_text(s));
   for (const animation::column& c : a.columns)
     all["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
+  for (const mesh_file& f : files) all["files"].push_back(file_text(f));
   std::string page = written(all);
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at))
     page.replace(at, 1, "\\u003c");

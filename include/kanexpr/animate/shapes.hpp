@@ -1,12 +1,30 @@
 #pragma once
 
 #include <kanexpr/animate/attachment.hpp>
+#include <kanexpr/base/text.hpp>
 
 #include <string_view>
 
 /// Simple shapes, attached to the frames and points of a model. Sizes are numbers or expressions of
 /// parameters.
 namespace kanexpr {
+
+namespace animate {
+
+/// Along x, y and z: as given, one for all, or 1.
+template <auto... scales>
+constexpr phrases<3> scales_of() {
+  if constexpr (sizeof...(scales) == 0)
+    return phrases_of<1, 1, 1>;
+  else if constexpr (sizeof...(scales) == 3)
+    return phrases_of<scales...>;
+  else
+    return [](const phrase& first, const auto&...) {
+      return phrases<3>{first, first, first};
+    }(describe::phrase_of<scales>...);
+}
+
+} // namespace animate
 
 /// Its centre at `Point`, its edges along the axes of `Frame`.
 template <class Frame, class Point, auto along_x, auto along_y, auto along_z>
@@ -86,6 +104,19 @@ struct axes : animate::attached<Frame, Point> {
   static constexpr std::string_view shape = "axes";
   static constexpr std::string_view size_names[]{"length"};
   static constexpr auto sizes = animate::phrases_of<length>;
+};
+
+/// What is in a file, STL, COLLADA (.dae) or Wavefront OBJ: its origin at `Point`, its axes those of `Frame`
+/// whatever it calls up, scaled by `scales`, one or one along each axis. Its numbers are metres unless it
+/// says another unit. The page gets the file when it is written. A relative name is looked for where
+/// `files_in` says, or else in the current folder.
+template <class Frame, class Point, text file_name, auto... scales>
+struct mesh : animate::attached<Frame, Point> {
+  static constexpr std::string_view shape = "mesh";
+  static constexpr std::string_view file = file_name.view();
+  static constexpr std::size_t scale_count = sizeof...(scales);
+  static constexpr std::string_view size_names[]{"scale along x", "scale along y", "scale along z"};
+  static constexpr auto sizes = animate::scales_of<scales...>();
 };
 
 } // namespace kanexpr

@@ -9,6 +9,7 @@ struct word_record {
   std::string_view word{};
   title name{};             ///< "sphere at P"
   std::string_view shape{}; ///< "sphere"; empty: it shows none
+  std::string_view file{};  ///< of a mesh; of files_in the folder
   look looks{};
   placing placed_by = placing::place;
   bool has_axis = false; ///< of its own, before those of a frame
@@ -32,7 +33,9 @@ constexpr word_record record_of_word() {
     r.looks = Word::look;
     r.placed_by = attachment::placed_by;
     r.has_axis = requires { attachment::axis; };
+    if constexpr (requires { attachment::file; }) r.file = attachment::file;
   }
+  if constexpr (requires { Word::folder; }) r.file = Word::folder;
   return r;
 }
 

@@ -78,4 +78,14 @@ struct carried {
   static constexpr auto rates = animate::phrases_of<velocity_of<Point>>;
 };
 
+/// Where the files of meshes with relative names are; `page_options::folder` says it for a page alone.
+template <text directory>
+struct files_in {
+  static constexpr std::string_view word = "files_in";
+  static constexpr std::string_view folder = directory.view();
+  static constexpr animate::phrases<0> moving{};
+  static constexpr animate::phrases<0> still{};
+  static constexpr animate::phrases<0> rates{};
+};
+
 } // namespace kanexpr

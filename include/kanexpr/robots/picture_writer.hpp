@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/robots/header_writer.hpp>
+#include <kanexpr/robots/mesh_finder.hpp>
 
 #include <algorithm>
 #include <string>
@@ -8,13 +10,14 @@
 
 namespace kanexpr::robots {
 
-/// What a robot looks like, as a header beside that of its model: the boxes, cylinders and spheres of its
-/// links. A link that has meshes alone is drawn as rods from its origin to the joints on it, since what is in
-/// a mesh is not read.
+/// What a robot looks like, as a header beside that of its model: the boxes, cylinders, spheres and meshes of
+/// its links. A link of which only meshes are to be seen that are not found is drawn as rods from its origin
+/// to the joints on it.
 class picture_writer {
 public:
-  picture_writer(const robot& r, const model_options& options)
-      : robot_(r), options_(options), plan_(plan_of(r, options)) {}
+  /// `folder` is that of the file of the robot, from which meshes are looked for; none: there are none.
+  picture_writer(const robot& r, const model_options& options, const std::string& folder = {})
+      : robot_(r), options_(options), plan_(plan_of(r, options)), files_(folder) {}
 
   /// The header of a picture in the namespace `called`, whose model is in `called`.hpp. Of a robot without a
   /// model: nothing.
@@ -25,12 +28,22 @@ public:
     const std::string include = std::string("#") + "include "; // of the header, not of this file
     std::string told = "#pragma once\n\n" + include + "<" + called + ".hpp>\n\n" + include +
                        "<kanexpr/animate/animated.hpp>\n\n" + "namespace " + called + " {\n\n" + out_ +
-                       "\n/// What is seen of the robot.\n";
+                       "\n/// What is seen of the robot" +
+                       (shown_meshes_ == 0 ? "" : ", with meshes in files") + ".\n";
     std::vector<std::string> all{"System", "up<N::z>", "seen_from<N::x - 1.2 * N::y + 0.6 * N::z>"};
     if (options_.base == base_kind::fixed) all.push_back("ground<>");
+    if (shown_meshes_ != 0) all.push_back("files_in<" + literal(files_.folder()) + ">");
     all.insert(all.end(), words_.begin(), words_.end());
     return told + text::wrapped("using picture = kanexpr::picture<", all) + ">;\n\n} // namespace " + called +
            "\n";
+  }
+
+  /// What of the robot is not seen, as a sentence; empty: all is.
+  std::string note() const {
+    if (left_out_.empty()) return {};
+    const bool is_one = left_out_.size() == 1;
+    return std::to_string(left_out_.size()) + (is_one ? " mesh is" : " meshes are") +
+           " left out of the picture: " + left_out_[0] + (is_one ? "" : ", and so on");
   }
 
 private:
@@ -42,15 +55,62 @@ private:
 
   void draw(std::size_t link) {
     int count = 0;
-    bool has_mesh = false;
-    for (const shape& s : robot_.links[link].visual) {
-      has_mesh = has_mesh || s.is == shape_kind::mesh;
-      if (s.is != shape_kind::mesh && is_solid(s)) draw(link, s, ++count);
+    bool lacks = false;
+    for (shape s : robot_.links[link].visual) {
+      if (s.is == shape_kind::mesh && !find(s, link)) {
+        lacks = true;
+        continue;
+      }
+      if (is_solid(s)) draw(link, s, ++count);
     }
-    if (count == 0 && has_mesh) draw_rods(link);
+    if (count == 0 && lacks) draw_rods(link);
+  }
+
+  /// Whether the file of a mesh is one that pages show; the shape then has its name as the picture says it.
+  bool find(shape& s, std::size_t link) {
+    const std::optional<std::string> found = files_.find(s.file);
+    const bool is_known = found && !mesh_kind_of(*found).empty();
+    if (is_known) {
+      s.file = *found;
+      return true;
+    }
+    constexpr std::size_t most = 76; // of its end, which says most
+    const std::string file = s.file.size() > most ? "..." + s.file.substr(s.file.size() - most) : s.file;
+    const std::string what = "the mesh " + text::comment(file) + " of link " +
+                             text::comment(robot_.links[link].name) +
+                             (found ? " is of a kind that pages do not show" : " was not found");
+    out_ += "// " + what + "\n";
+    left_out_.push_back(what);
+    return false;
+  }
+
+  /// A name in a header, where lines may be broken behind commas and signs.
+  static std::string literal(const std::string& name) {
+    std::string quoted = "\"";
+    char before = 0;
+    for (char c : name) {
+      const auto value = static_cast<unsigned char>(c);
+      const bool may_break = c == ' ' && (before == ',' || before == '+' || before == '-');
+      if (c == '"' || c == '\\' || value < ' ' || value == 0x7f || may_break) {
+        quoted += '\\';
+        for (int shift : {6, 3, 0}) quoted += static_cast<char>('0' + (value >> shift & 7));
+      } else {
+        quoted += c;
+      }
+      before = c;
+    }
+    return quoted + "\"";
+  }
+
+  static std::string scale_of(const vector3& s) {
+    const std::string x = text::digits(s[0]), y = text::digits(s[1]), z = text::digits(s[2]);
+    if (x == y && y == z) return x == "1" ? "" : ", " + x;
+    return ", " + x + ", " + y + ", " + z;
   }
 
   static bool is_solid(const shape& s) {
+    if (s.is == shape_kind::mesh)
+      return std::abs(s.size[0]) > 0 && std::abs(s.size[1]) > 0 && std::abs(s.size[2]) > 0;
     const bool second = s.is == shape_kind::sphere || s.size[1] > 0;
     return s.size[0] > 0 && second && (s.is != shape_kind::box || s.size[2] > 0);
   }
@@ -68,24 +128,33 @@ private:
       for (int i = 0; i < n; ++i) listed += ", " + text::digits(s.size[static_cast<std::size_t>(i)]);
       return listed;
     };
+    if ((s.is == shape_kind::box || s.is == shape_kind::mesh) && s.placed.turn != no_rotation) {
+      std::string cosines;
+      for (const vector3& row : s.placed.turn)
+        for (double e : row) cosines += ", " + text::digits(e);
+      out_ += "struct " + own + "_axes : direction_cosines<" + own + "_axes, " + axes + cosines + "> {};\n";
+      axes = own + "_axes";
+    }
     switch (s.is) {
-    case shape_kind::box:
-      if (s.placed.turn != no_rotation) {
-        std::string cosines;
-        for (const vector3& row : s.placed.turn)
-          for (double e : row) cosines += ", " + text::digits(e);
-        out_ += "struct " + own + "_axes : direction_cosines<" + own + "_axes, " + axes + cosines + "> {};\n";
-        axes = own + "_axes";
-      }
-      return show("box<" + axes + ", " + point + sizes(3) + ">", link_colour);
+    case shape_kind::box: return show("box<" + axes + ", " + point + sizes(3) + ">", link_colour);
     case shape_kind::cylinder:
     case shape_kind::capsule:
       return show("cylinder<" + axes + ", " + point + ", " +
                       text::along(axes, turned(s.placed.turn, {0, 0, 1})) + sizes(2) + ">",
                   link_colour);
     case shape_kind::sphere: return show("sphere<" + point + sizes(1) + ">", link_colour);
-    case shape_kind::mesh: return;
+    case shape_kind::mesh: return show_mesh("mesh<" + axes + ", " + point, s);
     }
+  }
+
+  /// A COLLADA file has colours of its own.
+  void show_mesh(const std::string& begun, const shape& s) {
+    const std::string drawn = begun + ", " + literal(s.file) + scale_of(s.size) + ">";
+    ++shown_meshes_;
+    if (mesh_kind_of(s.file) == "dae")
+      words_.push_back("show<" + drawn + ">");
+    else
+      show(drawn, link_colour);
   }
 
   /// As thick as a twentieth of the longest way between two joints.
@@ -117,8 +186,11 @@ private:
   const robot& robot_;
   model_options options_;
   robots::plan plan_;
+  mesh_finder files_;
   std::vector<std::string> words_{};
   std::string out_{};
+  std::vector<std::string> left_out_{}; ///< meshes
+  int shown_meshes_ = 0;
 };
 
 } // namespace kanexpr::robots

@@ -1,16 +1,21 @@
 // The picture of a motion.
-import { Group, Vector3 } from 'three';
+import { Box3, Group, Matrix4, Vector3 } from 'three';
 import { Camera } from './camera.js';
 import { extent } from './extent.js';
 import { ground } from './ground.js';
+import { Meshes, trianglesIn } from './meshes.js';
 import { moment } from './motion.js';
 import { objectOf } from './shapes.js';
 import { stage } from './stage.js';
+import { tell } from './trouble.js';
 
 /// Inertial axes are turned so that y is up. `changed` is called when the picture is to be drawn again.
 export function picture(motion, draw, view, changed) {
   const model = new Group();
-  const objects = motion.shapes.map(objectOf);
+  const meshes = new Meshes(motion.files);
+  const objects = motion.shapes.map((shape, index) => objectOf(shape, index, meshes));
+  if (meshes.broken.length > 0)
+    tell(`What is in these files cannot be shown: ${meshes.broken.join(', ')}.`, true);
   const solids = objects.filter((_, i) => motion.shapes[i].kind !== 'trace');
   model.quaternion.setFromUnitVectors(new Vector3(...motion.up), new Vector3(0, 1, 0));
   model.add(...objects);
@@ -41,6 +46,21 @@ export function picture(motion, draw, view, changed) {
     pose(index) {
       const { position, quaternion } = objects[index];
       return { position: position.toArray(), quaternion: quaternion.toArray() };
+    },
+    /// The number of triangles, and the box around them.
+    measure(index) {
+      let triangles = 0;
+      const box = new Box3();
+      const back = new Matrix4().copy(model.matrixWorld).invert();
+      objects[index].updateMatrixWorld(true);
+      objects[index].traverse((part) => {
+        if (!part.isMesh) return;
+        triangles += trianglesIn(part);
+        const own = part.geometry.clone().applyMatrix4(part.matrixWorld).applyMatrix4(back);
+        own.computeBoundingBox();
+        box.union(own.boundingBox);
+      });
+      return { triangles, least: box.min.toArray(), most: box.max.toArray() };
     },
     show(now) {
       for (const object of objects) object.show(now);

@@ -9,8 +9,10 @@ import { trace } from './trace.js';
 const upright = new Vector3(0, 0, 1);
 const end = new Vector3();
 
-function solid(shape, colour) {
-  const object = solids[shape.kind](shape.sizes, colour, shape.opacity);
+function solid(shape, colour, meshes) {
+  const object = shape.kind === 'mesh'
+    ? meshes.object(shape, colour)
+    : solids[shape.kind](shape.sizes, colour, shape.opacity);
   const stride = shape.placed === 'pose' ? 7 : 3;
   object.show = (now) => {
     placeBetween(shape.rows, stride, 0, now, object.position);
@@ -31,10 +33,10 @@ function link(shape, colour) {
   return object;
 }
 
-export function objectOf(shape, index) {
+export function objectOf(shape, index, meshes) {
   const colour = colourOf(shape, index);
   if (shape.kind === 'trace') return trace(shape, colour);
-  const object = shape.placed === 'ends' ? link(shape, colour) : solid(shape, colour);
+  const object = shape.placed === 'ends' ? link(shape, colour) : solid(shape, colour, meshes);
   object.traverse((part) => {
     part.castShadow = shape.opacity > 0.5 && !part.userData.flat;
     part.receiveShadow = true;

@@ -4,6 +4,7 @@ import { moment } from './motion.js';
 import { picture } from './picture.js';
 import { Player } from './player.js';
 import { renderer } from './stage.js';
+import { tell } from './trouble.js';
 import { values } from './values.js';
 
 const motion = JSON.parse(document.getElementById('motion').textContent);
@@ -11,13 +12,10 @@ document.getElementById('title').textContent = motion.title;
 document.getElementById('text').textContent = motion.text;
 
 function withoutPicture(error) {
-  const trouble = document.getElementById('trouble');
-  trouble.textContent =
-    'This browser has no WebGL, which draws the picture; the values at each time are shown all the same.';
-  trouble.hidden = false;
+  tell('This browser has no WebGL, which draws the picture; the values at each time are shown all the same.');
   document.getElementById('panel').open = true;
   console.warn(error.message);
-  return { camera: { follows: false, home() {} }, pose() {}, show() {} };
+  return { camera: { follows: false, home() {} }, pose() {}, measure() {}, show() {} };
 }
 
 let due = false;
@@ -53,7 +51,7 @@ function show() {
   showValues(player.time, now);
 }
 
-/// For scripts: the same as the controls, and where a shape is, in inertial axes.
+/// For scripts: the same as the controls; where a shape is, and how far it reaches, in inertial axes.
 window.kanexpr = {
   shapes: motion.shapes.map((shape) => shape.name),
   seek(t) {
@@ -70,6 +68,9 @@ window.kanexpr = {
   },
   pose(name) {
     return seen.pose(this.shapes.indexOf(name));
+  },
+  measure(name) {
+    return seen.measure(this.shapes.indexOf(name));
   },
 };
 

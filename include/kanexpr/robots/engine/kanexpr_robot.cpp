@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -40,6 +41,14 @@ bool leave(const std::string& text, const std::string& file) {
   return out || refuse(file + " cannot be written") == 0;
 }
 
+bool draw(const robot& seen, const request& r) {
+  const std::filesystem::path folder = std::filesystem::absolute(r.file).parent_path();
+  picture_writer writer(seen, r.model, folder.string());
+  const std::string text = writer.write(r.name);
+  if (!r.quiet && !writer.note().empty()) std::cerr << "kanexpr-robot: note: " << writer.note() << '\n';
+  return leave(text, r.picture);
+}
+
 int write(request r) {
   if (!is_identifier(r.name)) return refuse(r.name + " is not the name of a namespace");
   if (r.as_written) r.reading.right_angles = 0;
@@ -50,7 +59,7 @@ int write(request r) {
   header_writer writer(read.robot, r.model);
   if (!writer.cause().empty()) return refuse(r.file + ": " + writer.cause());
   const std::string text = writer.write(r.name, r.file.substr(r.file.rfind('/') + 1));
-  if (!r.picture.empty() && !leave(picture_writer(read.robot, r.model).write(r.name), r.picture)) return 1;
+  if (!r.picture.empty() && !draw(read.robot, r)) return 1;
   if (r.header.empty()) return std::cout << text, 0;
   return leave(text, r.header) ? 0 : 1;
 }

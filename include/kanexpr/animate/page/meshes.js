@@ -1,0 +1,110 @@
+// Meshes out of the files that the page holds.
+import { BackSide, Box3, DoubleSide, Group, Mesh, Texture } from 'three';
+import { ColladaComposer } from 'three/addons/loaders/collada/ColladaComposer.js';
+import { ColladaParser } from 'three/addons/loaders/collada/ColladaParser.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+import { material } from './materials.js';
+
+const noTextures = { load: () => new Texture() }; // they lie in other files
+
+function text(bytes) {
+  return new TextDecoder().decode(bytes);
+}
+
+/// In the axes of the file, whichever it calls up: those who describe robots expect that.
+function dae(bytes) {
+  const { library, asset, collada } = new ColladaParser().parse(text(bytes));
+  const { scene } = new ColladaComposer(library, collada, noTextures, noTextures).compose();
+  scene.scale.multiplyScalar(asset.unit);
+  return scene;
+}
+
+/// Without single lines and points: with one of them three.js takes all faces around it for lines, too.
+function obj(bytes) {
+  return new OBJLoader().parse(text(bytes).replace(/^[lp]\s.*$/gm, ''));
+}
+
+/// Normals in such files are often zero.
+function stl(bytes) {
+  const geometry = new STLLoader().parse(bytes.buffer);
+  geometry.computeVertexNormals();
+  return new Mesh(geometry);
+}
+
+const readers = { dae, obj, stl };
+
+function bytesOf(data) {
+  const letters = atob(data);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+export function trianglesIn({ geometry }) {
+  return Math.floor((geometry.index ?? geometry.getAttribute('position')).count / 3);
+}
+
+/// The meshes in a file, without its lights, lines and cameras.
+function partsOf({ kind, data }) {
+  const whole = readers[kind](bytesOf(data));
+  whole.updateMatrixWorld(true);
+  const parts = [];
+  whole.traverse((part) => {
+    if (!part.isMesh || trianglesIn(part) === 0) return;
+    if (!part.geometry.hasAttribute('normal')) part.geometry.computeVertexNormals();
+    parts.push(part);
+  });
+  const box = parts.reduce((all, part) => all.expandByObject(part), new Box3());
+  const numbers = [...box.min.toArray(), ...box.max.toArray()];
+  if (!numbers.every(Number.isFinite)) throw new Error('it holds no triangles');
+  return parts;
+}
+
+/// Only COLLADA says what its parts look like, and is often wrong about how transparent they are. Not all
+/// meshes are wound outwards.
+function surface(own, isColoured, colour, opacity) {
+  const made = material(isColoured && !own.isMeshBasicMaterial ? own.color : colour, opacity);
+  made.side = DoubleSide;
+  made.shadowSide = BackSide; // or its own shadow would speckle it
+  return made;
+}
+
+/// Reads each file once, when it is first shown.
+export class Meshes {
+  #files;
+  #read = new Map();
+  /// The names of files that cannot be shown.
+  broken = [];
+
+  constructor(files) {
+    this.#files = new Map(files.map((file) => [file.name, file]));
+  }
+
+  #parts(name) {
+    if (this.#read.has(name)) return this.#read.get(name);
+    let parts = [];
+    try {
+      parts = partsOf(this.#files.get(name));
+    } catch (error) {
+      console.warn(`${name}: ${error.message}`);
+      this.broken.push(name);
+    }
+    this.#read.set(name, parts);
+    return parts;
+  }
+
+  object(shape, colour) {
+    const scaled = new Group();
+    scaled.scale.fromArray(shape.sizes);
+    const isColoured = shape.colour === undefined && this.#files.get(shape.file).kind === 'dae';
+    for (const part of this.#parts(shape.file)) {
+      const surfaces = [part.material].flat().map((own) => surface(own, isColoured, colour, shape.opacity));
+      const copy = new Mesh(part.geometry, Array.isArray(part.material) ? surfaces : surfaces[0]);
+      copy.matrixAutoUpdate = false;
+      copy.matrix.copy(part.matrixWorld);
+      scaled.add(copy);
+    }
+    return new Group().add(scaled);
+  }
+}
