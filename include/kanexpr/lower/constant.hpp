@@ -31,17 +31,19 @@ constexpr void run_linear_step(const linear_step& e, const int* operands, const 
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
-/// Whether steps may have no value that nothing needs.
+/// Whether steps may have no value that nothing needs. A variable, for clang++ evaluates a local constant
+/// again wherever control passes it.
 template <const auto& tape>
-constexpr bool selects() {
+inline constexpr bool selects = [] {
   for (int i = 0; i < tape.sizes.steps; ++i)
     if (symbolic::is_selection(tape.op[i])) return true;
   return false;
-}
+}();
 
 /// All slots of a tape, one after another; `value_of(load)` gives the arguments.
 template <const auto& tape, class ValueOf>
 constexpr auto constant_slots(ValueOf value_of) {
+  constexpr auto calculated = selects<tape> ? symbolic::defined_value_of : symbolic::value_of;
   std::array<double, static_cast<std::size_t>(tape.slot_count() + 1)> slot{};
   std::size_t next = 0;
   for (int i = 0; i < tape.sizes.numbers; ++i) slot[next++] = tape.numbers[i].value();
@@ -52,7 +54,6 @@ constexpr auto constant_slots(ValueOf value_of) {
       i += tape.linear_steps[e].outputs();
       next += static_cast<std::size_t>(tape.linear_steps[e++].outputs());
     } else {
-      constexpr auto calculated = selects<tape>() ? symbolic::defined_value_of : symbolic::value_of;
       slot[next++] = calculated(tape.op[i], slot[static_cast<std::size_t>(tape.a[i])],
                                 slot[static_cast<std::size_t>(tape.b[i])]);
       ++i;
