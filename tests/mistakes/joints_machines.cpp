@@ -120,3 +120,23 @@ namespace n17 {
 struct System : lagrange_system<inertial<Ground>, joints<Arm>, loads<joint_friction<Arm, l>>> {};
 void f() { use<System>(); }
 } // namespace n17
+
+// expect: a configuration constraint with Arm couples a joint with itself
+namespace n18 {
+struct System : jointed<joints<Arm>, configuration_constraints<gear<Arm, Arm, 2>>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: a configuration constraint speaks of the velocity of Wheel; write it in
+// expect: velocity_constraints<...>
+namespace n19 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, configuration_constraints<rolls_on<Wheel, Ground, Wheel::y, l>>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the motor between Arm and Ground is listed twice
+namespace n20 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T>, motor<Arm, T>>> {};
+void f() { use<System>(); }
+} // namespace n20

@@ -17,6 +17,10 @@ constexpr auto coupled(const auto& of_first, const auto& of_second) {
     token named = misused(misuse::coupling);
     if constexpr (requires { First::child_frame(); }) named.frame = First::child_frame();
     return equation<1>{{named}};
+  } else if constexpr (std::same_as<First, Second>) {
+    token named = misused(misuse::own_coupling);
+    named.frame = First::child_frame();
+    return equation<1>{{named}};
   } else {
     return of_first * First::template q<0> == of_second * Second::template q<0>;
   }
@@ -82,16 +86,16 @@ inline constexpr auto coincident = zero_along<position_of<Point, Other>, directi
 /// `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
 inline constexpr auto rolls_on =
-    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point) +
-                   cross(describe::turning_of(describe::parts_of<Wheel>::frame),
+    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point()) +
+                   cross(describe::turning_of(describe::parts_of<Wheel>::frame()),
                          describe::to_contact<axis, Ground::z, radius, tube...>()),
                Ground::x, Ground::y, Ground::z>;
 
 /// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
 inline constexpr auto touches =
-    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point) -
-            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point),
+    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point()) -
+            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point()),
         Ground::z) == describe::height_of_center<axis, Ground::z, radius, tube...>();
 
 } // namespace kanexpr

@@ -44,6 +44,7 @@ public:
           return reading_.fail({k.word, "<...> holds something that is not an equation",
                                 name_in(p).empty() ? "" : ", with ", name_in(p),
                                 "; write an equation or zero_along<...>"});
+        if (k.list == &system_record::configuration_constraints) check_speaks_of_places(p);
         entities_.visit(p.tokens, p.size, k.whom);
         for (int j = 0; j < p.size && !reading_.mistake; ++j)
           if (p.tokens[j].symbol != nullptr) symbols_.symbol(*p.tokens[j].symbol, k.whom);
@@ -95,6 +96,17 @@ private:
       reading_.into.constraints.on_accelerations.push(c.value);
   }
 
+  /// A configuration constraint on a velocity, such as rolling, would be told by the speeds that it holds.
+  constexpr void check_speaks_of_places(const phrase& p) {
+    for (int i = 0; i < p.size; ++i) {
+      const describe::token& t = p.tokens[i];
+      const bool turns = t.what == describe::token_kind::angular_velocity;
+      if (!turns && t.what != describe::token_kind::velocity) continue;
+      return reading_.fail({"a configuration constraint speaks of the ", turns ? "angular " : "",
+                            "velocity of ", turns ? t.frame->called : t.point->called,
+                            "; write it in velocity_constraints<...>"});
+    }
+  }
   static constexpr char mentions_places(const phrase& p) {
     for (int i = 0; i < p.size; ++i)
       if (p.tokens[i].point != nullptr || p.tokens[i].frame != nullptr) return 1;

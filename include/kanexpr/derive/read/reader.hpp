@@ -136,7 +136,7 @@ private:
   body_reader bodies_{reading_, phrases_, entities_};
   load_reader loads_{reading_, symbols_, phrases_, entities_};
   kinematics_reader kinematics_{reading_, phrases_, entities_};
-  joint_reader joints_{reading_, entities_, bodies_, kinematics_};
+  joint_reader joints_{reading_, entities_, bodies_, kinematics_, phrases_};
   constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
 };
 
