@@ -63,10 +63,6 @@ public:
   /// Whether there were any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
-  /// With the configuration constraints whose rates no velocity constraint says.
-  constexpr void check_reactions(const sequence<int>& of_configuration) {
-    constraints_.check_reactions(of_configuration);
-  }
 
   /// Reads the entities that a phrase mentions, for `take_up` to make known to a system that is derived.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
