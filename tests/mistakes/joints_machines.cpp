@@ -132,8 +132,8 @@ struct System : jointed<joints<Arm>, loads<motor<Arm, T>, motor<Arm, T>>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: a configuration constraint with Arm keeps a direction parallel to something other than an axis of
-// expect: a frame: parallel<A::z, B::z>
+// expect: a configuration constraint keeps a direction parallel to something other than an axis of a frame:
+// expect: parallel<A::z, B::z>
 namespace n20 {
 struct System : jointed<joints<Arm>, configuration_constraints<parallel<Arm::x, l * Ground::x>>> {};
 void f() { use<System>(); }
