@@ -6,16 +6,18 @@
 
 /// A joint as the frames, points, symbols and equations that it is. What one kind of joint adds is a struct:
 ///
-///     symbols        joint_symbols<names<"q">, names<"u">>
-///     least_axes, most_axes   how many it takes
-///     form           how it is written
-///     special, without_special   the type of a word of its own, and what is wrong without it, if it needs
-///     one moves          whether its two points come apart turn<Joint>(frame_record&)         how the child
-///     turns in its home move<Joint>(point_record&)         where it goes from its base, if it moves
-///     spin<Joint>        the angular velocity of the child in the frame that it is turned from, if it turns
-///     drift<Joint>       its velocity as the parent sees it, if it moves
-///     effort             by what a motor drives it, if it has one axis
-///     kinematics<Joint>()                its kinematic equations, if they are not q̇ = u
+///     symbols                joint_symbols<names<"q">, names<"u">>
+///     least_axes, most_axes  how many it takes
+///     form                   how it is written
+///     special                the type of a word of its own, if it takes one
+///     without_special        what is wrong without that word, if it needs it
+///     moves                  whether its two points come apart
+///     turn<Joint>(frame_record&)   how the child turns in its home
+///     move<Joint>(point_record&)   where it goes from its base, if it moves
+///     spin<Joint>            its angular velocity in the frame that it is turned from, if it turns
+///     drift<Joint>           its velocity as the parent sees it, if it moves
+///     effort                 by what a motor drives it, if it has one axis
+///     kinematics<Joint>()    its kinematic equations, if they are not q̇ = u
 namespace kanexpr::describe {
 
 /// What a joint with one axis can be driven by.
