@@ -1,18 +1,13 @@
 // Joints: docs/guide/joints.md.
+#include "docs/no_mistake.hpp"
+
 #include <docs/guide/joints/reactions_header.cpp>
-
-#include <kanexpr/symbolic.hpp>
-
-#include <gtest/gtest.h>
 
 namespace {
 
 using namespace kanexpr;
 
-template <class System>
-void expect_no_mistake() {
-  EXPECT_EQ(derive<System>().mistake(), "");
-}
+using docs::expect_no_mistake;
 
 // What the snippets take for given.
 namespace given {

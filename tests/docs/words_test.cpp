@@ -1,18 +1,12 @@
 // The words of a model: docs/guide/words.md.
 #include "docs/complete.hpp"
-
-#include <kanexpr/symbolic.hpp>
-
-#include <gtest/gtest.h>
+#include "docs/no_mistake.hpp"
 
 namespace {
 
 using namespace kanexpr;
 
-template <class System>
-void expect_no_mistake() {
-  EXPECT_EQ(derive<System>().mistake(), "");
-}
+using docs::expect_no_mistake;
 
 // What the snippets take for given.
 namespace given {

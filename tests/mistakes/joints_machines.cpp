@@ -98,25 +98,43 @@ struct System : jointed<joints<Arm>, velocity_constraints<simple>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the reactions of joints need the rate of configuration constraint 1 by velocities; write it in
-// expect: velocity_constraints<...> too, as zero_along<velocity_of<P> - velocity_of<Q>, directions>
+// expect: the system System has reactions<...>; a lagrange_system has no speeds but the rates of its
+// expect: coordinates
 namespace n15 {
-struct Link : pin<Link, Arm, up, at<l * Arm::x>, mass> {};
-struct System : jointed<joints<Arm, Link>, configuration_constraints<coincident<Link, Ground, Ground::x>>,
-                        reactions<Arm>> {};
+struct System : lagrange_system<inertial<Ground>, joints<Arm>, reactions<Arm>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the system System has reactions<...>; a lagrange_system has no speeds but the rates of its
-// expect: coordinates
+// expect: the friction between Arm and Ground holds the speed u_Arm; a lagrange_system has no speeds but
+// expect: the rates of its coordinates
 namespace n16 {
-struct System : lagrange_system<inertial<Ground>, joints<Arm>, reactions<Arm>> {};
+struct System : lagrange_system<inertial<Ground>, joints<Arm>, loads<joint_friction<Arm, l>>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the friction between Arm and Ground holds the speed u_Arm; a lagrange_system has no speeds but
-// expect: the rates of its coordinates
+// expect: a configuration constraint with Arm couples a joint with itself
 namespace n17 {
-struct System : lagrange_system<inertial<Ground>, joints<Arm>, loads<joint_friction<Arm, l>>> {};
+struct System : jointed<joints<Arm>, configuration_constraints<gear<Arm, Arm, 2>>> {};
 void f() { use<System>(); }
 } // namespace n17
+
+// expect: a configuration constraint speaks of the velocity of Wheel; write it in
+// expect: velocity_constraints<...>
+namespace n18 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, configuration_constraints<rolls_on<Wheel, Ground, Wheel::y, l>>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: the motor between Arm and Ground is listed twice
+namespace n19 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T>, motor<Arm, T>>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: a configuration constraint keeps a direction parallel to something other than an axis of a frame:
+// expect: parallel<A::z, B::z>
+namespace n20 {
+struct System : jointed<joints<Arm>, configuration_constraints<parallel<Arm::x, l * Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n20

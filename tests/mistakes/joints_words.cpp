@@ -121,28 +121,31 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the axis of frame Link is a scalar; it must be a vector
+// expect: joint Link is given an axis that is not a vector; write pin<Self, Parent, axis<vector>,
+// expect: by<coordinate, speed>>
 namespace n17 {
 struct Link : pin<Link, Ground, axis<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: the axis of frame Link holds normalized of a vector of no length
+// expect: joint Link is given an axis of no length
 namespace n18 {
 struct Link : pin<Link, Ground, axis<0.0 * own::z>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the offset of point Link is a scalar; it must be a vector
+// expect: joint Link is given a place that is not a vector; write at<vector in the parent, vector in own
+// expect: axes>
 namespace n19 {
 struct Link : pin<Link, Ground, up, at<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: the offset of point Link_center is a scalar; it must be a vector
+// expect: joint Link is given a mass centre that is not a vector; write body<mass, vector in own axes,
+// expect: inertia>
 namespace n20 {
 struct Link : pin<Link, Ground, up, body<2, l>> {};
 struct System : jointed<joints<Link>> {};
@@ -212,7 +215,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n29
 
-// expect: joint Link has itself as its parent
+// expect: joint Link hangs on itself
 namespace n30 {
 struct Link : pin<Link, Link, up, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -226,7 +229,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n31
 
-// expect: frame Link is turned about an axis that is not fixed in Ground
+// expect: joint Link is given an axis that is not fixed in Ground
 namespace n32 {
 struct Link : pin<Link, Ground, axis<Arm::x>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};
@@ -279,7 +282,7 @@ struct System : jointed<joints<Arm>, joints<Arm>> {};
 void f() { use<System>(); }
 } // namespace n39
 
-// expect: A, which Link uses as a point, is a frame
+// expect: joint Link hangs on A, which is a frame; write frame_and_point<frame, point>
 namespace n40 {
 struct A : rotated<A, Ground, 1, Ground::x> {};
 struct Link : pin<Link, A, up, mass> {};
@@ -339,3 +342,93 @@ struct Link : pin<Link, Ground, up, home<1, own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n47
+
+// expect: joint Link is given its place in the child in axes of another frame; write at<vector in the
+// expect: parent, vector in own axes>
+namespace n48 {
+struct Link : pin<Link, Ground, up, at<l * Ground::x, l * Ground::y>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n48
+
+// expect: joint Link is given a mass centre in axes of another frame; write body<mass, vector in own axes,
+// expect: inertia>
+namespace n49 {
+struct Link : pin<Link, Ground, up, body<2, l * Ground::x>> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n49
+
+// expect: joint Link is given a second parent; it has one, and a loop is closed by a constraint such as
+// expect: coincident<...>
+namespace n50 {
+struct Link : pin<Link, Ground, Arm, up, mass> {};
+struct System : jointed<joints<Arm, Link>> {};
+void f() { use<System>(); }
+} // namespace n50
+
+// expect: joint Link is given two axes that are parallel
+namespace n51 {
+struct Link : universal<Link, Ground, axis<Ground::z, 2 * own::z>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n51
+
+// expect: joint Link is given two axes that are parallel
+namespace n52 {
+struct Link : planar<Link, Ground, axis<own::x + own::y, l * own::x + l * own::y>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n52
+
+// expect: joint Link is given an axis of no length
+namespace n53 {
+struct Link : prismatic<Link, Ground, axis<0 * Ground::x>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n53
+
+// expect: joint Link is given an axis that is not fixed in Ground
+namespace n54 {
+struct Link : prismatic<Link, Ground, axis<Arm::x>, mass> {};
+struct System : jointed<joints<Arm, Link>> {};
+void f() { use<System>(); }
+} // namespace n54
+
+// expect: joint Link hangs on P, which is a point; write frame_and_point<frame, point>
+namespace n55 {
+struct P : offset<P, Ground, l * Ground::x> {};
+struct Link : pin<Link, P, up, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n55
+
+// expect: joint Link hangs on Later, which is not a joint, or is described only later
+namespace n56 {
+struct Later;
+struct Link : pin<Link, Later, axis<own::z>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n56
+
+// expect: joint Link hangs on itself
+namespace n57 {
+struct Other;
+struct Link : pin<Link, Other, up, mass> {};
+struct Other : pin<Other, Link, up, mass> {};
+struct System : jointed<joints<Link, Other>> {};
+void f() { use<System>(); }
+} // namespace n57
+
+// expect: bodies<...> lists Arm, which is a joint; write joints<...> around it
+namespace n58 {
+struct System : jointed<bodies<Arm>> {};
+void f() { use<System>(); }
+} // namespace n58
+
+// expect: speed u_Link moves no mass
+namespace n59 {
+struct Link : pin<Link, Arm, up> {}; // and nothing hangs on it
+struct System : jointed<joints<Arm, Link>> {};
+void f() { use<System>(); }
+} // namespace n59

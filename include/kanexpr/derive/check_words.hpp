@@ -86,6 +86,12 @@ constexpr bool brings_body(const describe::listing<describe::joint_record>& join
   return false;
 }
 
+constexpr bool lists_joint(const describe::listing<describe::body_record>& bodies) {
+  for (int i = 0; i < bodies.size; ++i)
+    if (bodies[i].instead == describe::joint_out_of_place) return true; // which is told later
+  return false;
+}
+
 /// Words of one method in a system of the other, or words that do not go together.
 template <class System>
 constexpr sentence check_method(std::string_view called) {
@@ -134,6 +140,7 @@ constexpr sentence check_words() {
     };
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
+    if (lists_joint(System::record.bodies)) return found;
     if (System::times_told("joints") == 0) {
       needs({"coordinates"});
       if (is_kane) needs({"speeds", "kinematics", "bodies"});

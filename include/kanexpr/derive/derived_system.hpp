@@ -56,7 +56,6 @@ public:
     equations_.emplace(system_, std::move(known));
     reader_.know(equations_->known());
     if (!mistake()) equations_->constrain();
-    if (!mistake()) reader_.check_reactions(equations_->constraints_used().of_configuration);
   }
 
   /// Sets the derivation aside. Only without a mistake, and after `derive`.

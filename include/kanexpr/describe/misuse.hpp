@@ -31,6 +31,8 @@ enum class misuse : unsigned char {
   arguments,
   operands,
   coupling,
+  own_coupling,
+  parallel,
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
@@ -60,6 +62,9 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::operands: return " takes a product of more than two vectors at once";
   case misuse::coupling:
     return " couples something other than two joints that each turn about one axis or slide along one";
+  case misuse::own_coupling: return " couples a joint with itself";
+  case misuse::parallel:
+    return " keeps a direction parallel to something other than an axis of a frame: parallel<A::z, B::z>";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";

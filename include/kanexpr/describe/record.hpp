@@ -157,6 +157,7 @@ struct load_record {
   std::string_view instead{}; ///< what it is, if it is not a load
   misfit beside = misfit::none;
   bool unparsed = false;
+  bool once = false; ///< the same load again is a mistake
 };
 
 /// What a joint brings to a system beside its frame and its point.
@@ -167,6 +168,10 @@ struct joint_record {
   std::string_view form{};    ///< how it is written, if that is the mistake
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
+  const frame_record* home = nullptr; ///< the child's where all coordinates are zero
+  const frame_record* parent_frame = nullptr;
+  const point_record* parent_point = nullptr;
+  listing<phrase> axes{}; ///< those that may be none
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< none: it has no mass
   std::string_view instead{};        ///< what it is, if it is not a joint

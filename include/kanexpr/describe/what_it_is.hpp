@@ -4,12 +4,14 @@
 
 namespace kanexpr::describe {
 
+inline constexpr std::string_view joint_out_of_place = "a joint; write joints<...> around it";
+
 /// What a type is, for a sentence about one that stands where it does not belong. Empty: none of a model's
 /// words.
 template <class T>
 constexpr std::string_view what_it_is() {
   if constexpr (requires { T::joint_told(); })
-    return "a joint; write joints<...> around it";
+    return joint_out_of_place;
   else if constexpr (requires { T::content(); })
     return "a body; write bodies<...> around it";
   else if constexpr (requires { T::orientation(); })

@@ -17,8 +17,26 @@ constexpr auto coupled(const auto& of_first, const auto& of_second) {
     token named = misused(misuse::coupling);
     if constexpr (requires { First::child_frame(); }) named.frame = First::child_frame();
     return equation<1>{{named}};
+  } else if constexpr (std::same_as<First, Second>) {
+    token named = misused(misuse::own_coupling);
+    named.frame = First::child_frame();
+    return equation<1>{{named}};
   } else {
     return of_first * First::template q<0> == of_second * Second::template q<0>;
+  }
+}
+
+/// A direction that has no part along the other two axes of a frame.
+template <auto direction, auto axis>
+constexpr auto kept_parallel() {
+  if constexpr (requires { requires sizeof(axis.tokens) == sizeof(token); }) {
+    constexpr token t = axis.tokens[0];
+    if constexpr (t.what == token_kind::basis && t.frame != nullptr)
+      return zero_along<direction, basis(t.frame, (t.index + 1) % 3), basis(t.frame, (t.index + 2) % 3)>;
+    else
+      return equation<1>{{misused(misuse::parallel)}};
+  } else {
+    return equation<1>{{misused(misuse::parallel)}};
   }
 }
 
@@ -72,26 +90,38 @@ template <class Rack, class Pinion, auto radius>
 inline constexpr auto rack_and_pinion = describe::coupled<Rack, Pinion>(describe::constant(1), radius);
 
 /// Two points are one, which closes a loop by a ball: `coincident<P, Q, N::x, N::y, N::z>`, along two
-/// directions in a planar mechanism. Of the configuration. A pin closes it with `zero_along<A::z, B::x,
-/// B::y>` beside, whose axis is A::z.
+/// directions in a planar mechanism. Of the configuration.
 template <class Point, class Other, auto... directions>
 inline constexpr auto coincident = zero_along<position_of<Point, Other>, directions...>;
+
+/// A direction stays along an axis of a frame: `parallel<A::z, B::z>`. Beside `coincident` it closes a loop
+/// by a pin about B::z. Of the configuration.
+template <auto direction, auto axis>
+inline constexpr auto parallel = describe::kept_parallel<direction, axis>();
+
+/// The axes of two frames stay the same: `same_axes<A, B>`. Beside `coincident` it closes a loop by a weld.
+/// Of the configuration. (Half a turn about an axis satisfies it as well: start where the axes are the same.)
+template <class Frame, class Other>
+inline constexpr auto same_axes =
+    zero_along<dot(Frame::x, Other::y) * Other::x + dot(Frame::y, Other::z) * Other::y +
+                   dot(Frame::z, Other::x) * Other::z,
+               Other::x, Other::y, Other::z>;
 
 /// A wheel rolls on the plane x, y of `Ground` without slipping: `rolls_on<Wheel, Ground, Wheel::y, r>`, with
 /// its axis, and behind the radius that of its tube, if it is a torus. Of the velocity.
 /// `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
 inline constexpr auto rolls_on =
-    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point) +
-                   cross(describe::turning_of(describe::parts_of<Wheel>::frame),
+    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point()) +
+                   cross(describe::turning_of(describe::parts_of<Wheel>::frame()),
                          describe::to_contact<axis, Ground::z, radius, tube...>()),
                Ground::x, Ground::y, Ground::z>;
 
 /// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
 inline constexpr auto touches =
-    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point) -
-            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point),
+    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point()) -
+            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point()),
         Ground::z) == describe::height_of_center<axis, Ground::z, radius, tube...>();
 
 } // namespace kanexpr

@@ -2,20 +2,22 @@
 
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/joints/chosen_name.hpp>
-#include <kanexpr/joints/joint_word.hpp>
+#include <kanexpr/joints/joint_mistakes.hpp>
 
 /// A joint as the frames, points, symbols and equations that it is. What one kind of joint adds is a struct:
 ///
-///     symbols        joint_symbols<names<"q">, names<"u">>
-///     least_axes, most_axes   how many it takes
-///     form           how it is written
-///     special, without_special   the type of a word of its own, and what is wrong without it, if it needs
-///     one moves          whether its two points come apart turn<Joint>(frame_record&)         how the child
-///     turns in its home move<Joint>(point_record&)         where it goes from its base, if it moves
-///     spin<Joint>        the angular velocity of the child in the frame that it is turned from, if it turns
-///     drift<Joint>       its velocity as the parent sees it, if it moves
-///     effort             by what a motor drives it, if it has one axis
-///     kinematics<Joint>()                its kinematic equations, if they are not q̇ = u
+///     symbols                joint_symbols<names<"q">, names<"u">>
+///     least_axes, most_axes  how many it takes
+///     form                   how it is written
+///     special                the type of a word of its own, if it takes one
+///     without_special        what is wrong without that word, if it needs it
+///     moves                  whether its two points come apart
+///     turn<Joint>(frame_record&)   how the child turns in its home
+///     move<Joint>(point_record&)   where it goes from its base, if it moves
+///     spin<Joint>            its angular velocity in the frame that it is turned from, if it turns
+///     drift<Joint>           its velocity as the parent sees it, if it moves
+///     effort                 by what a motor drives it, if it has one axis
+///     kinematics<Joint>()    its kinematic equations, if they are not q̇ = u
 namespace kanexpr::describe {
 
 /// What a joint with one axis can be driven by.
@@ -104,6 +106,17 @@ constexpr joint_record record_joint();
 template <class Joint>
 inline constexpr joint_record joint_of = record_joint<Joint>();
 
+/// Whether a joint is among the parents of a joint, as far as one looks.
+template <class Parent, class Joint, int depth>
+constexpr bool hangs_on() {
+  if constexpr (std::is_same_v<Parent, Joint>)
+    return true;
+  else if constexpr (depth > 0 && requires { typename Parent::parent; })
+    return hangs_on<typename Parent::parent, Joint, depth - 1>();
+  else
+    return false;
+}
+
 template <class Self, class Parent, class Kind, class... Words>
 struct joint : axes<Self>, place_words, joint_words {
   using kind = Kind;
@@ -132,18 +145,19 @@ struct joint : axes<Self>, place_words, joint_words {
   template <std::size_t i>
   static constexpr auto u = Kind::symbols::template motion<i, Self, word<joint_word::by>>();
 
-  static constexpr bool hangs_on_itself = std::is_same_v<Parent, Self>;
+  using parent = Parent;
+  static constexpr bool hangs_on_itself = hangs_on<Parent, Self, 3>();
   static constexpr const frame_record* parent_frame() {
     if constexpr (hangs_on_itself)
       return nullptr;
     else
-      return parts_of<Parent>::frame;
+      return parts_of<Parent>::frame();
   }
   static constexpr const point_record* parent_point() {
     if constexpr (hangs_on_itself)
       return nullptr;
     else
-      return parts_of<Parent>::point;
+      return parts_of<Parent>::point();
   }
   static constexpr const frame_record* child_frame() { return &frame_of<Self>; }
 
@@ -262,15 +276,20 @@ struct joint : axes<Self>, place_words, joint_words {
     r.calls_itself = type_name<Self>();
     r.frame = child_frame();
     r.point = &point_of<Self>;
+    r.home = home_frame();
+    r.parent_frame = parent_frame();
+    r.parent_point = parent_point();
     list_symbols(r, std::make_index_sequence<coordinates_count>(), std::make_index_sequence<speeds_count>());
     if constexpr (requires { Kind::template kinematics<Self>(); })
       r.kinematics = Kind::template kinematics<Self>();
     else
       r.kinematics = simple_kinematics(std::make_index_sequence<coordinates_count>());
     if constexpr (has<joint_word::body>) r.body = &body_of_joint<Self>;
-    r.mistake = mistake();
-    if (r.mistake.empty()) r.mistake = miscount();
-    if (!r.mistake.empty() && r.mistake == miscount()) r.form = Kind::form;
+    r.mistake = mistake_of_words<joint, Words...>();
+    if (!r.mistake.empty()) return r;
+    r.axes = axes_told();
+    r.mistake = mistake_of_kind<joint>();
+    if (!r.mistake.empty()) r.form = Kind::form;
     return r;
   }
 
@@ -286,71 +305,28 @@ private:
     return list_of<phrase, &phrase_of<rate_is_speed<Self, i>>...>::all;
   }
 
+  /// The axes that need a look: whether they have a length, are fixed, and two of them are not parallel.
+  static constexpr listing<phrase> axes_told() {
+    if constexpr (!has<joint_word::axis>) {
+      return {};
+    } else {
+      using given = word<joint_word::axis>;
+      if constexpr (given::count == 1 && is_basis_of(parent_frame(), given::first))
+        return {};
+      else if constexpr (given::count == 1)
+        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first)>>::all;
+      else
+        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first)>,
+                       &phrase_of<by_axes_of(home_frame(), given::second)>>::all;
+    }
+  }
+
   /// The child's point from where the joint sits in the child.
   static constexpr auto from_joint(const frame_record* seen_by) {
     if constexpr (is_off_child)
       return -by_axes_of(seen_by, word<joint_word::at>::in_child);
     else
       return 0 * basis(seen_by, 0);
-  }
-
-  template <joint_word wanted>
-  static constexpr bool fits() {
-    if constexpr (requires { word<wanted>::fits; })
-      return word<wanted>::fits;
-    else
-      return true;
-  }
-  template <joint_word wanted>
-  static constexpr std::size_t count_in() {
-    if constexpr (requires { word<wanted>::count; })
-      return word<wanted>::count;
-    else
-      return 0;
-  }
-
-  static constexpr std::string_view mistake() {
-    if (!(word_of_a_joint<Words> && ...))
-      return "is given something that is no word of a joint; they are at<...>, axis<...>, home<...>, by<...> "
-             "and body<...>";
-    if (hangs_on_itself) return "has itself as its parent";
-    if (times<joint_word::at> > 1)
-      return "is given two places; write at<vector in the parent, vector in own axes>";
-    if (times<joint_word::home> > 1) return "is given two homes";
-    if (times<joint_word::axis> > 1) return "is given axis<...> twice; write one list";
-    if constexpr (has<joint_word::special>) {
-      using given = word<joint_word::special>;
-      if (!requires { requires std::same_as<typename Kind::special, typename given::special>; })
-        return given::misplaced;
-      if (times<joint_word::special> > 1) return given::twice;
-    }
-    if (times<joint_word::by> > 1) return "is given by<...> twice; write one list";
-    if (times<joint_word::body> > 1) return "is given two bodies; weld<...> another one to it";
-    if (has<joint_word::at> && (count_in<joint_word::at>() == 0 || count_in<joint_word::at>() > 2))
-      return "is given at<...> of no vector or of more than two; write at<vector in the parent, vector in "
-             "own axes>";
-    if constexpr (has<joint_word::at>)
-      if (holds_own(word<joint_word::at>::in_parent))
-        return "is given its place in the parent in own axes; write at<vector in axes of the parent, vector "
-               "in own axes>";
-    if constexpr (requires { word<joint_word::home>::is_in_own_axes; })
-      if (word<joint_word::home>::is_in_own_axes)
-        return "is given its home in own axes, which turn with it; write home<angle, axis of the parent>";
-    if (!fits<joint_word::home>())
-      return "is given a home of neither an angle and an axis nor nine direction cosines nor three angles";
-    if (!fits<joint_word::body>()) return "is given a body with two inertias";
-    return {};
-  }
-
-  /// A wrong number of axes or symbols: the kind of joint says how many it takes.
-  static constexpr std::string_view miscount() {
-    if (has<joint_word::by> && count_in<joint_word::by>() != coordinates_count + speeds_count)
-      return "is given too few or too many symbols";
-    if (count_in<joint_word::axis>() < Kind::least_axes) return "lacks an axis";
-    if constexpr (requires { Kind::without_special; } && !has<joint_word::special>)
-      return Kind::without_special;
-    if (count_in<joint_word::axis>() > Kind::most_axes) return "is given an axis too many";
-    return {};
   }
 };
 

@@ -46,6 +46,16 @@ constexpr bool holds_own(const Expression& given) {
   return false;
 }
 
+/// Whether an expression is an axis of a frame, or an `own` one.
+template <class Expression>
+constexpr bool is_basis_of(const frame_record* frame, const Expression& given) {
+  if constexpr (requires { given.tokens; })
+    return sizeof(given.tokens) == sizeof(token) && given.tokens[0].what == token_kind::basis &&
+           (given.tokens[0].frame == nullptr || given.tokens[0].frame == frame);
+  else
+    return false;
+}
+
 /// The unit vector along a direction, which a basis vector is already.
 template <class Direction>
 constexpr auto unit_along(const Direction& given) {
@@ -136,9 +146,9 @@ struct by {
 };
 
 /// The body that moves with the child: its mass, its mass centre as a vector from the child's point, and its
-/// inertia about the mass centre; without an inertia a particle. `own` means the axes of the child, also in
-/// `inertia<own, Ixx, …>`.
-template <auto mass, auto center, class... Inertia>
+/// inertia about the mass centre; without an inertia a particle, and without a centre at the child's point.
+/// `own` means the axes of the child, also in `inertia<own, Ixx, …>`.
+template <auto mass, auto center = 0 * own::x, class... Inertia>
 struct body {
   static constexpr describe::joint_word joint_word = describe::joint_word::body;
   static constexpr bool fits = sizeof...(Inertia) <= 1;
@@ -158,13 +168,13 @@ namespace describe {
 
 template <class Parent>
 struct parts_of {
-  static constexpr const frame_record* frame = &frame_of<Parent>;
-  static constexpr const point_record* point = &point_of<Parent>;
+  static constexpr const frame_record* frame() { return &frame_of<Parent>; }
+  static constexpr const point_record* point() { return &point_of<Parent>; }
 };
 template <class Frame, class Point>
 struct parts_of<frame_and_point<Frame, Point>> {
-  static constexpr const frame_record* frame = &frame_of<Frame>;
-  static constexpr const point_record* point = &point_of<Point>;
+  static constexpr const frame_record* frame() { return &frame_of<Frame>; }
+  static constexpr const point_record* point() { return &point_of<Point>; }
 };
 
 } // namespace describe

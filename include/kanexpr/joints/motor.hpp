@@ -21,6 +21,7 @@ template <class Load, class Joint, auto value>
 constexpr load_record load_along_axis(std::string_view word) {
   load_record r;
   r.word = word;
+  r.once = true;
   if constexpr (effort_of_joint<Joint>() == joint_effort::none) {
     r.what = load_word::none;
     r.called = type_name<Load>();

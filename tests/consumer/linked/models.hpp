@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/describe.hpp>
+#include <kanexpr/joints.hpp>
 
-/// A pendulum by its angle, and one by the place of its bob, which a constraint holds on a circle.
+/// A pendulum by its joint, and one by the place of its bob, which a constraint holds on a circle.
 namespace models {
 
 using namespace kanexpr;
@@ -19,11 +19,9 @@ constexpr input<"T"> T;
 struct N : inertial_frame<N> {}; // x points down
 struct O : origin<O, N> {};
 
-struct A : rotated<A, N, q, N::z> {};
-struct P : offset<P, O, l * A::x> {};
-struct Bob : particle<Bob, P, 2> {};
-struct Turning : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, inputs<T>,
-                             bodies<Bob>, loads<gravity<9.81 * N::x>, torque<A, T * N::z>>> {};
+struct Bob : pin<Bob, frame_and_point<N, O>, axis<N::z>, by<q, u>, body<2, l * own::x>> {};
+struct Turning
+    : kane_system<inertial<N>, joints<Bob>, inputs<T>, loads<gravity<9.81 * N::x>, motor<Bob, T>>> {};
 
 struct Q : offset<Q, O, x * N::x + y * N::y> {};
 struct Bead : particle<Bead, Q, 2> {};

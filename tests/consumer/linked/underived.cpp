@@ -3,5 +3,5 @@
 
 int main() {
   const kanexpr::state<models::Turning> x;
-  kanexpr::function<models::Turning, kanexpr::velocity_of<models::P>>{}(x);
+  kanexpr::function<models::Turning, kanexpr::velocity_of<models::Bob>>{}(x);
 }

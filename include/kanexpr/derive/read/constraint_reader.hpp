@@ -20,20 +20,7 @@ public:
     if (reading_.mistake) return;
     for (const kind& k : kinds)
       for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i)
-        for (const velocity_constraint& c : vanishing_by((reading_.from.*k.list)[i], k.whom))
-          keep(k, (reading_.from.*k.list)[i], c);
-  }
-
-  /// An auxiliary speed is in velocities and in no coordinate: of where points and frames are, the rate in
-  /// coordinates does not know it. So the reactions of joints want such a rate by velocities.
-  constexpr void check_reactions(const sequence<int>& of_configuration) {
-    if (reading_.from.reactions.size == 0) return;
-    for (int i : of_configuration)
-      if (i != none && is_geometric_[i] != 0)
-        return reading_.fail({"the reactions of joints need the rate of configuration constraint ",
-                              mechanics::counted(i + 1).view(),
-                              " by velocities; write it in velocity_constraints<...> too, as "
-                              "zero_along<velocity_of<P> - velocity_of<Q>, directions>"});
+        read_constraint(k, (reading_.from.*k.list)[i]);
   }
 
   constexpr void visit_constraints() {
@@ -44,6 +31,7 @@ public:
           return reading_.fail({k.word, "<...> holds something that is not an equation",
                                 name_in(p).empty() ? "" : ", with ", name_in(p),
                                 "; write an equation or zero_along<...>"});
+        if (k.list == &system_record::configuration_constraints) check_speaks_of_places(p);
         entities_.visit(p.tokens, p.size, k.whom);
         for (int j = 0; j < p.size && !reading_.mistake; ++j)
           if (p.tokens[j].symbol != nullptr) symbols_.symbol(*p.tokens[j].symbol, k.whom);
@@ -86,24 +74,36 @@ private:
       {&system_record::acceleration_constraints, "acceleration_constraints", "an acceleration constraint"},
   };
 
-  constexpr void keep(const kind& k, const phrase& p, const velocity_constraint& c) {
-    if (k.list == &system_record::configuration_constraints)
-      reading_.into.constraints.on_configuration.push(c.value), is_geometric_.push(mentions_places(p));
-    else if (k.list == &system_record::velocity_constraints)
-      reading_.into.constraints.on_velocities.push(c);
-    else
-      reading_.into.constraints.on_accelerations.push(c.value);
+  constexpr void read_constraint(const kind& k, const phrase& p) {
+    mechanics::given_constraints& into = reading_.into.constraints;
+    for (const velocity_constraint& c : vanishing_by(p, phrases_.evaluate_each(p, k.whom), k.whom))
+      if (k.list == &system_record::configuration_constraints)
+        into.on_configuration.push(c.value);
+      else if (k.list == &system_record::velocity_constraints)
+        into.on_velocities.push(c);
+      else
+        into.on_accelerations.push(c.value);
+    if (k.list != &system_record::configuration_constraints || m_.auxiliary_speeds.empty() ||
+        reading_.mistake)
+      return;
+    for (const velocity_constraint& c : vanishing_by(p, phrases_.evaluate_each_displaced(p, k.whom), k.whom))
+      into.rates_by_auxiliary.push(rate_by_auxiliary(m_, c.value));
   }
 
-  static constexpr char mentions_places(const phrase& p) {
-    for (int i = 0; i < p.size; ++i)
-      if (p.tokens[i].point != nullptr || p.tokens[i].frame != nullptr) return 1;
-    return 0;
+  /// A configuration constraint on a velocity, such as rolling, would be told by the speeds that it holds.
+  constexpr void check_speaks_of_places(const phrase& p) {
+    for (int i = 0; i < p.size; ++i) {
+      const describe::token& t = p.tokens[i];
+      const bool turns = t.what == describe::token_kind::angular_velocity;
+      if (!turns && t.what != describe::token_kind::velocity) continue;
+      return reading_.fail({"a configuration constraint speaks of the ", turns ? "angular " : "",
+                            "velocity of ", turns ? t.frame->called : t.point->called,
+                            "; write it in velocity_constraints<...>"});
+    }
   }
-
   /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.
-  constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, std::string_view whom) {
-    const sequence<value> found = phrases_.evaluate_each(p, whom);
+  constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, const sequence<value>& found,
+                                                       std::string_view whom) {
     sequence<velocity_constraint> all;
     if (reading_.mistake) return all;
     if (p.kind == shape::equation) {
@@ -136,7 +136,6 @@ private:
   symbol_reader& symbols_;
   phrase_reader& phrases_;
   entity_reader& entities_;
-  sequence<char> is_geometric_{}; ///< of each configuration constraint
 };
 
 } // namespace kanexpr::deriving

@@ -11,8 +11,8 @@ using describe::joint_record;
 class joint_reader {
 public:
   constexpr joint_reader(reading& all, entity_reader& entities, body_reader& bodies,
-                         kinematics_reader& kinematics)
-      : reading_(all), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
+                         kinematics_reader& kinematics, phrase_reader& phrases)
+      : reading_(all), phrases_(phrases), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
 
   /// Before anything of them is read.
   constexpr void check_all() {
@@ -28,7 +28,8 @@ public:
 
   /// A joint is part of the system, and its body, whether anything else mentions it or not.
   constexpr void read(const joint_record& r) {
-    entities_.frame(r.frame, "joints<...>");
+    check_axes(r);
+    if (!reading_.mistake) entities_.frame(r.frame, "joints<...>");
     if (!reading_.mistake) entities_.point(r.point, "joints<...>");
     if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
   }
@@ -49,7 +50,36 @@ private:
                             r.instead.empty() ? "not a joint" : r.instead});
     if (r.called != r.calls_itself) return reading_.slip("joint ", r.called, r.calls_itself);
     if (!r.mistake.empty())
-      reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
+      return reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
+    if (r.parent_frame->calls_itself.empty())
+      check_parent(r, r.parent_frame->called, r.parent_frame->instead);
+    else if (r.parent_point->calls_itself.empty())
+      check_parent(r, r.parent_point->called, r.parent_point->instead);
+  }
+
+  constexpr void check_parent(const joint_record& r, std::string_view parent, std::string_view instead) {
+    if (instead.empty())
+      return reading_.fail({"joint ", r.called, " hangs on ", short_name(parent).view(),
+                            ", which is not a joint, or is described only later"});
+    reading_.fail({"joint ", r.called, " hangs on ", parent, ", which is ", instead,
+                   "; write frame_and_point<frame, point>"});
+  }
+
+  constexpr void check_axes(const joint_record& r) {
+    sequence<mechanics::components> axes;
+    for (int i = 0; i < r.axes.size; ++i) {
+      const mechanics::vector given =
+          phrases_.vector_of(r.axes[i], {"the axis of joint ", r.called}, r.called);
+      const int home = entities_.frame(r.home, r.called);
+      if (reading_.mistake) return;
+      axes.push(mechanics::express(reading_.into.mechanism, given, home));
+      if (axes.back().is_zero()) return reading_.fail({"joint ", r.called, " is given an axis of no length"});
+      if (!mechanics::is_fixed(axes.back()))
+        return reading_.fail(
+            {"joint ", r.called, " is given an axis that is not fixed in ", r.parent_frame->called});
+    }
+    if (axes.size() == 2 && cross(axes[0], axes[1]).is_zero())
+      reading_.fail({"joint ", r.called, " is given two axes that are parallel"});
   }
 
   constexpr void check_reaction(const describe::reaction_record& r) {
@@ -62,6 +92,7 @@ private:
   }
 
   reading& reading_;
+  phrase_reader& phrases_;
   entity_reader& entities_;
   body_reader& bodies_;
   kinematics_reader& kinematics_;

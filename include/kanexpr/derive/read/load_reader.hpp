@@ -29,6 +29,7 @@ public:
   constexpr void read_load(const load_record& r) {
     if (!reading_.words_belong(r.beside, r.called)) return;
     if (!r.fits) return reading_.wrong_count("", name_of(r).view(), r.fits);
+    if (r.once && is_listed_twice(r)) return reading_.fail({name_of(r).view(), " is listed twice"});
     if (!moves(r)) return evaluate_load(r);
     phrases_.check_written(r.value, name_of(r).view());
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
@@ -54,6 +55,12 @@ private:
     for (int i = 0; i < p.size; ++i)
       if (!phrases_.is_declared(p.tokens[i])) return true;
     return false;
+  }
+
+  constexpr bool is_listed_twice(const load_record& r) const {
+    int times = 0;
+    for (int i = 0; i < reading_.from.loads.size; ++i) times += &reading_.from.loads[i] == &r ? 1 : 0;
+    return times > 1;
   }
 
   constexpr void mention(const describe::token& t, std::string_view whom) {

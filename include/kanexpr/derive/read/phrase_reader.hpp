@@ -1,13 +1,12 @@
 #pragma once
 
+#include <kanexpr/derive/read/displacement.hpp>
 #include <kanexpr/derive/read/senseless.hpp>
 #include <kanexpr/derive/read/symbol_reader.hpp>
-#include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
-#include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 
 namespace kanexpr::deriving {
@@ -50,6 +49,14 @@ public:
     }
     phrase_ = before;
     return stack;
+  }
+
+  /// The same where auxiliary speeds have taken points and axes (displacement.hpp). After `know`.
+  constexpr sequence<value> evaluate_each_displaced(const phrase& p, std::string_view whom) {
+    is_displaced_ = true;
+    const sequence<value> found = evaluate_each(p, whom);
+    is_displaced_ = false;
+    return found;
   }
 
   /// A phrase that is the part `what` of an entity: "the offset of point ".
@@ -152,6 +159,7 @@ private:
                               " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
                               ", which stands for a frame while its angular velocity is declared"});
       v.add(f, mechanics::unit(*m_.g, t.index));
+      if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
       stack.push(value::of(static_cast<mechanics::vector&&>(v)));
       break;
     }
@@ -308,7 +316,10 @@ private:
       const describe::token* const before = &t == phrase_->tokens ? nullptr : &t - 1;
       if (before != nullptr && before->what == token_kind::position && !reading_.mistake)
         reading_.mistake = mechanics::check_position(m_, point(before->point, whom), at);
-      if (!reading_.mistake) stack.push(value::of(mechanics::position_from_origin(m_, at)));
+      if (reading_.mistake) return;
+      mechanics::vector place = mechanics::position_from_origin(m_, at);
+      if (is_displaced_) place = displaced_position(reading_.known->moving(), at, place);
+      stack.push(value::of(static_cast<mechanics::vector&&>(place)));
       return;
     }
     if (reading_.known == nullptr) return declared_motion(t, stack, whom);
@@ -354,6 +365,7 @@ private:
   symbol_reader& symbols_;
   entity_lookup entities_;
   const phrase* phrase_ = nullptr;
+  bool is_displaced_ = false;
 };
 
 } // namespace kanexpr::deriving

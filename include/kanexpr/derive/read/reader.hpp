@@ -63,10 +63,6 @@ public:
   /// Whether there were any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
-  /// With the configuration constraints whose rates no velocity constraint says.
-  constexpr void check_reactions(const sequence<int>& of_configuration) {
-    constraints_.check_reactions(of_configuration);
-  }
 
   /// Reads the entities that a phrase mentions, for `take_up` to make known to a system that is derived.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
@@ -136,7 +132,7 @@ private:
   body_reader bodies_{reading_, phrases_, entities_};
   load_reader loads_{reading_, symbols_, phrases_, entities_};
   kinematics_reader kinematics_{reading_, phrases_, entities_};
-  joint_reader joints_{reading_, entities_, bodies_, kinematics_};
+  joint_reader joints_{reading_, entities_, bodies_, kinematics_, phrases_};
   constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
 };
 

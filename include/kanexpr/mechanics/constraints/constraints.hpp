@@ -54,8 +54,8 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
-/// The columns of the speeds: the rate of a configuration constraint holds no auxiliary speed, which a
-/// velocity constraint that says the same may hold.
+/// The columns of the speeds: the rate of a configuration constraint and a velocity constraint that says the
+/// same may hold different auxiliary speeds.
 constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix& jacobian) {
   if (m.auxiliary_speeds.empty()) return jacobian;
   symbolic::matrix columns(*m.g, jacobian.rows, m.speeds.size());
@@ -85,7 +85,11 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
   for (const velocity_constraint& c : from.on_velocities)
     all.push({known.in(c.value), known.in(c.vanishing), known.in(c.direction)});
   const int given = all.size();
-  for (const expression& f : from.on_configuration) all.push({k.rate(f), {}, {}});
+  for (int i = 0; i < from.on_configuration.size(); ++i) {
+    expression rate = k.rate(from.on_configuration[i]);
+    if (!from.rates_by_auxiliary.empty()) rate += from.rates_by_auxiliary[i];
+    all.push({rate, {}, {}});
+  }
   sequence<int> stations;
   for (const velocity_constraint& c : all) stations.push(detail::station_of(k, c));
   const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, stations);

@@ -15,7 +15,8 @@ struct velocity_constraint {
 
 /// What binds a mechanism, as it was given.
 struct given_constraints {
-  sequence<expression> on_configuration{}; ///< of coordinates, parameters and time, that vanish
+  sequence<expression> on_configuration{};   ///< of coordinates, parameters and time, that vanish
+  sequence<expression> rates_by_auxiliary{}; ///< what auxiliary speeds add to their rates; empty: nothing
   sequence<velocity_constraint> on_velocities{};
   sequence<expression> on_accelerations{}; ///< linear in u̇, that vanish; empty: derived from the others
   sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by position; empty: the library chooses
