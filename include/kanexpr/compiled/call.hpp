@@ -44,6 +44,27 @@ constexpr bool loads_time() {
   return false;
 }
 
+/// The first function of the program that cannot be called with numbers of the type T, or nothing.
+template <class Code, class T, int... i>
+constexpr std::string_view refusing(std::integer_sequence<int, i...>) {
+  std::string_view found;
+  ((found.empty() && !lower::scalar_math<T>::template calls<decltype(code_of(
+                         symbolic::external_tag<Code::tape.externals[i]>{}))>
+        ? void(found = Code::tape.externals[i]->called.view())
+        : void()),
+   ...);
+  return found;
+}
+
+template <class Code, class T>
+constexpr mechanics::sentence check_externals(std::string_view result) {
+  const std::string_view called =
+      refusing<Code, T>(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
+  if (called.empty()) return {};
+  return mechanics::sentence(
+      {result, " is asked for with numbers of ", type_name<T>(), ", which ", called, " does not take"});
+}
+
 /// One vector of a system in the place of another.
 template <class System, symbols_of wanted, class Argument, class Keep>
 constexpr void check_belonging(std::string_view result, const Keep& keep) {
@@ -72,6 +93,7 @@ struct call {
     check_belonging<System, symbols_of::parameters, P>(result, keep);
     check_belonging<System, symbols_of::inputs, R>(result, keep);
     if (std::is_integral_v<typename X::Scalar>) keep(check_scalar<System, typename X::Scalar>());
+    if constexpr (Code::tape.sizes.externals > 0) keep(check_externals<Code, typename X::Scalar>(result));
     keep(check_size("state", system, entries_of<X>(), known.coordinates + known.speeds));
     keep(check_size("parameter", system, entries_of<P>(), known.parameters));
     keep(check_size("input", system, entries_of<R>(), known.inputs));

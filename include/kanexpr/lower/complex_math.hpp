@@ -29,6 +29,15 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
     return numeric::is_number(by) ? number() : condition;
   }
+  using default_scalar_math<number>::called;
+  /// To first order, by its derivatives.
+  static number called(const symbolic::external_function& f, const number* x) {
+    double operands[symbolic::most_operands]{};
+    for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i].real());
+    Real along = 0;
+    for (int i = 0; i < f.operands; ++i) along += static_cast<Real>(f.slope(i).value(operands)) * x[i].imag();
+    return {static_cast<Real>(f.value(operands)), along};
+  }
   /// The angle of the real parts, corrected to first order.
   static number atan2(const number& y, const number& x) {
     const Real square = x.real() * x.real() + y.real() * y.real();
