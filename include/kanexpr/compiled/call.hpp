@@ -4,9 +4,11 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
 #include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <type_traits>
+#include <utility>
 
 /// Mistakes that a person can make when calling a compiled function.
 namespace kanexpr::compiled {

@@ -22,19 +22,27 @@ struct external_record {
   int operands = 0;           ///< if it is called with another number of them
 };
 
-/// Which derivative of a function: by the operands in their order, so that mixed ones are the same.
+/// Which derivative of a function: the operands that it is by, in their order, so that mixed ones are the
+/// same. As a template argument it is a number with a digit for each, 13 for that by the first and the third.
 struct derivative_of {
   int order = 0;
   int by[symbolic::most_derivatives]{};
 
-  constexpr derivative_of with(int operand) const {
-    derivative_of next = *this;
-    int place = next.order++;
-    for (; place > 0 && next.by[place - 1] > operand; --place) next.by[place] = next.by[place - 1];
-    next.by[place] = operand;
-    return next;
+  constexpr explicit derivative_of(int digits) {
+    for (int rest = digits; rest != 0; rest /= 10) ++order;
+    for (int k = order - 1; k >= 0; --k, digits /= 10) by[k] = digits % 10 - 1;
+  }
+  constexpr int and_by(int operand) const {
+    int digits = 0;
+    bool is_in = false;
+    for (int k = 0; k < order; ++k) {
+      if (!is_in && operand < by[k]) digits = 10 * digits + operand + 1, is_in = true;
+      digits = 10 * digits + by[k] + 1;
+    }
+    return is_in ? digits : 10 * digits + operand + 1;
   }
 };
+inline constexpr int no_derivative = 0;
 
 template <class X>
 concept counts_as_number = std::convertible_to<X, double> && !std::same_as<std::remove_cvref_t<X>, bool> &&
@@ -60,36 +68,42 @@ struct external_family {
       takes<order, T>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
 
   /// An entry of what a derivative gives; of one operand it may be the number itself.
-  template <derivative_of path, int level, class Given>
+  template <int digits, int level, class Given>
   static constexpr decltype(auto) entry(const Given& given) {
+    constexpr derivative_of path(digits);
     if constexpr (level == path.order)
       return given;
     else if constexpr (requires { given[0]; })
-      return entry<path, level + 1>(given[static_cast<std::size_t>(path.by[level])]);
+      return entry<digits, level + 1>(given[static_cast<std::size_t>(path.by[level])]);
     else
-      return entry<path, path.order>(given);
+      return entry<digits, path.order>(given);
   }
   template <int order, class T, std::size_t... i>
   static constexpr auto given_with(std::index_sequence<i...>)
       -> std::invoke_result_t<one<order>, decltype((void(i), std::declval<const T&>()))...>;
-  template <derivative_of path, class T>
-  using value_with = decltype(entry<path, 0>(
-      given_with<path.order, T>(std::make_index_sequence<static_cast<std::size_t>(operands)>{})));
+  template <int digits, class T>
+  using value_with = decltype(entry<digits, 0>(given_with<derivative_of(digits).order, T>(
+      std::make_index_sequence<static_cast<std::size_t>(operands)>{})));
 
-  template <derivative_of path, class T>
+  template <int digits, class T>
   static constexpr bool accepts() {
-    if constexpr (is_called_with<path.order, T>)
-      return std::is_constructible_v<T, value_with<path, T>>;
+    if constexpr (is_called_with<derivative_of(digits).order, T>)
+      return std::is_constructible_v<T, value_with<digits, T>>;
     else
       return false;
   }
 
+  static constexpr int first_of_order(int order) {
+    int digits = no_derivative;
+    while (order-- > 0) digits = 10 * digits + 1;
+    return digits;
+  }
   template <int order>
   static constexpr bool gives_numbers() {
     if constexpr (!is_called_with<order, double>)
       return false;
     else
-      return counts_as_number<value_with<derivative_of{order, {}}, double>>;
+      return counts_as_number<value_with<first_of_order(order), double>>;
   }
 
   static constexpr std::string_view mistake = [] {
@@ -129,18 +143,19 @@ constexpr const symbolic::external_function* linked() {
 
 /// The function, or one of its derivatives, for the graph and for all types of scalars. One that is not given
 /// has no value.
-template <class Family, derivative_of path>
+template <class Family, int digits>
 struct external_member {
+  static constexpr derivative_of path{digits};
   static constexpr bool is_given = path.order <= Family::derivatives;
 
   /// Whether it can be called with such scalars.
   template <class T>
   static constexpr bool accepts() {
-    return Family::template accepts<path, T>();
+    return Family::template accepts<digits, T>();
   }
   template <class T>
   [[gnu::always_inline]] static constexpr T value(const auto&... x) {
-    return T(Family::template entry<path, 0>(typename Family::template one<path.order>{}(x...)));
+    return T(Family::template entry<digits, 0>(typename Family::template one<path.order>{}(x...)));
   }
 
 private:
@@ -157,7 +172,7 @@ private:
   template <int... i>
   struct slopes<std::integer_sequence<int, i...>> {
     static constexpr const symbolic::external_function* all[]{
-        linked<external_member<Family, path.with(i)>>()...};
+        linked<external_member<Family, path.and_by(i)>>()...};
   };
 
   static constexpr symbolic::external_function described() {
@@ -187,7 +202,7 @@ inline constexpr external_record external_of = [] {
   r.called = Family::name;
   r.mistake = Family::mistake;
   r.operands = Family::other_count;
-  if constexpr (Family::mistake.empty()) r.function = linked<external_member<Family, derivative_of{}>>();
+  if constexpr (Family::mistake.empty()) r.function = linked<external_member<Family, no_derivative>>();
   return r;
 }();
 
