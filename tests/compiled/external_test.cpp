@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <complex>
 
 namespace {
@@ -114,6 +115,34 @@ constexpr int functions_of() {
 TEST(external, is_one_operation) {
   static_assert(functions_of<u>() == 0);
   static_assert(functions_of<tyre(u, q) * tyre(u, q) + tyre(u, q)>() == 1);
+}
+
+/// What the compiler cannot evaluate, and what has a pole.
+struct steep {
+  double operator()(double x) const { return std::tanh(x) / (x - 1); }
+};
+struct steepness {
+  double operator()(double x) const {
+    const double t = std::tanh(x);
+    return (1 - t * t) / (x - 1) - t / ((x - 1) * (x - 1));
+  }
+};
+constexpr external<"steep", steep, steepness> hill;
+
+TEST(external, need_not_be_constant_nor_finite) {
+  using on_a_hill = equations_of_motion<with<hill(q)>>;
+  using in_words = equations_of_motion<with<tanh(q) / (q - 1)>>;
+  const on_a_hill::parameters p{{m, 1}, {l, 0.8}, {g, 9.81}, {c, 0.3}};
+  const in_words::parameters p_in_words{{m, 1}, {l, 0.8}, {g, 9.81}, {c, 0.3}};
+  const auto udot = on_a_hill::udot(on_a_hill::state{{q, 0.4}, {u, 0}}, p, on_a_hill::inputs{{T, 0.2}});
+  EXPECT_TRUE(udot.status);
+  EXPECT_NEAR(udot(0),
+              in_words::udot(in_words::state{{q, 0.4}, {u, 0}}, p_in_words, in_words::inputs{{T, 0.2}})(0),
+              1e-14);
+  const auto at_pole = on_a_hill::udot(on_a_hill::state{{q, 1}, {u, 0}}, p, on_a_hill::inputs{{T, 0.2}});
+  EXPECT_FALSE(at_pole.status);
+  EXPECT_TRUE(at_pole.status.cause().starts_with("the results are not finite at this state"))
+      << at_pole.status.cause();
 }
 
 /// The energy of a spring, with as many derivatives as a linearization takes of it.

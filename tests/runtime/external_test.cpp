@@ -63,6 +63,27 @@ TEST(external, is_interpreted_as_it_is_compiled) {
   }
 }
 
+/// Without a derivative, as there are none in its motion.
+constexpr external<"rough", brush> rough;
+struct Rough : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                           loads<torque<A, -rough(u, 1) * N::z>>> {};
+
+TEST(external, without_derivatives_has_no_linearization) {
+  constexpr const char* lacking =
+      "the derivative of rough is needed, and not given; write it behind the function: external<\"rough\", "
+      "function, derivative>";
+  auto system = derive<Rough>();
+  auto f = system.function(system.udot());
+  EXPECT_DOUBLE_EQ(f(Eigen::Vector2d(0, 1))(0), -1.0 / 3 / 4);
+  auto linear = system.linearize();
+  const symbolic::matrix A = linear.explicit_form().A;
+  ASSERT_EQ(linear.failures().size(), 1U);
+  EXPECT_EQ(linear.failures()[0], lacking);
+  auto slope = system.function(A);
+  slope(Eigen::Vector2d(0, 1));
+  EXPECT_EQ(slope.status().cause(), lacking);
+}
+
 /// Mixed derivatives are one.
 struct product {
   constexpr double operator()(double x, double y) const { return x * x * y; }

@@ -2,7 +2,8 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/composed.hpp>
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <concepts>
 #include <tuple>
@@ -11,6 +12,10 @@
 
 /// Functions of the program in models: of scalars, with derivatives that the program gives too.
 namespace kanexpr {
+
+namespace symbolic {
+class expression; // of builders, which models do without
+}
 
 namespace describe {
 
@@ -232,11 +237,11 @@ struct external {
   /// The same of expressions of a builder.
   template <std::same_as<symbolic::expression>... X>
     requires(sizeof...(X) > 0)
-  constexpr symbolic::expression operator()(X... x) const {
+  constexpr auto operator()(X... x) const {
     using family =
         describe::external_family<called, static_cast<int>(sizeof...(X)), Function, Derivatives...>;
     static_assert(family::mistake.empty(), "the function cannot be called with so many numbers");
-    return symbolic::call(*describe::external_of<family>.function, {x...});
+    return call(*describe::external_of<family>.function, {x...});
   }
 };
 
