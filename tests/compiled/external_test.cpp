@@ -170,6 +170,9 @@ TEST(external, is_a_potential_energy) {
   EXPECT_NEAR(sprung::potential_energy(x, p), quartic()(0.6), 1e-14);
   const auto [A, B] = linearization<stored<V(q)>>::explicit_form(x, p);
   EXPECT_NEAR(A(1, 0), -quartic_curvature()(0.6)[0] / inertia, 1e-12);
+  kanexpr::state<stored<V(q)>, std::complex<double>> stepped = x.cast<std::complex<double>>();
+  stepped[q] += std::complex<double>(0, 1e-30); // which the functions themselves do not take
+  EXPECT_NEAR(sprung::udot(stepped, p.cast<std::complex<double>>())(0).imag() / 1e-30, A(1, 0), 1e-12);
 }
 
 } // namespace

@@ -46,25 +46,37 @@ constexpr bool loads_time() {
   return false;
 }
 
-/// The first function of the program that cannot be called with numbers of the type T, or nothing.
-template <class Code, class T, int... i>
-constexpr std::string_view refusing(std::integer_sequence<int, i...>) {
-  std::string_view found;
-  ((found.empty() && !lower::scalar_math<T>::template calls<decltype(code_of(
-                         symbolic::external_tag<Code::tape.externals[i]>{}))>
-        ? void(found = Code::tape.externals[i]->called.view())
-        : void()),
-   ...);
-  return found;
-}
+/// Whether the functions of the program that some code calls take numbers of the type T, where it is compiled
+/// or interpreted.
+template <class Code, class T, bool is_interpreted, auto wanted>
+struct external_calls {
+  template <int i>
+  static constexpr bool takes() {
+    using function = decltype(code_of(symbolic::external_tag<Code::tape.externals[i]>{}));
+    if constexpr (is_interpreted)
+      return lower::scalar_math<T>::template interprets<function>;
+    else
+      return lower::scalar_math<T>::template calls<function>;
+  }
 
-template <class Code, class T>
-constexpr mechanics::sentence check_externals(std::string_view result) {
-  const std::string_view called =
-      refusing<Code, T>(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
-  if (called.empty()) return {};
-  return mechanics::sentence(
-      {result, " is asked for with numbers of ", type_name<T>(), ", which ", called, " does not take"});
+  static constexpr mechanics::sentence mistake = []<int... i>(std::integer_sequence<int, i...>) {
+    std::string_view refusing;
+    ((refusing.empty() && !takes<i>() ? void(refusing = Code::tape.externals[i]->called.view()) : void()),
+     ...);
+    if (refusing.empty()) return mechanics::sentence();
+    return mechanics::sentence({result_name<wanted>(), " is asked for with numbers of ", type_name<T>(),
+                                ", which ", refusing, " does not take"});
+  }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
+  static constexpr bool possible = !static_cast<bool>(mistake);
+  static_assert(deriving::tell<external_calls>());
+};
+
+template <class Code, class T, bool is_interpreted, auto wanted, auto...>
+constexpr bool can_call_externals() {
+  if constexpr (Code::tape.sizes.externals > 0)
+    return external_calls<Code, T, is_interpreted, wanted>::possible;
+  else
+    return true;
 }
 
 /// One vector of a system in the place of another.
@@ -95,7 +107,6 @@ struct call {
     check_belonging<System, symbols_of::parameters, P>(result, keep);
     check_belonging<System, symbols_of::inputs, R>(result, keep);
     if (std::is_integral_v<typename X::Scalar>) keep(check_scalar<System, typename X::Scalar>());
-    if constexpr (Code::tape.sizes.externals > 0) keep(check_externals<Code, typename X::Scalar>(result));
     keep(check_size("state", system, entries_of<X>(), known.coordinates + known.speeds));
     keep(check_size("parameter", system, entries_of<P>(), known.parameters));
     keep(check_size("input", system, entries_of<R>(), known.inputs));

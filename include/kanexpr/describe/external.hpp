@@ -151,7 +151,8 @@ constexpr const symbolic::external_function* linked() {
 template <class Family, int digits>
 struct external_member {
   static constexpr derivative_of path{digits};
-  static constexpr bool is_given = path.order <= Family::derivatives;
+  static constexpr bool is_given = path.order <= Family::derivatives,
+                        has_slopes = path.order < Family::derivatives;
 
   /// Whether it can be called with such scalars.
   template <class T>

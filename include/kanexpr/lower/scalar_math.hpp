@@ -122,6 +122,8 @@ struct default_scalar_math {
   template <class Function>
   static constexpr bool calls = Function::template accepts<T>();
   template <class Function>
+  static constexpr bool interprets = true;
+  template <class Function>
   [[gnu::always_inline]] static T called(const auto&... x) {
     return Function::template value<T>(x...);
   }
