@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace {
@@ -51,6 +53,23 @@ using tables = moved<
     >;
 
 TEST(functions, are_tables) { EXPECT_EQ(derive<tables>().mistake(), ""); }
+
+#include <docs/guide/functions/external.cpp>
+
+constexpr parameter<"m"> m;
+constexpr parameter<"g"> g;
+
+using with_a_tyre = moved<
+#include <docs/guide/functions/tyre.cpp>
+    >;
+
+TEST(functions, are_those_of_the_program) {
+  using eom = equations_of_motion<with_a_tyre>;
+  const eom::state x{{q, 0.3}, {u, 0.2}};
+  const eom::parameters p{{v, 2}, {m, 3}, {g, 9.81}};
+  const double force = 3 * 9.81 * std::sin(1.6 * std::atan(10 * 0.1));
+  EXPECT_NEAR(eom::udot(x, p)(0), -force * std::cos(0.3), 1e-12);
+}
 
 TEST(functions, choose) {
   EXPECT_EQ(derive<choices>().mistake(), "");

@@ -4,9 +4,11 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
 #include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <type_traits>
+#include <utility>
 
 /// Mistakes that a person can make when calling a compiled function.
 namespace kanexpr::compiled {
@@ -42,6 +44,39 @@ constexpr bool loads_time() {
   for (int i = 0; i < Code::tape.sizes.loads; ++i)
     if (Code::tape.loads[i].from == symbolic::symbol_kind::time) return true;
   return false;
+}
+
+/// Whether the functions of the program that some code calls take numbers of the type T, where it is compiled
+/// or interpreted.
+template <class Code, class T, bool is_interpreted, auto wanted>
+struct external_calls {
+  template <int i>
+  static constexpr bool takes() {
+    using function = decltype(code_of(symbolic::external_tag<Code::tape.externals[i]>{}));
+    if constexpr (is_interpreted)
+      return lower::scalar_math<T>::template interprets<function>;
+    else
+      return lower::scalar_math<T>::template calls<function>;
+  }
+
+  static constexpr mechanics::sentence mistake = []<int... i>(std::integer_sequence<int, i...>) {
+    std::string_view refusing;
+    ((refusing.empty() && !takes<i>() ? void(refusing = Code::tape.externals[i]->called.view()) : void()),
+     ...);
+    if (refusing.empty()) return mechanics::sentence();
+    return mechanics::sentence({result_name<wanted>(), " is asked for with numbers of ", type_name<T>(),
+                                ", which ", refusing, " does not take"});
+  }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
+  static constexpr bool possible = !static_cast<bool>(mistake);
+  static_assert(deriving::tell<external_calls>());
+};
+
+template <class Code, class T, bool is_interpreted, auto wanted, auto...>
+constexpr bool can_call_externals() {
+  if constexpr (Code::tape.sizes.externals > 0)
+    return external_calls<Code, T, is_interpreted, wanted>::possible;
+  else
+    return true;
 }
 
 /// One vector of a system in the place of another.

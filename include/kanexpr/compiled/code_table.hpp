@@ -26,6 +26,7 @@ template <class System, class Time, class X, class P, class R, auto... wanted>
 const code_table& table_for() {
   using code = compiled::code<System, wanted...>;
   static_assert(sizeof(call<System, code, Time, X, P, R, not_given, wanted...>) != 0);
+  static_cast<void>(can_call_externals<code, typename X::Scalar, true, wanted...>());
   deriving::tell_in_code<surveyed<System>>();
   deriving::tell_in_code<code>();
   return table_of<System, wanted...>;

@@ -182,7 +182,8 @@ private:
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
                                               const A& a = {}) noexcept {
     using T = typename X::Scalar;
-    if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible) {
+    if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
+                  !compiled::can_call_externals<code, T, false, wanted...>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
       return no_results<T>();

@@ -17,6 +17,7 @@ struct image {
   static constexpr int most_integers = 1 << 18;
   static constexpr int most_numbers = 1 << 14;
   static constexpr int most_entities = 1 << 12;
+  static constexpr int most_externals = 1 << 8;
 
   int nodes = 0;
   symbolic::operation op[most_nodes]{};
@@ -35,6 +36,9 @@ struct image {
   const describe::frame_record* frame[most_entities]{};
   int points = 0;
   const describe::point_record* point[most_entities]{};
+
+  int externals = 0;
+  const symbolic::external_function* external[most_externals]{};
 
   /// Whether something was left out, for which there is no room.
   bool is_full = false;

@@ -69,6 +69,7 @@ constexpr image_reader::image_reader(const image& from, symbolic::graph& g, cons
   g.restore(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
             static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b,
             from.nodes);
+  for (int i = 0; i < from.externals; ++i) g.externals().push(from.external[i]);
 }
 
 } // namespace kanexpr::deriving

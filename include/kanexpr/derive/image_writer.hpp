@@ -91,12 +91,18 @@ private:
     }
   }
 
+  constexpr void write_externals(const symbolic::graph& g) {
+    for (const symbolic::external_function* f : g.externals())
+      if (has_room(into_.externals, image::most_externals)) into_.external[into_.externals++] = f;
+  }
+
   image& into_;
 };
 
 constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : into_(into) {
   write_nodes(g);
   write_numbers(g);
+  write_externals(g);
   (*this)(g.symbols());
 }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
@@ -172,8 +173,10 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
 /// The result in the motion that the equations give.
 constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equations& e) {
   symbolic::matrix formed = form_with_rates(wanted, r, e);
-  if (wanted.what == request::kind::result || wanted.what == request::kind::derivatives) return formed;
-  return e.in_motion(formed);
+  if (wanted.what != request::kind::result && wanted.what != request::kind::derivatives)
+    formed = e.in_motion(formed);
+  if (const sentence lacking = mechanics::check_derivatives(formed)) r.refuse(lacking.view());
+  return formed;
 }
 
 /// The request that a template argument of a compiled function stands for. This one is foreign.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/composed.hpp>
+#include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/mistaken.hpp>
 #include <kanexpr/describe/mixed.hpp>
 

@@ -10,6 +10,7 @@ namespace kanexpr::describe {
 
 struct frame_record;
 struct point_record;
+struct external_record;
 
 /// Stands for "not prescribed" in place of the order of a derivative.
 inline constexpr int unprescribed = -1;
@@ -27,6 +28,7 @@ enum class token_kind : unsigned char {
   symbol,
   scalar_function, ///< `operation` says which
   composed,        ///< of scalars: `index` is the symbolic::composition, `number` says of how many
+  external,        ///< `external` of scalars, `number` says of how many
   basis,           ///< axis `index` of `frame`; no frame: of the frame that is being described
   add,
   subtract,
@@ -57,6 +59,7 @@ struct token {
   const symbol_record* symbol = nullptr;
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
+  const external_record* external = nullptr;
 };
 
 } // namespace kanexpr::describe

@@ -3,6 +3,8 @@
 #include <kanexpr/lower/scalar_math.hpp>
 
 #include <complex>
+#include <concepts>
+#include <limits>
 
 namespace kanexpr::lower {
 
@@ -28,6 +30,32 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     const Real by = condition.real();
     if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
     return numeric::is_number(by) ? number() : condition;
+  }
+  /// A function of the program that takes real numbers alone is taken to first order, by its derivatives.
+  template <class Function>
+  static constexpr bool interprets = Function::has_slopes;
+  template <class Function>
+  static constexpr bool calls =
+      Function::template accepts<number>() || (Function::template accepts<Real>() && Function::has_slopes);
+  template <class Function>
+  static number called(const std::same_as<number> auto&... x) {
+    if constexpr (Function::template accepts<number>()) {
+      return Function::template value<number>(x...);
+    } else {
+      const number operands[]{x...};
+      return called(Function::function, operands);
+    }
+  }
+  static number called(const symbolic::external_function& f, const number* x) {
+    double operands[symbolic::most_operands]{};
+    for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i].real());
+    Real along = 0;
+    for (int i = 0; i < f.operands; ++i) {
+      const symbolic::external_function& slope = f.slope(i);
+      along += slope.is_given() ? static_cast<Real>(slope.value(operands)) * x[i].imag()
+                                : std::numeric_limits<Real>::quiet_NaN();
+    }
+    return {static_cast<Real>(f.value(operands)), along};
   }
   /// The angle of the real parts, corrected to first order.
   static number atan2(const number& y, const number& x) {

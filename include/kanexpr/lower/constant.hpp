@@ -9,12 +9,18 @@
 /// Evaluation inside a constant expression, where neither Eigen nor the C library can go.
 namespace kanexpr::lower {
 
-/// A step of an elimination; the solution of a singular system is not-a-number.
-constexpr void run_linear_step(const linear_step& e, const int* operands, const double* slot, double* out) {
+/// A call, or a step of an elimination; the solution of a singular system is not-a-number.
+constexpr void run_linear_step(const linear_step& e, const int* operands,
+                               const symbolic::external_function* const* externals, const double* slot,
+                               double* out) {
   using math = numeric::constant_elimination_math;
-  const double* const factors = slot + e.factors;
   sequence<double> inputs;
   for (int i = 0; i < e.inputs(); ++i) inputs.push(slot[operands[e.operands + i]]);
+  if (e.op == operation::call) {
+    *out = externals[e.factors]->value(inputs.begin());
+    return;
+  }
+  const double* const factors = slot + e.factors;
   if (e.op == operation::singularity_measure) {
     const bool singular = numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
     *out = singular ? 0 : numeric::singularity_measure_of<math>(e.order, factors, inputs.begin());
@@ -50,7 +56,7 @@ constexpr auto constant_slots(ValueOf value_of) {
   for (int i = 0; i < tape.sizes.loads; ++i) slot[next++] = value_of(tape.loads[i]);
   for (int i = 0, e = 0; i < tape.sizes.steps;) {
     if (e < tape.sizes.linear_steps && tape.linear_steps[e].step == i) {
-      run_linear_step(tape.linear_steps[e], tape.operands, slot.data(), slot.data() + next);
+      run_linear_step(tape.linear_steps[e], tape.operands, tape.externals, slot.data(), slot.data() + next);
       i += tape.linear_steps[e].outputs();
       next += static_cast<std::size_t>(tape.linear_steps[e++].outputs());
     } else {

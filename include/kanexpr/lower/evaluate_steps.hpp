@@ -19,13 +19,15 @@ template <class Code, class T>
 void evaluate_linear_step(const Code& code, const linear_step& e, T* values, T* aside) {
   using math = elimination_math<T>;
   T* const out = values + code.first_step() + e.step;
-  T* const into = e.op == operation::singularity_measure ? aside : out;
+  T* const into = e.op == operation::singularity_measure || e.op == operation::call ? aside : out;
   const T* const factors = values + e.factors;
   for (int i = 0; i < e.inputs(); ++i) into[i] = values[code.operands[e.operands + i]];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
   else if (e.op == operation::singularity_measure)
     *out = numeric::singularity_measure_of<math>(e.order, factors, into);
+  else if (e.op == operation::call)
+    *out = scalar_math<T>::called(*code.externals[e.factors], into);
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);
   else
@@ -63,7 +65,8 @@ void evaluate_step(const instruction& step, const T* values, T* out) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: return; // belong to an elimination
+  case form::singularity_measure:
+  case form::call: return; // are linear steps
   }
 }
 

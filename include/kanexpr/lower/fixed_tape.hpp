@@ -11,6 +11,7 @@ struct tape_sizes {
   int results = 0;
   int linear_steps = 0;
   int operands = 0;
+  int externals = 0;
   int first_angle = 0;
   int angles = 0;
 };
@@ -31,6 +32,7 @@ struct fixed_tape {
   int results[at_least_one(own.results)]{};
   linear_step linear_steps[at_least_one(own.linear_steps)]{};
   int operands[at_least_one(own.operands)]{};
+  const symbolic::external_function* externals[at_least_one(own.externals)]{};
 
   constexpr int first_step() const { return sizes.numbers + sizes.loads; }
   constexpr int slot_count() const { return first_step() + sizes.steps; }
@@ -39,6 +41,7 @@ struct fixed_tape {
 /// Room for any model that a compiler can be asked to derive.
 inline constexpr int most_steps = 1 << 16;
 inline constexpr int most_linear_steps = most_steps / 16;
+inline constexpr int most_externals = 1 << 8;
 
 /// The same with that room; what is behind the sizes is unused. It costs nothing as long as only constant
 /// evaluation sees it: `trimmed` makes the tape that programs use.
@@ -64,16 +67,18 @@ struct roomy_tape {
   int factors[most_linear_steps]{};
   int first_operands[most_linear_steps]{};
   int operands[most_steps]{};
+  const symbolic::external_function* externals[most_externals]{};
 };
 
 constexpr tape_sizes sizes_of(const tape& t) {
-  return {t.steps.size(),        t.numbers.size(),  t.loads.size(), t.results.size(),
-          t.linear_steps.size(), t.operands.size(), t.first_angle,  t.angle_count};
+  return {t.steps.size(),    t.numbers.size(),   t.loads.size(), t.results.size(), t.linear_steps.size(),
+          t.operands.size(), t.externals.size(), t.first_angle,  t.angle_count};
 }
 
 constexpr bool has_room_for(const tape_sizes& s) {
   return s.steps <= most_steps && s.numbers <= most_steps && s.loads <= most_steps &&
-         s.results <= most_steps && s.linear_steps <= most_linear_steps && s.operands <= most_steps;
+         s.results <= most_steps && s.linear_steps <= most_linear_steps && s.operands <= most_steps &&
+         s.externals <= most_externals;
 }
 
 /// Only of a tape that there is room for.
@@ -106,6 +111,7 @@ constexpr roomy_tape fixed(const tape& t) {
     out.first_operands[i] = t.linear_steps[i].operands;
   }
   for (int i = 0; i < out.sizes.operands; ++i) out.operands[i] = t.operands[i];
+  for (int i = 0; i < out.sizes.externals; ++i) out.externals[i] = t.externals[i];
   return out;
 }
 
@@ -129,6 +135,7 @@ constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
     out.linear_steps[i] = {from.linear_operations[i], from.orders[i], from.linear_step_slots[i],
                            from.factors[i], from.first_operands[i]};
   for (int i = 0; i < sizes.operands; ++i) out.operands[i] = from.operands[i];
+  for (int i = 0; i < sizes.externals; ++i) out.externals[i] = from.externals[i];
   return out;
 }
 

@@ -84,6 +84,12 @@ struct scalar_math<T> {
       return is_positive ? T{} : rest;
     }
   }
+  template <class Function>
+  static constexpr bool calls = of_element::template calls<Function>;
+  template <class Function>
+  [[gnu::always_inline]] static T called(const std::same_as<T> auto&... x) {
+    return each([&](int i) { return of_element::template called<Function>(element(x[i])...); });
+  }
   [[gnu::always_inline]] static T power(const T& x, const T& y) {
     return each([&](int i) { return of_element::power(x[i], y[i]); });
   }

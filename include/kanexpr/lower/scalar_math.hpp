@@ -118,6 +118,28 @@ struct default_scalar_math {
     else
       return condition; // not a number
   }
+  /// A function of the program.
+  template <class Function>
+  static constexpr bool calls = Function::template accepts<T>();
+  template <class Function>
+  static constexpr bool interprets = true;
+  template <class Function>
+  [[gnu::always_inline]] static T called(const auto&... x) {
+    return Function::template value<T>(x...);
+  }
+  /// The same for an interpreter, which knows its values of double.
+  static T called(const symbolic::external_function& f, const T* x) {
+    if constexpr (std::is_same_v<T, double>) {
+      return f.value(x);
+    } else {
+      static_assert(
+          requires { static_cast<double>(*x); },
+          "functions of the program are interpreted with numbers that convert to double");
+      double operands[symbolic::most_operands]{};
+      for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i]);
+      return T(f.value(operands));
+    }
+  }
   static T power(const T& x, const T& y) {
     using std::pow;
     return pow(x, y);

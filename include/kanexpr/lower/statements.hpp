@@ -11,13 +11,15 @@ struct statement {
     argument,  ///< `arguments[a]`
     operation, ///< `op` of the value a, or of the values a and b
     choice,    ///< the value a where the value `by` is positive, else b
+    call,      ///< the function `externals[by]` of b values, `operands[a]` and those behind it
   };
   kind is = kind::number;
   lower::operation op{};
   int a = 0, b = 0, by = 0;
 };
 
-/// A tape as code in which every value is given once, by an operation that any language has: what a backend
+/// A tape as code in which every value is given once, by an operation that any language has or by a call of a
+/// function of the program: what a backend
 /// that writes code goes through. Linear systems are written out, each exchange of rows as two choices. The
 /// cosine of a pair stands behind its sine.
 struct statements {
@@ -25,6 +27,8 @@ struct statements {
   sequence<load> arguments{};
   sequence<statement> lines{}; ///< line i gives the value i
   sequence<int> results{};     ///< values
+  sequence<int> operands{};    ///< of calls: values
+  sequence<const symbolic::external_function*> externals{};
 };
 
 /// A value of code that is being written: evaluating a tape with it writes the code. One that belongs to none
@@ -88,6 +92,16 @@ struct scalar_math<written_value> {
   static constexpr written_value by_name(const written_value& x) {
     return detail::write(op, x);
   }
+  static constexpr written_value called(const symbolic::external_function& f, const written_value* x) {
+    statements& code = *x[0].code;
+    sequence<int> operands;
+    for (int i = 0; i < f.operands; ++i) operands.push(detail::place_in(code, x[i]));
+    const int first = code.operands.size();
+    for (int each : operands) code.operands.push(each);
+    int which = code.externals.find(&f);
+    if (which < 0) which = code.externals.push(&f);
+    return detail::write(code, {statement::kind::call, operation::call, first, f.operands, which});
+  }
   static constexpr written_value power(const written_value& x, const written_value& y) {
     return detail::write(operation::power, x, y);
   }
@@ -118,17 +132,23 @@ constexpr statements without_unused(const statements& all) {
   for (int i = all.lines.size() - 1; i >= 0; --i) {
     const statement& line = all.lines[i];
     if (is_used[i] == 0 || line.is == kind::number || line.is == kind::argument) continue;
+    if (line.is == kind::call) {
+      for (int k = 0; k < line.b; ++k) is_used[all.operands[line.a + k]] = 1;
+      continue;
+    }
     is_used[line.a] = 1;
     if (line.is == kind::choice) is_used[line.b] = is_used[line.by] = 1;
     if (line.is == kind::operation && symbolic::is_binary(line.op)) is_used[line.b] = 1;
   }
-  statements kept{all.numbers, all.arguments, {}, {}};
+  statements kept{all.numbers, all.arguments, {}, {}, all.operands, all.externals};
   sequence<int> place(all.lines.size(), 0);
   for (int i = 0; i < all.lines.size(); ++i) {
     if (is_used[i] == 0) continue;
     statement line = all.lines[i];
     if (line.is == kind::operation || line.is == kind::choice)
       line.a = place[line.a], line.b = place[line.b], line.by = place[line.by];
+    if (line.is == kind::call)
+      for (int k = 0; k < line.b; ++k) kept.operands[line.a + k] = place[all.operands[line.a + k]];
     place[i] = kept.lines.push(line);
   }
   for (int each : all.results) kept.results.push(place[each]);
@@ -139,7 +159,7 @@ constexpr statements without_unused(const statements& all) {
 
 /// The code of a tape, with the operations of every other evaluation in their order.
 inline statements statements_of(const tape& code) {
-  statements all{code.numbers, code.loads, {}, {}};
+  statements all{code.numbers, code.loads, {}, {}, {}, {}};
   sequence<written_value> slots(code.slot_count()), aside(aside_of(code));
   for (int i = 0; i < code.numbers.size(); ++i) slots[i] = detail::write(all, {.a = i});
   for (int i = 0; i < code.loads.size(); ++i)

@@ -14,13 +14,14 @@ struct instruction {
   bool paired; ///< a sine that brings the cosine of its angle in the next slot, or that cosine
 };
 
-/// A step on many slots, on the way to solve a linear system: it fills slots from `step` on, as many as its
-/// operation asks for; in the list of steps they are marked as components of it.
+/// A step on many slots, on the way to solve a linear system, or a call of a function with its operands: it
+/// fills slots from `step` on, as many as its operation asks for; in the list of steps they are marked as
+/// components of it.
 struct linear_step {
   operation op = operation::factorization;
-  int order = 0;
+  int order = 0; ///< of a call: how many operands
   int step = 0;
-  int factors = 0;  ///< first slot of the factorization that it uses
+  int factors = 0;  ///< first slot of the factorization that it uses; of a call: which function
   int operands = 0; ///< where its operands begin among those of all linear steps
 
   constexpr int inputs() const {
@@ -28,7 +29,7 @@ struct linear_step {
   }
   constexpr int outputs() const {
     if (op == operation::factorization) return numeric::factors{order}.size();
-    return op == operation::singularity_measure ? 1 : order;
+    return op == operation::singularity_measure || op == operation::call ? 1 : order;
   }
 };
 
@@ -50,6 +51,7 @@ struct tape {
   sequence<int> results{}; ///< slots
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
+  sequence<const symbolic::external_function*> externals{};
   int first_angle = 0;
   int angle_count = 0;
 
@@ -186,6 +188,7 @@ private:
       slot_[id] = slot_[n.a] + symbolic::integer_at(g_, n.b);
       return;
     }
+    if (n.op == operation::call) return put_call(id, symbolic::elements_of(g_, n.a));
     const bool factorizes = n.op == operation::factorization;
     const linear_step added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
                             factorizes ? 0 : slot_[n.a], tape_.operands.size()};
@@ -198,6 +201,16 @@ private:
     tape_.linear_steps.push(added);
     slot_[id] = first_step_ + added.step;
     for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
+  }
+
+  constexpr void put_call(int id, const sequence<int>& operands) {
+    const symbolic::external_function* const f = &g_.external_at(id);
+    int which = tape_.externals.find(f);
+    if (which < 0) which = tape_.externals.push(f);
+    tape_.linear_steps.push(
+        {operation::call, operands.size(), tape_.steps.size(), which, tape_.operands.size()});
+    for (int operand : operands) tape_.operands.push(slot_[operand]);
+    slot_[id] = step({operation::component, 0, 0, false});
   }
 
   constexpr int step(const instruction& added) { return first_step_ + tape_.steps.push(added); }
@@ -240,6 +253,8 @@ constexpr symbolic::cost cost_of(const tape& t) {
       total.count_factorization(e.order);
     else if (e.op == operation::singularity_measure)
       total.count_singularity_measure(e.order);
+    else if (e.op == operation::call)
+      total.count(operation::call);
     else
       total.count_substitution(e.order);
   }

@@ -39,12 +39,14 @@ struct tape_view {
   view<int> results;
   view<linear_step> linear_steps;
   view<int> operands;
+  view<const symbolic::external_function*> externals;
 
   template <tape_sizes own>
   constexpr explicit tape_view(const fixed_tape<own>& of)
       : steps{of.op, of.paired, of.a, of.b, own.steps}, numbers(of.numbers, own.numbers),
         loads(of.loads, own.loads), results(of.results, own.results),
-        linear_steps(of.linear_steps, own.linear_steps), operands(of.operands, own.operands) {}
+        linear_steps(of.linear_steps, own.linear_steps), operands(of.operands, own.operands),
+        externals(of.externals, own.externals) {}
 
   constexpr int first_step() const { return numbers.size() + loads.size(); }
   constexpr int slot_count() const { return first_step() + steps.size(); }

@@ -125,7 +125,9 @@ private:
   template <int i>
   [[gnu::always_inline]] static void eliminate(T* out, const T* slot) noexcept {
     constexpr linear_step e = tape.linear_steps[i];
-    if constexpr (e.op == operation::singularity_measure) {
+    if constexpr (e.op == operation::call) {
+      *out = call<i>(slot, up_to<e.order>{});
+    } else if constexpr (e.op == operation::singularity_measure) {
       T squares[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(squares, slot, up_to<e.inputs()>{});
       *out = unrolled_elimination<e.order, T>::singularity_measure(slot + e.factors, squares);
@@ -138,6 +140,13 @@ private:
       else
         unrolled_elimination<e.order, T>::solve_transposed(slot + e.factors, out);
     }
+  }
+
+  template <int step, int... i>
+  [[gnu::always_inline]] static T call(const T* slot, std::integer_sequence<int, i...>) noexcept {
+    constexpr linear_step e = tape.linear_steps[step];
+    using function = decltype(code_of(symbolic::external_tag<tape.externals[e.factors]>{}));
+    return scalar_math<T>::template called<function>(slot[tape.operands[e.operands + i]]...);
   }
 
   template <int begin, int... i>

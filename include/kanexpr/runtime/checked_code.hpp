@@ -2,9 +2,12 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
+
+#include <limits>
 
 namespace kanexpr::runtime {
 
@@ -30,11 +33,12 @@ public:
   kanexpr::status status() const;
 
 private:
-  static symbolic::sequence<int> nodes(const symbolic::matrix& wanted,
+  static symbolic::sequence<int> nodes(symbolic::graph& g, const symbolic::matrix& wanted,
                                        const symbolic::sequence<mechanics::singularity_check>& checks);
 
   interpreter<Scalar> code_;
   symbolic::sequence<Scalar> found_; ///< the result, then how regular what it rests on is
+  mechanics::sentence lacking_{};    ///< a derivative that is not given, without which there are no values
   symbolic::sequence<mechanics::sentence> causes_{};
   symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
 };
@@ -42,8 +46,9 @@ private:
 template <class Scalar>
 checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
                                    const symbolic::sequence<mechanics::singularity_check>& checks)
-    : code_(lower::tape_of(g, nodes(wanted, checks))),
-      found_(code_.size(), lower::scalar_math<Scalar>::from(0)) {
+    : code_(lower::tape_of(g, nodes(g, wanted, checks))),
+      found_(code_.size(), lower::scalar_math<Scalar>::from(0)),
+      lacking_(mechanics::check_derivatives(wanted)) {
   for (const mechanics::singularity_check& each : checks) {
     causes_.push(each.cause);
     is_of_finiteness_.push(each.of_finiteness);
@@ -52,13 +57,15 @@ checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& w
 
 template <class Scalar>
 symbolic::sequence<int>
-checked_code<Scalar>::nodes(const symbolic::matrix& wanted,
+checked_code<Scalar>::nodes(symbolic::graph& g, const symbolic::matrix& wanted,
                             const symbolic::sequence<mechanics::singularity_check>& checks) {
   symbolic::sequence<int> ids = symbolic::nodes_of(wanted.entries);
   for (const mechanics::singularity_check& each : checks) {
     ids.push(each.measure.node());
     ids.push(each.scale.node());
   }
+  if (mechanics::check_derivatives(wanted))
+    for (int& id : ids) id = g.constant(symbolic::real(std::numeric_limits<double>::quiet_NaN()));
   return ids;
 }
 
@@ -69,6 +76,7 @@ symbolic::cost checked_code<Scalar>::cost() const {
 
 template <class Scalar>
 kanexpr::status checked_code<Scalar>::status() const {
+  if (lacking_) return kanexpr::status(lacking_.view());
   const int results = code_.size() - 2 * causes_.size();
   for (int i = 0; i < causes_.size(); ++i) {
     const Scalar &measure = found_[results + 2 * i], &scale = found_[results + 2 * i + 1];

@@ -42,16 +42,21 @@ private:
     return std::string(s.called.view()) + (is_rate ? "'" : "");
   }
 
-  /// Whether a symbol has a name that a value of the code might get.
+  /// Whether a symbol or a function has a name that a value of the code might get.
   bool is_taken() const {
     for (const symbolic::symbol& s : graph_.symbols())
-      for (const char letter : {'s', 'c', 't'}) {
-        const std::string_view called = s.called.view();
-        const std::string begin = letter + separator_;
-        if (called.starts_with(begin) && called.size() > begin.size() &&
-            called.find_first_not_of("0123456789", begin.size()) == std::string_view::npos)
-          return true;
-      }
+      if (is_taken_by(s.called.view())) return true;
+    for (const symbolic::external_function* f : graph_.externals())
+      if (is_taken_by(f->called.view())) return true;
+    return false;
+  }
+  bool is_taken_by(std::string_view called) const {
+    for (const char letter : {'s', 'c', 't'}) {
+      const std::string begin = letter + separator_;
+      if (called.starts_with(begin) && called.size() > begin.size() &&
+          called.find_first_not_of("0123456789", begin.size()) == std::string_view::npos)
+        return true;
+    }
     return false;
   }
 
@@ -85,6 +90,11 @@ private:
 
   std::string value(const lower::statement& line) const {
     using symbolic::form;
+    if (line.is == lower::statement::kind::call) {
+      std::string text(code_.externals[line.by]->called.view());
+      for (int i = 0; i < line.b; ++i) text += (i == 0 ? "(" : ", ") + name(code_.operands[line.a + i]);
+      return text + ')';
+    }
     if (line.is == lower::statement::kind::choice)
       return name(line.by) + " > 0 ? " + name(line.a) + " : " + name(line.b);
     const std::string first = operand(name(line.a)), second = operand(name(line.b));
@@ -105,7 +115,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // are written out
+    case form::singularity_measure:
+    case form::call: break; // are written otherwise
     }
     return "";
   }

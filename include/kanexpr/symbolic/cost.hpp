@@ -29,7 +29,8 @@ struct cost {
     case form::divide: divisions += times; break;
     case form::function: (properties_of(op).is_trigonometric ? trigonometric : other) += times; break;
     case form::atan2: trigonometric += times; break;
-    case form::power: other += times; break;
+    case form::power:
+    case form::call: other += times; break;
     case form::pair:
     case form::factorization:
     case form::solve:
@@ -68,7 +69,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
   for (int id = 0; id < g.size(); ++id) {
     const node& n = g[id];
     if (live[id] == 0 || is_leaf(n.op)) continue;
-    if (n.op < operation::pair)
+    if (n.op < operation::pair || n.op == operation::call)
       total.count(n.op);
     else if (n.op == operation::factorization)
       total.count_factorization(order_of(g, id));

@@ -176,6 +176,7 @@ private:
       break;
     }
     case token_kind::composed: compose(t, stack, whom); break;
+    case token_kind::external: call(t, stack, whom); break;
     case token_kind::negate: stack.push(negative(m_, pop())); break;
     case token_kind::add: {
       const value b = pop(), a = pop();
@@ -283,6 +284,29 @@ private:
                             mechanics::counted(f.operands).view()});
     for (int i = 0; i < given; ++i) stack.pop();
     stack.push(value::of(symbolic::compose(f.is, operands)));
+  }
+
+  /// A function of the program.
+  constexpr void call(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    const describe::external_record& f = *t.external;
+    const int given = static_cast<int>(t.number.numerator);
+    sequence<expression> operands;
+    for (int i = stack.size() - given; i < stack.size(); ++i) {
+      if (stack[i].kind != shape::scalar)
+        return reading_.fail({reading_.part, whom, " takes ", f.called, " of ", a_kind(stack[i].kind)});
+      operands.push(stack[i].scalar);
+    }
+    if (f.operands != 0)
+      return reading_.fail({reading_.part, whom, " takes ", f.called, " of ",
+                            mechanics::counted(given).view(), given == 1 ? " scalar" : " scalars",
+                            "; it is of ", mechanics::counted(f.operands).view()});
+    if (f.function == nullptr) return reading_.fail({reading_.part, whom, " takes ", f.called, f.mistake});
+    for (const symbolic::external_function* other : m_.g->externals())
+      if (other != f.function && other->called == f.function->called)
+        return reading_.fail(
+            {reading_.part, whom, " takes ", f.called, ", and another function of the model has this name"});
+    for (int i = 0; i < given; ++i) stack.pop();
+    stack.push(value::of(symbolic::call(*f.function, operands)));
   }
 
   /// Of the argument and then the points of a table: whether it has two or more, in their order, and ends as

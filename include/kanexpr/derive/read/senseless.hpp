@@ -30,6 +30,7 @@ constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   case token_kind::number:
   case token_kind::symbol:
   case token_kind::composed:
+  case token_kind::external:
   case token_kind::basis:
   case token_kind::negate:
   case token_kind::magnitude:

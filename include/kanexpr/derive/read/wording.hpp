@@ -60,7 +60,8 @@ constexpr bool is_whole(const phrase& p) {
     case token_kind::cross:
     case token_kind::outer: operands = 2; break;
     case token_kind::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
-    case token_kind::composed: operands = static_cast<int>(p.tokens[i].number.numerator); break;
+    case token_kind::composed:
+    case token_kind::external: operands = static_cast<int>(p.tokens[i].number.numerator); break;
     case token_kind::negate:
     case token_kind::magnitude:
     case token_kind::normalized:

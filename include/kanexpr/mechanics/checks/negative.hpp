@@ -27,7 +27,8 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: break;
+  case form::singularity_measure:
+  case form::call: break;
   }
   return false;
 }

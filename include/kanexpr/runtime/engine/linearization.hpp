@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/runtime/engine/consistent_point.hpp>
 #include <kanexpr/runtime/engine/point_reader.hpp>
 #include <kanexpr/runtime/engine/solve_numbers.hpp>
 #include <kanexpr/runtime/linearization.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -86,6 +88,9 @@ private:
     for (const symbolic::singularity& s : found.singular)
       failures_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
                           ") of " + called + " has no value at the operating point: " + s.condition);
+    if (const mechanics::sentence lacking = mechanics::check_derivatives(found.values))
+      if (const std::string text(lacking.view()); std::ranges::find(failures_, text) == failures_.end())
+        failures_.push_back(text);
     return found.values;
   }
 

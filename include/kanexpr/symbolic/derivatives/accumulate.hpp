@@ -44,6 +44,10 @@ public:
         continue;
       }
       if (n.op == operation::singularity_measure) continue;
+      if (n.op == operation::call) {
+        back_through_call(id, n, adjoints_[id]);
+        continue;
+      }
       const int adjoint = adjoints_[id];
       if (back_through_turn(n, adjoints_[id])) continue;
       if (is_selection(n.op)) {
@@ -77,6 +81,14 @@ private:
     collect(x.value[0], x.circular[0], adjoint, false);
     collect(x.value[1], x.circular[1], adjoint, !x.adds);
     return true;
+  }
+
+  constexpr void back_through_call(int id, const node& n, int adjoint) {
+    const external_function& f = graph_.external_at(id);
+    const sequence<int> operands = elements_of(graph_, n.a);
+    for (int i = 0; i < operands.size(); ++i)
+      if (!graph_.is_constant(operands[i]))
+        collect(operands[i], multiply(graph_, adjoint, call(graph_, f.slope(i), n.a)));
   }
 
   /// What is left out must not matter: zero times a slope that is infinite there would. So where a slope may
@@ -119,7 +131,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break;
+    case form::singularity_measure:
+    case form::call: break;
     }
     return false;
   }

@@ -38,7 +38,8 @@ constexpr partials local_partials(graph& g, int id) {
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
-  case form::component: break;
+  case form::component:
+  case form::call: break;
   }
   return {zero, zero};
 }
@@ -89,6 +90,8 @@ private:
       rate = slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);
     } else if (n.op == operation::component) {
       rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
+    } else if (n.op == operation::call) {
+      rate = of_call(id);
     } else if (is_selection(n.op)) {
       const int through_b = of(n.b);
       rate = selected(*graph_, n.op, n.a, through_b);
@@ -104,6 +107,20 @@ private:
       }
     }
     remember(id, rate);
+    return rate;
+  }
+
+  constexpr int of_call(int id) {
+    graph& g = *graph_;
+    const external_function& f = g.external_at(id);
+    const int list = g[id].a;
+    const sequence<int> operands = elements_of(g, list);
+    int rate = graph::zero;
+    for (int i = 0; i < operands.size(); ++i)
+      if (const int along = of(operands[i]); along != graph::zero) {
+        const int through = multiply(g, call(g, f.slope(i), list), along);
+        rate = add(g, rate, through);
+      }
     return rate;
   }
 

@@ -42,7 +42,8 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: break; // no operations on two numbers
+  case form::singularity_measure:
+  case form::call: break; // no operations on two numbers
   }
   return {value, elementary::detail::not_a_number};
 }
@@ -65,6 +66,8 @@ public:
         at_[id] = {g_.number_at(id).value(), 0};
       else if (n.op == operation::symbol)
         at_[id] = of_symbol(id);
+      else if (n.op == operation::call)
+        at_[id] = called(id);
       else
         at_[id] = n.op < operation::pair ? defined(n.op, at_[n.a], is_binary(n.op) ? at_[n.b] : rated{})
                                          : undefined;
@@ -84,6 +87,19 @@ private:
     if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))
       return undefined;
     return rated_value_of(op, a, b);
+  }
+  constexpr rated called(int id) const {
+    const external_function& f = g_.external_at(id);
+    const sequence<int> given = elements_of(g_, g_[id].a);
+    sequence<double> operands;
+    for (int each : given) {
+      if (!is_finite(at_[each])) return undefined;
+      operands.push(at_[each].value);
+    }
+    rated found{generic_value_of(f, operands.begin()), 0};
+    for (int i = 0; i < operands.size(); ++i)
+      found.rate += generic_value_of(f.slope(i), operands.begin()) * at_[given[i]].rate;
+    return found;
   }
   static constexpr bool is_finite(rated x) {
     return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);

@@ -17,7 +17,8 @@ constexpr int build(graph& g, operation op, int a, int b) {
   case form::atan2: return atan2(g, a, b);
   case form::selection: return selected(g, op, a, b);
   case form::pair:
-  case form::factorization: return g.find_or_append({op, a, b});
+  case form::factorization:
+  case form::call: return g.find_or_append({op, a, b});
   case form::solve:
   case form::transposed_solve: return solution(g, op, a, b);
   case form::component: return component(g, a, integer_at(g, b));

@@ -35,6 +35,11 @@ private:
       for (char letter : s.called.view()) mark = mix(mark, static_cast<std::uint64_t>(letter));
       return mark;
     }
+    if (n.op == operation::call) {
+      for (char letter : g.external_at(id).called.view())
+        mark = mix(mark, static_cast<std::uint64_t>(letter));
+      return mix(mark, mark_[n.a]);
+    }
     const std::uint64_t a = mark_[n.a], b = is_binary(n.op) ? mark_[n.b] : 0;
     const bool exchanged = is_commutative(n.op) && b < a;
     return mix(mix(mark, exchanged ? b : a), exchanged ? a : b);

@@ -29,7 +29,8 @@ constexpr double value_of(operation op, double a, double b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: break; // no operations on two numbers
+  case form::singularity_measure:
+  case form::call: break; // no operations on two numbers
   }
   return elementary::detail::not_a_number;
 }
@@ -45,7 +46,8 @@ constexpr double defined_value_of(operation op, double a, double b) {
 
 /// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
 /// not defined there (0/0, the solution of a singular system) is not-a-number, and so is all that depends on
-/// it.
+/// it. What calls a function of the program has a value that is not the function's, but goes with its
+/// derivatives.
 class evaluation {
 public:
   constexpr evaluation(const graph& g, const sequence<int>& outputs)
@@ -92,6 +94,10 @@ private:
 
   constexpr double solving(int id, const node& n) {
     if (n.op == operation::component) return more_[place_[n.a] + integer_at(g_, n.b)];
+    if (n.op == operation::call) {
+      const int first = more_.size();
+      return gather(n.a) ? generic_value_of(g_.external_at(id), &more_[first]) : undefined;
+    }
     const int factorization = n.op == operation::factorization ? id : n.a;
     const int order = order_of(g_, factorization), first = more_.size();
     const numeric::factors place{order};

@@ -119,6 +119,17 @@ constexpr expression power(expression base, expression exponent) {
   return {base.owner(), power(base.owner(), base.node(), exponent.node())};
 }
 
+/// A function of the program; of one operand at least, all of one graph.
+constexpr expression call(const external_function& f, const sequence<expression>& operands) {
+  sequence<int> nodes;
+  for (const expression& each : operands) {
+    if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(operands[0], each)) return {};
+    nodes.push(each.node());
+  }
+  graph& g = operands[0].owner();
+  return {g, call(g, f, list_of(g, nodes))};
+}
+
 constexpr expression constant(graph& g, const number& value) { return {g, g.constant(value)}; }
 constexpr expression variable(graph& g, const symbol& s) { return {g, g.variable(s)}; }
 

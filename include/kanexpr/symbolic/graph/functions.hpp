@@ -258,7 +258,8 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::solve:
   case operation::transposed_solve:
   case operation::component:
-  case operation::singularity_measure: break;
+  case operation::singularity_measure:
+  case operation::call: break;
   }
   __builtin_unreachable();
 }

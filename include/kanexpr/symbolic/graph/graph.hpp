@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
@@ -34,7 +35,8 @@ public:
     constant(exactly(1));
   }
   constexpr graph(const graph& other)
-      : numbers_(other.numbers_), symbols_(other.symbols_), holds_lists_(other.holds_lists_) {
+      : numbers_(other.numbers_), symbols_(other.symbols_), externals_(other.externals_),
+        holds_lists_(other.holds_lists_) {
     make_room(other.room_);
     place_all(other.nodes_, other.size_);
   }
@@ -45,7 +47,7 @@ public:
   }
 
   constexpr int size() const { return size_; }
-  /// Whether there is anything of a linear system, live or not.
+  /// Whether there is anything of a linear system or a call, live or not.
   constexpr bool holds_lists() const { return holds_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
   constexpr const node* begin() const { return nodes_; }
@@ -56,6 +58,14 @@ public:
   constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
+
+  /// The functions of the program that are called here.
+  constexpr sequence<const external_function*>& externals() { return externals_; }
+  constexpr const sequence<const external_function*>& externals() const { return externals_; }
+  /// That of a call.
+  constexpr const external_function& external_at(int id) const {
+    return *externals_[static_cast<int>(number_at(nodes_[id].b).numerator)];
+  }
 
   constexpr int constant(const number& value) {
     const int place = place_of(value);
@@ -188,6 +198,7 @@ private:
   unsigned last_place_ = 0;
   sequence<number> numbers_{};
   sequence<symbol> symbols_{};
+  sequence<const external_function*> externals_{};
   bool holds_lists_ = false;
 };
 

@@ -27,6 +27,14 @@ constexpr int integer_at(const graph& g, int constant) {
   return static_cast<int>(g.number_at(constant).numerator);
 }
 
+/// A function of the program with a list of operands.
+constexpr int call(graph& g, const external_function& f, int operands) {
+  sequence<const external_function*>& all = g.externals();
+  int place = all.find(&f);
+  if (place < 0) place = all.push(&f);
+  return g.find_or_append({operation::call, operands, g.constant(exactly(place))});
+}
+
 /// Systems up to this order are written out with cofactors when they are lowered.
 inline constexpr int largest_written_out = 3;
 

@@ -36,7 +36,7 @@ enum class operation : unsigned char {
   // selections: the second operand where the first is positive, or where it is not, else zero
   if_positive,
   if_not_positive,
-  // linear systems; lists are no values, and stand only as operands of these
+  // of lists: linear systems and calls; lists are no values, and stand only as operands of these
   pair,                ///< a list: its first element and the list of the others, ended by the constant zero
   factorization,       ///< of the matrix with a list of rows, each a list, and of the order in the constant b
   solve,               ///< A x = b: a factorization and the list b
@@ -44,6 +44,7 @@ enum class operation : unsigned char {
   component,           ///< an element of a solution; the constant b counts from zero
   singularity_measure, ///< how far a factorization is from a singular matrix: of a small one its determinant,
                        ///< of another its pivots beside the list b, squares of the sizes of its entries
+  call,                ///< of a function of the program with a list; the constant b says which
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -54,7 +55,7 @@ constexpr bool is_binary(operation op) {
 }
 /// Whether the second operand is a plain number that says how many or which, and no value.
 constexpr bool is_numbered(operation op) {
-  return op == operation::factorization || op == operation::component;
+  return op == operation::factorization || op == operation::component || op == operation::call;
 }
 
 constexpr bool is_selection(operation op) {
@@ -95,6 +96,7 @@ enum class form : unsigned char {
   transposed_solve,
   component,
   singularity_measure,
+  call,
 };
 
 constexpr form form_of(operation op) {
@@ -104,8 +106,7 @@ constexpr form form_of(operation op) {
   constexpr int before = static_cast<int>(operation::pair) - static_cast<int>(form::pair);
   return static_cast<form>(static_cast<int>(op) - before);
 }
-static_assert(form_of(operation::power) == form::power &&
-              form_of(operation::singularity_measure) == form::singularity_measure);
+static_assert(form_of(operation::power) == form::power && form_of(operation::call) == form::call);
 
 /// f(-x) is -f(x) for an odd function, f(x) for an even one.
 enum class parity { none, odd, even };
@@ -292,7 +293,8 @@ constexpr const char* function_name(operation op) {
   case form::pair:
   case form::factorization:
   case form::solve:
-  case form::transposed_solve: return "";
+  case form::transposed_solve:
+  case form::call: return ""; // who knows the graph knows its name
   }
   return "";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/limits/generic_values.hpp>
+#include <kanexpr/symbolic/limits/external.hpp>
 #include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <map>
@@ -69,6 +69,7 @@ private:
     known.moved = a.moved || b.moved;
     known.singular = a.singular || (b.singular && !(is_selection(n.op) && is_left_out(n.op, a.values)));
     if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, known);
+    if (n.op == operation::call) return call(id, known);
     if (n.op == operation::component)
       known.values = known.singular ? undefined_ : solutions_[n.a][component_of(n)];
     else if (n.op >= operation::pair)
@@ -81,6 +82,14 @@ private:
     known.values = apply(op, a, b);
     const bool is_unreal = known.values.is_number() && !known.values.defined();
     known.singular = known.singular || is_unreal || taylor::is_singular(op, a, b);
+  }
+
+  void call(int id, appraised& known) const {
+    known.values = undefined_;
+    if (known.singular) return;
+    std::vector<generic_values> operands;
+    for (int each : elements_of(g_, g_[id].a)) operands.push_back((*this)[each]);
+    known.values = called(g_.external_at(id), operands);
   }
 
   void solve(int id, appraised& known) {

@@ -95,7 +95,8 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: break; // no operations on two numbers
+  case form::singularity_measure:
+  case form::call: break; // no operations on two numbers
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -17,7 +17,7 @@ public:
     id = l.failing(id);
     switch (l[id].met()) {
     case obstacle::none:
-    case obstacle::truncated: return "no limit is found with 16 terms of a series" + where(id);
+    case obstacle::truncated: return "no limit is found with " + terms_known(id) + where(id);
     case obstacle::zero_divisor:
     case obstacle::singular_system: return nowhere(id);
     case obstacle::piecewise: return function(id) + " changes with the signs of what stays" + where(id);
@@ -70,10 +70,21 @@ private:
     return is_solution(n.op) ? system(n.a) + " is singular everywhere" : function(id) + " is defined nowhere";
   }
 
+  /// How far series go: of functions of the program as far as these have derivatives.
+  std::string terms_known(int id) const {
+    const sequence<char> live = live_nodes(g_, {id});
+    for (int each = 0; each <= id; ++each)
+      if (live[each] != 0 && g_[each].op == operation::call)
+        return "the derivatives that are given of " + std::string(g_.external_at(each).original.view());
+    return "16 terms of a series";
+  }
+
   /// The operand with the pole of the highest order; -1: none has one.
   int steepest(const line& l, const node& n) const {
     sequence<int> operands;
-    if (is_solution(n.op)) {
+    if (n.op == operation::call) {
+      append_elements(g_, n.a, operands);
+    } else if (is_solution(n.op)) {
       operands = entries_of(g_, n.a);
       append_elements(g_, n.b, operands);
     } else {
@@ -98,6 +109,7 @@ private:
     if (!text.empty()) return text;
     const node& n = g_[id];
     if (n.op == operation::power) return "a power";
+    if (n.op == operation::call) return std::string(g_.external_at(id).called.view()) + "(...)";
     return *function_name(n.op) == '\0' ? "a part" : std::string(function_name(n.op)) + "(...)";
   }
   std::string system(int factorization) const {

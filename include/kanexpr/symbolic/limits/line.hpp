@@ -50,6 +50,7 @@ private:
     if (!point_.is_singular(id) && !point_.is_moved(id)) return series(plain(id));
     if (n.op == operation::singularity_measure) return measured(id);
     if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, n);
+    if (n.op == operation::call) return call(id, n);
     const expansion& a = found_.at(n.a);
     if (!a) return passed(id, n.a);
     if (n.op == operation::component)
@@ -75,6 +76,16 @@ private:
   expansion measured(int id) {
     if (point_.is_singular(id)) return obstacle::truncated;
     return series(0, {plain(id)}, 1, most_);
+  }
+
+  expansion call(int id, const node& n) {
+    std::vector<series> operands;
+    for (int each : elements_of(g_, n.a)) {
+      if (!found_.at(each)) return passed(id, each);
+      operands.push_back(*found_.at(each));
+    }
+    const external_function& f = g_.external_at(id);
+    return call_expanded(g_, f, operands, most_);
   }
 
   /// What stands for the whole solution is its first component.

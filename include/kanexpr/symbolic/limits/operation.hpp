@@ -92,7 +92,8 @@ inline expansion apply(operation op, const series& a, const series& b) {
   case form::solve:
   case form::transposed_solve:
   case form::component:
-  case form::singularity_measure: break; // who expands a graph knows these
+  case form::singularity_measure:
+  case form::call: break; // who expands a graph knows these
   }
   return obstacle::truncated;
 }

@@ -35,6 +35,8 @@ public:
     if (n.op == operation::singularity_measure)
       return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
     if (is_selection(n.op)) return choice(id);
+    if (n.op == operation::call)
+      return std::string(owner().external_at(id).called.view()) + "(" + separated(elements(n.a)) + ")";
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";
@@ -56,11 +58,7 @@ public:
   std::string in_parentheses(const std::string& text) const { return "(" + text + ")"; }
 
 private:
-  std::string list(const std::vector<int>& nodes) const {
-    std::string text;
-    for (int id : nodes) text += (text.empty() ? "" : ", ") + write(id);
-    return "[" + text + "]";
-  }
+  std::string list(const std::vector<int>& nodes) const { return "[" + separated(nodes) + "]"; }
   std::string matrix_of(int factorization, bool transposed) const {
     std::string text;
     for (const std::vector<int>& row : rows_of(factorization, transposed))

@@ -135,6 +135,11 @@ private:
     }
     if (rank(a) == 4) return compare_all(terms_of(a), terms_of(b), &term_reader::compare_terms);
     if (x.op != y.op) return x.op <=> y.op;
+    if (x.op == operation::call) {
+      const auto names =
+          compare_names(graph_.external_at(a).called.view(), graph_.external_at(b).called.view());
+      return names != 0 ? names : compare(x.a, y.a);
+    }
     const auto order = compare(x.a, y.a);
     return order != 0 || !is_binary(x.op) ? order : compare(x.b, y.b);
   }

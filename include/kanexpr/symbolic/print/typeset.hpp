@@ -75,6 +75,14 @@ private:
     return command.empty() ? std::string("\\operatorname{") + function_name(op) + "}" : command;
   }
 
+  /// Derivatives by the n-th operand as ∂_n in front.
+  std::string name_of(const external_function& f, const std::string& mark) const {
+    std::string text;
+    for (int k = 0; k < f.order; ++k) text += "\\partial_{" + std::to_string(f.by[k] + 1) + "} ";
+    text += latex_name(f.original.view(), false);
+    return mark.empty() || f.order == 0 ? text + mark : in_parentheses(text) + mark;
+  }
+
   /// `ends_open`: nothing follows that a reader could take for a part of the argument.
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
@@ -82,6 +90,8 @@ private:
     if (n.op == operation::singularity_measure)
       return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
     if (is_selection(n.op)) return choice(id);
+    if (n.op == operation::call)
+      return name_of(owner().external_at(id), mark) + in_parentheses(separated(elements(n.a)));
     const std::string argument = write(n.a);
     if (n.op == operation::sqrt) return "\\sqrt{" + argument + "}";
     if (n.op == operation::abs) return "\\left|" + argument + "\\right|";

@@ -117,6 +117,13 @@ protected:
     return {all.begin(), all.end()};
   }
 
+  /// With commas between them.
+  std::string separated(const std::vector<int>& nodes) const {
+    std::string text;
+    for (int id : nodes) text += (text.empty() ? "" : ", ") + write(id);
+    return text;
+  }
+
   /// A selection alone: the other branch is zero.
   std::string choice(int id) const {
     const std::string branch = write(at(id).b);

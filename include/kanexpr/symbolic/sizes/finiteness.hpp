@@ -96,7 +96,8 @@ private:
         found |= begins;
       break;
     }
-    case form::power: found |= begins; break;
+    case form::power:
+    case form::call: found |= begins; break;
     case form::selection: found |= b & never_negative; break;
     case form::symbol:
     case form::negate:
@@ -138,7 +139,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // may be finite all the same
+    case form::singularity_measure:
+    case form::call: break; // may be finite all the same
     }
   }
 

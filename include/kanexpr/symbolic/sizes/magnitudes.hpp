@@ -50,6 +50,7 @@ private:
     case form::singularity_measure: return v;
     case form::atan2: return v + size_[n.a];
     case form::selection: return selected(n.op, value[n.a], size_[n.b]);
+    case form::call: return v + slopes_times_terms(id, value);
     }
     return v;
   }
@@ -62,6 +63,17 @@ private:
     if (op == operation::cos) return v + terms * (terms < 1 ? terms : 1);
     if (properties_of(op).is_trigonometric || op == operation::sign) return v + terms;
     return v + (properties_of(op).is_smooth_at(x) ? elementary::abs(slope_of(op, x, f)) * terms : 0);
+  }
+
+  /// What the slopes of a call make of the terms of its operands.
+  constexpr double slopes_times_terms(int id, const evaluation& value) const {
+    const sequence<int> operands = elements_of(g_, g_[id].a);
+    sequence<double> at;
+    for (int each : operands) at.push(value[each]);
+    double sum = 0;
+    for (int i = 0; i < operands.size(); ++i)
+      sum += elementary::abs(generic_value_of(g_.external_at(id).slope(i), at.begin())) * size_[operands[i]];
+    return sum;
   }
 
   static constexpr double over(double a, double b) {

@@ -86,7 +86,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // of these nothing is known
+    case form::singularity_measure:
+    case form::call: break; // of these nothing is known
     }
     return {};
   }
@@ -150,7 +151,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: return;
+    case form::singularity_measure:
+    case form::call: return;
     }
   }
   constexpr void take(const estimate_of& open, double size) {

@@ -100,7 +100,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // of these nothing is known
+    case form::singularity_measure:
+    case form::call: break; // of these nothing is known
     }
     return unit_of_base(id);
   }

@@ -1,0 +1,249 @@
+#pragma once
+
+#include <kanexpr/base/text.hpp>
+#include <kanexpr/describe/composed.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+/// Functions of the program in models: of scalars, with derivatives that the program gives too.
+namespace kanexpr {
+
+namespace symbolic {
+class expression; // of builders, which models do without
+}
+
+namespace describe {
+
+/// What a model says of a function of the program.
+struct external_record {
+  const symbolic::external_function* function = nullptr; ///< none: there is a mistake
+  std::string_view called{};
+  std::string_view mistake{}; ///< how a sentence goes on that names the function
+  int operands = 0;           ///< if it is called with another number of them
+};
+
+/// Which derivative of a function: the operands that it is by, in their order, so that mixed ones are the
+/// same. As a template argument it is a number with a digit for each, 13 for that by the first and the third.
+struct derivative_of {
+  int order = 0;
+  int by[symbolic::most_derivatives]{};
+
+  constexpr explicit derivative_of(int digits) {
+    for (int rest = digits; rest != 0; rest /= 10) ++order;
+    for (int k = order - 1; k >= 0; --k, digits /= 10) by[k] = digits % 10 - 1;
+  }
+  constexpr int and_by(int operand) const {
+    int digits = 0;
+    bool is_in = false;
+    for (int k = 0; k < order; ++k) {
+      if (!is_in && operand < by[k]) digits = 10 * digits + operand + 1, is_in = true;
+      digits = 10 * digits + by[k] + 1;
+    }
+    return is_in ? digits : 10 * digits + operand + 1;
+  }
+};
+inline constexpr int no_derivative = 0;
+
+template <class X>
+concept counts_as_number = std::convertible_to<X, double> && !std::same_as<std::remove_cvref_t<X>, bool> &&
+                           !std::is_pointer_v<std::remove_cvref_t<X>>;
+
+/// A function and its derivatives, each a class that is called with scalars: of several operands, or of order
+/// two and higher, a derivative gives numbers by [i] or [i][j].
+template <text called, int operands, class Function, class... Derivatives>
+struct external_family {
+  static constexpr std::string_view name = called.view();
+  static constexpr int count = operands, derivatives = static_cast<int>(sizeof...(Derivatives));
+  template <int order>
+  using one = std::tuple_element_t<static_cast<std::size_t>(order), std::tuple<Function, Derivatives...>>;
+
+  template <int order, class T, std::size_t... i>
+  static constexpr bool takes(std::index_sequence<i...>) {
+    return std::is_default_constructible_v<one<order>> &&
+           std::is_invocable_v<one<order>, decltype((void(i), std::declval<const T&>()))...>;
+  }
+  /// Whether the function or derivative is one of so many scalars.
+  template <int order, class T, int many = operands>
+  static constexpr bool is_called_with =
+      takes<order, T>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
+
+  /// An entry of what a derivative gives; of one operand it may be the number itself.
+  template <int digits, int level, class Given>
+  static constexpr decltype(auto) entry(const Given& given) {
+    constexpr derivative_of path(digits);
+    if constexpr (level == path.order)
+      return given;
+    else if constexpr (requires { given[0]; })
+      return entry<digits, level + 1>(given[static_cast<std::size_t>(path.by[level])]);
+    else
+      return entry<digits, path.order>(given);
+  }
+  template <int order, class T, std::size_t... i>
+  static constexpr auto given_with(std::index_sequence<i...>)
+      -> std::invoke_result_t<one<order>, decltype((void(i), std::declval<const T&>()))...>;
+  template <int digits, class T>
+  using value_with = decltype(entry<digits, 0>(given_with<derivative_of(digits).order, T>(
+      std::make_index_sequence<static_cast<std::size_t>(operands)>{})));
+
+  template <int digits, class T>
+  static constexpr bool accepts() {
+    if constexpr (is_called_with<derivative_of(digits).order, T>)
+      return std::is_constructible_v<T, value_with<digits, T>>;
+    else
+      return false;
+  }
+
+  static constexpr int first_of_order(int order) {
+    int digits = no_derivative;
+    while (order-- > 0) digits = 10 * digits + 1;
+    return digits;
+  }
+  template <int order>
+  static constexpr bool gives_numbers() {
+    if constexpr (!is_called_with<order, double>)
+      return false;
+    else
+      return counts_as_number<value_with<first_of_order(order), double>>;
+  }
+
+  static constexpr std::string_view mistake = [] {
+    if (!symbolic::is_name(name)) return ", which is no name for a function";
+    if (sizeof...(Derivatives) >= symbolic::most_derivatives)
+      return ", which is given more than three derivatives";
+    if constexpr (!is_called_with<0, double>)
+      return ", which cannot be called with numbers of double";
+    else if constexpr (!gives_numbers<0>())
+      return ", which gives no number";
+    constexpr const char* which[]{"", ", whose first derivative does not give numbers",
+                                  ", whose second derivative does not give numbers",
+                                  ", whose third derivative does not give numbers"};
+    return [&]<int... k>(std::integer_sequence<int, k...>) {
+      const char* found = "";
+      ((*found == '\0' && !gives_numbers<1 + k>() ? void(found = which[1 + k]) : void()), ...);
+      return found;
+    }(std::make_integer_sequence<int, sizeof...(Derivatives)>{});
+  }();
+
+  /// Of how many operands it is, where it is not of so many.
+  static constexpr int other_count = [] {
+    int found = 0;
+    if constexpr (!is_called_with<0, double>)
+      [&]<int... k>(std::integer_sequence<int, k...>) {
+        ((found == 0 && is_called_with<0, double, 1 + k> ? void(found = 1 + k) : void()), ...);
+      }(std::make_integer_sequence<int, symbolic::most_operands>{});
+    return found;
+  }();
+};
+
+template <class Member>
+constexpr const symbolic::external_function* linked() {
+  static_assert(sizeof(symbolic::external_link<Member, &Member::function>) != 0);
+  return &Member::function;
+}
+
+/// The function, or one of its derivatives, for the graph and for all types of scalars. One that is not given
+/// has no value.
+template <class Family, int digits>
+struct external_member {
+  static constexpr derivative_of path{digits};
+  static constexpr bool is_given = path.order <= Family::derivatives,
+                        has_slopes = path.order < Family::derivatives;
+
+  /// Whether it can be called with such scalars.
+  template <class T>
+  static constexpr bool accepts() {
+    return Family::template accepts<digits, T>();
+  }
+  template <class T>
+  [[gnu::always_inline]] static constexpr T value(const auto&... x) {
+    return T(Family::template entry<digits, 0>(typename Family::template one<path.order>{}(x...)));
+  }
+
+private:
+  template <std::size_t... i>
+  static constexpr double value_of(const double* x, std::index_sequence<i...>) {
+    return value<double>(x[i]...);
+  }
+  static constexpr double value_at(const double* x) {
+    return value_of(x, std::make_index_sequence<static_cast<std::size_t>(Family::count)>{});
+  }
+
+  template <class Operands>
+  struct slopes;
+  template <int... i>
+  struct slopes<std::integer_sequence<int, i...>> {
+    static constexpr const symbolic::external_function* all[]{
+        linked<external_member<Family, path.and_by(i)>>()...};
+  };
+
+  static constexpr symbolic::external_function described() {
+    symbolic::external_function f;
+    f.called = f.original = symbolic::name(Family::name);
+    f.operands = Family::count;
+    f.order = path.order;
+    for (int k = 0; k < path.order; ++k) {
+      f.by[k] = path.by[k];
+      f.called.append("_");
+      f.called.append(path.by[k] + 1);
+    }
+    if constexpr (is_given) {
+      f.value = &value_at;
+      f.slopes = slopes<std::make_integer_sequence<int, Family::count>>::all;
+    }
+    return f;
+  }
+
+public:
+  static constexpr symbolic::external_function function = described();
+};
+
+template <class Family>
+inline constexpr external_record external_of = [] {
+  external_record r;
+  r.called = Family::name;
+  r.mistake = Family::mistake;
+  r.operands = Family::other_count;
+  if constexpr (Family::mistake.empty()) r.function = linked<external_member<Family, no_derivative>>();
+  return r;
+}();
+
+} // namespace describe
+
+/// A function of the program, which models call like their own: `constexpr external<"tyre", F, dF> tyre;` and
+/// `tyre(slip, load)`. F is a class whose objects are called with scalars of a type T and give one; dF gives
+/// its derivatives by each, of one operand a number, of several what has them by [i]; a second derivative,
+/// which linearizations of what holds a first one need, gives numbers by [i][j], and a third one by
+/// [i][j][k]. They may be left out where nobody asks for them.
+template <text called, class Function, class... Derivatives>
+struct external {
+  template <class... X>
+    requires describe::some_of_a_model<X...>
+  constexpr auto operator()(const X&... x) const {
+    constexpr int count = static_cast<int>(sizeof...(X));
+    auto all = describe::composed({}, x...);
+    describe::token& last = all.tokens[sizeof(all.tokens) / sizeof(describe::token) - 1];
+    if (last.what == describe::token_kind::misused) return all;
+    last.what = describe::token_kind::external;
+    last.index = 0;
+    last.external =
+        &describe::external_of<describe::external_family<called, count, Function, Derivatives...>>;
+    return all;
+  }
+
+  /// The same of expressions of a builder.
+  template <std::same_as<symbolic::expression>... X>
+    requires(sizeof...(X) > 0)
+  constexpr auto operator()(X... x) const {
+    using family =
+        describe::external_family<called, static_cast<int>(sizeof...(X)), Function, Derivatives...>;
+    static_assert(family::mistake.empty(), "the function cannot be called with so many numbers");
+    return call(*describe::external_of<family>.function, {x...});
+  }
+};
+
+} // namespace kanexpr

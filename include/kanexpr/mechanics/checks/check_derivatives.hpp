@@ -1,0 +1,26 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Derivatives that a result holds of functions of the program which do not give them.
+constexpr sentence check_derivatives(const symbolic::matrix& result) {
+  if (result.entries.empty() || result.entries[0].owner().externals().empty()) return {};
+  const symbolic::graph& g = result.entries[0].owner();
+  const symbolic::sequence<char> live = symbolic::live_nodes(g, symbolic::nodes_of(result.entries));
+  constexpr const char* which[]{"", "", "second ", "third ", "fourth "};
+  for (int id = 0; id < live.size(); ++id) {
+    if (live[id] == 0 || g[id].op != symbolic::operation::call) continue;
+    const symbolic::external_function& f = g.external_at(id);
+    if (!f.is_given())
+      return sentence({"the ", which[f.order], "derivative of ", f.original.view(),
+                       " is needed, and not given; write it behind the function: external<\"",
+                       f.original.view(), "\", function, derivative", f.order > 1 ? ", ...>" : ">"});
+  }
+  return {};
+}
+
+} // namespace kanexpr::mechanics

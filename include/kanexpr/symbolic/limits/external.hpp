@@ -1,0 +1,62 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/limits/expansion.hpp>
+
+/// Functions of the program, of which nothing is known but their derivatives: their values are what nobody
+/// chose, also where their operands are numbers.
+namespace kanexpr::symbolic::taylor {
+
+inline generic_values called(const external_function& f, const std::vector<generic_values>& operands) {
+  return generic_values::by(false, [&](int i) {
+    std::vector<double> at;
+    for (const generic_values& each : operands) {
+      if (!each[i].defined()) return bounded::undefined();
+      at.push_back(each[i].value);
+    }
+    double error = 0;
+    for (std::size_t k = 0; k < operands.size(); ++k)
+      error += std::abs(generic_value_of(f.slope(static_cast<int>(k)), at.data())) * operands[k][i].error;
+    return bounded::rounded(generic_value_of(f, at.data()), error);
+  });
+}
+
+/// The coefficient without ε.
+inline coefficient called(graph& g, const external_function& f, const std::vector<series>& operands) {
+  sequence<int> nodes;
+  std::vector<generic_values> values;
+  for (const series& each : operands) {
+    nodes.push(each[0].in(g).node());
+    values.push_back(each[0].at());
+  }
+  return {expression{g, call(g, f, list_of(g, nodes))}, called(f, values)};
+}
+
+/// So many terms, or as many as there are derivatives for.
+inline series called(graph& g, const external_function& f, const std::vector<series>& operands, int terms,
+                     int most) {
+  const coefficient first = called(g, f, operands);
+  if (terms <= 1) return {0, {first}, 1, most};
+  series rate;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (operands[i].is_constant()) continue;
+    const external_function& slope = f.slope(static_cast<int>(i));
+    if (!slope.is_given()) return {0, {first}, 1, most};
+    rate = rate + called(g, slope, operands, terms - 1, most) * derivative(operands[i]);
+  }
+  return integral(rate, first);
+}
+
+/// The series of a call, of operands that have one.
+inline expansion call_expanded(graph& g, const external_function& f, const std::vector<series>& operands,
+                               int most) {
+  int terms = 1;
+  for (const series& each : operands) {
+    if (each.has_terms() && each.order() < 0) return obstacle::infinite_argument;
+    if (each.end() <= 0) return obstacle::truncated;
+    if (!each.is_constant()) terms = (std::max)(terms, (std::min)(each.last(), most + 1));
+  }
+  return called(g, f, operands, terms, most);
+}
+
+} // namespace kanexpr::symbolic::taylor

@@ -1,0 +1,116 @@
+// Functions of the program that models cannot call.
+#include "shapes.hpp"
+
+#include <array>
+#include <string>
+
+struct wind {
+  double operator()(double speed) const { return speed * speed; }
+};
+struct wind_slope {
+  double operator()(double speed) const { return 2 * speed; }
+};
+struct lift {
+  double operator()(double speed, double angle) const { return speed * angle; }
+};
+struct lift_slopes {
+  std::array<double, 2> operator()(double speed, double angle) const { return {angle, speed}; }
+};
+
+constexpr external<"wind", wind, wind_slope> air;
+constexpr external<"lift", lift, lift_slopes> wing;
+
+// expect: the force at P takes lift of 1 scalar; it is of 2
+namespace n1 {
+struct System : loaded<force<P, wing(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: the torque on A takes wind of 2 scalars; it is of 1
+namespace n2 {
+struct System : loaded<torque<A, air(u, q) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: the force at O takes lift of a vector
+namespace n3 {
+struct System : loaded<force<O, wing(u, N::x) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: the force at Q takes wind, and another function of the model has this name
+namespace n4 {
+constexpr external<"wind", wind> other;
+struct System : loaded<force<P, air(u) * N::x>, force<Q, other(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: the stiffness of the spring between P and O takes texts, which cannot be called with numbers of
+// double
+namespace n5 {
+struct texts {
+  double operator()(const std::string&) const { return 0; }
+};
+constexpr external<"texts", texts> written;
+struct System : loaded<spring<P, O, written(q), 1>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: the force between P and O takes named, which gives no number
+namespace n6 {
+struct named {
+  std::string operator()(double) const { return {}; }
+};
+constexpr external<"named", named> written;
+struct System : loaded<force_between<P, O, written(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: the force at P takes lift, whose first derivative does not give numbers
+namespace n7 {
+constexpr external<"lift", lift, wind_slope> half;
+struct System : loaded<force<P, half(u, q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: the force at O takes lift, whose second derivative does not give numbers
+namespace n8 {
+constexpr external<"lift", lift, lift_slopes, std::string> bent;
+struct System : loaded<force<O, bent(u, q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: the torque on A takes 2nd, which is no name for a function
+namespace n9 {
+constexpr external<"2nd", wind> second;
+struct System : loaded<torque<A, second(u) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: the derivative of wind is needed, and not given; write it behind the function: external<wind,
+// expect: function, derivative>
+namespace n10 {
+constexpr external<"wind", wind> rough;
+struct System : loaded<force<P, rough(u) * N::x>> {};
+auto f() { return linearization<System>::explicit_form(state<System>(), parameter_values<System>()); }
+} // namespace n10
+
+// expect: the second derivative of wind is needed, and not given; write it behind the function:
+// external<wind, expect: function, derivative, ...>
+namespace n11 {
+struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<potential_energy<air(q)>>> {};
+auto f() { return linearization<System>::explicit_form(state<System>(), parameter_values<System>()); }
+} // namespace n11
+
+// expect: the force at P holds == inside an expression; write it once, outermost
+namespace n14 {
+struct System : loaded<force<P, air(q == 1) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: the force at Q takes wind, which is given more than three derivatives
+namespace n15 {
+constexpr external<"wind", wind, wind_slope, wind_slope, wind_slope, wind_slope> often;
+struct System : loaded<force<Q, often(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n15
