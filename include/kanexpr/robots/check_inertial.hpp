@@ -32,9 +32,7 @@ inline bool is_indefinite(const inertia_matrix& i) {
 
 /// Whether it is nothing beside its mass, a radius of gyration below a thousandth of a millimetre: files hold
 /// 1e-20 where a program computed zero.
-inline bool is_rounding(const inertia_matrix& i, double mass) {
-  return i.largest() <= 1e-12 * mass;
-}
+inline bool is_rounding(const inertia_matrix& i, double mass) { return i.largest() <= 1e-12 * mass; }
 
 /// Whether no distribution of mass has it: one principal moment is larger than the other two together, by
 /// more than the digits of a published number.

@@ -57,7 +57,7 @@ private:
 
   void draw(std::size_t link, const shape& s, int which) {
     const std::string own = name(link) + "_shape" + (which == 1 ? "" : std::to_string(which));
-    std::string axes = name(link), point = name(link) + "_origin";
+    std::string axes = name(link), point = name(link);
     if (!is_zero(s.placed.at)) {
       out_ += "struct " + own + " : offset<" + own + ", " + point + ", " + text::along(axes, s.placed.at) +
               "> {};\n";
@@ -99,8 +99,7 @@ private:
   void draw_rods(std::size_t link) {
     for (const joint& j : robot_.joints)
       if (static_cast<std::size_t>(j.parent) == link && !is_zero(j.origin.at))
-        show("rod<" + name(link) + "_origin, " + name(static_cast<std::size_t>(j.child)) + "_origin, " +
-                 thickness() + ">",
+        show("rod<" + name(link) + ", " + name(static_cast<std::size_t>(j.child)) + ", " + thickness() + ">",
              link_colour);
   }
 
