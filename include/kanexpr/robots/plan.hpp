@@ -2,6 +2,7 @@
 
 #include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_inertial.hpp>
+#include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/identifiers.hpp>
 #include <kanexpr/robots/model_options.hpp>
 #include <kanexpr/robots/shown.hpp>
@@ -98,7 +99,7 @@ inline std::string indefinite_in(const robot& r, const articulation& a, const mo
 inline plan plan_of(const robot& r, const model_options& options) {
   constexpr std::size_t most_bodies = 400;
   plan p;
-  if (r.links.empty() || r.root < 0) return p.mistake = "the robot has no links", p;
+  if (p.mistake = check_robot(r); !p.mistake.empty()) return p;
   p.what = articulation_of(r);
   if (p.what.bodies.size() > most_bodies) {
     p.mistake = "the robot has " + std::to_string(p.what.bodies.size()) +
