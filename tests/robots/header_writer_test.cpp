@@ -84,6 +84,14 @@ TEST(header_writer, writes_names_that_are_identifiers) {
   EXPECT_THAT(header, HasSubstr("struct Link_3 : pin<Link_3, N, axis<own::x>, by<q_joint, u_joint>>"));
   EXPECT_THAT(header, HasSubstr("struct Link : pin<Link, Link_3, axis<own::x>, by<q_joint_2, u_joint_2>>"));
   EXPECT_THAT(header, HasSubstr("// !: from System to 3 *//_\n"));
+  EXPECT_THAT(
+      header,
+      HasSubstr("/// Names of the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
+                "joint_2 is <.\nnamespace"));
+  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names of the file")));
+  EXPECT_TRUE(is_namespace("arm_2"));
+  for (const char* no : {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std"})
+    EXPECT_FALSE(is_namespace(no)) << no;
 }
 
 TEST(header_writer, writes_what_a_robot_looks_like) {

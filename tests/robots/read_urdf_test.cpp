@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-read_robot in_robot(const std::string& elements, const urdf_options& options = {}) {
+read_robot in_robot(const std::string& elements, const reading_options& options = {}) {
   return read_urdf_text("<robot name='r'>\n" + elements + "\n</robot>", options);
 }
 

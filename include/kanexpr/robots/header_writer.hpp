@@ -18,6 +18,9 @@ public:
   /// Why there is no header; empty: there is one.
   const std::string& cause() const { return plan_.mistake; }
 
+  /// Which names of the file are others in C++: "Finger_a is finger a, …".
+  std::string renamed() const { return text::list(plan_.renamed); }
+
   /// The header of a model in the namespace `called`, `from` a file.
   std::string write(const std::string& called, std::string_view from) {
     links_.resize(robot_.links.size());
@@ -227,8 +230,18 @@ private:
            std::to_string(joints) + (joints == 1 ? " joint" : " joints") + " that move" +
            (joints == 1 ? "s" : "") + " by coordinates of their own, a " +
            (options_.base == base_kind::floating ? "floating" : "fixed") +
-           " base.\n/// Written by kanexpr-robot.\nnamespace " + called +
+           " base.\n/// Written by kanexpr-robot.\n" + names() + "namespace " + called +
            " {\n\nusing namespace kanexpr;\n\n";
+  }
+
+  std::string names() const {
+    if (plan_.renamed.empty()) return {};
+    std::vector<std::string> all;
+    for (const std::string& each : plan_.renamed) all.push_back(text::comment(each));
+    std::string told = text::wrapped("/// Names of the file: ", all) + ".\n";
+    for (std::size_t at = told.find('\n'); at + 1 < told.size(); at = told.find('\n', at + 1))
+      told.replace(at + 1, 3, "///");
+    return told;
   }
 
   std::string symbols() const {

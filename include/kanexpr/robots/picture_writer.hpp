@@ -106,8 +106,7 @@ private:
   /// Of a robot of which nothing is seen.
   void draw_joints() {
     for (const moving_body& b : plan_.what.bodies)
-      show("sphere<" + name(static_cast<std::size_t>(b.link)) + ", " + thickness() + ">",
-           joint_colour);
+      show("sphere<" + name(static_cast<std::size_t>(b.link)) + ", " + thickness() + ">", joint_colour);
   }
 
   static constexpr const char* link_colour = "#c4c8cb";

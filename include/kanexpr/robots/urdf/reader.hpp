@@ -1,16 +1,16 @@
 #pragma once
 
 #include <kanexpr/robots/check_robot.hpp>
+#include <kanexpr/robots/reading_options.hpp>
 #include <kanexpr/robots/urdf/joint_reader.hpp>
 #include <kanexpr/robots/urdf/link_reader.hpp>
-#include <kanexpr/robots/urdf/options.hpp>
 
 namespace kanexpr::robots::urdf {
 
 /// Goes through the elements of a <robot>.
 class reader {
 public:
-  reader(document& from, const urdf_options& options) : from_(from), options_(options) {}
+  reader(document& from, const reading_options& options) : from_(from), options_(options) {}
 
   /// Whether there is one, and no mistake in it.
   bool read(const std::string& text) {
@@ -61,7 +61,7 @@ private:
   }
 
   document& from_;
-  urdf_options options_;
+  reading_options options_;
   places links_{};
   joint_reader joints_{from_, links_, robot};
 };
