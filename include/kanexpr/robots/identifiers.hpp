@@ -71,7 +71,8 @@ public:
 private:
   std::string unused(const std::string& wanted, std::initializer_list<std::string_view> beginnings,
                      std::initializer_list<std::string_view> endings) {
-    for (int& count = next_[wanted];;) {
+    const std::string begun = beginnings.size() == 0 ? wanted : std::string(*beginnings.begin()) + wanted;
+    for (int& count = next_[begun];;) {
       ++count;
       const std::string name = count == 1 ? wanted : wanted + "_" + std::to_string(count);
       std::set<std::string> all;

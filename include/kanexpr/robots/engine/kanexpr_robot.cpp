@@ -10,7 +10,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <string>
 
 namespace {
@@ -18,13 +17,13 @@ namespace {
 using namespace kanexpr::robots;
 
 struct request {
-  std::string file{}, name{}, header{}, picture{};
+  std::string file{}, name{}, header{}, picture{}, base = "fixed", bind = "numbers";
   reading_options reading{};
   model_options model{};
-  bool as_written = false, quiet = false;
+  bool as_written = false, without_mimic = false, without_damping = false, quiet = false;
 };
 
-read_robot read(const std::string& file, const reading_options& options) {
+read_robot robot_of(const std::string& file, const reading_options& options) {
   if (!file.ends_with(".sdf") && !file.ends_with(".world")) return read_urdf(file, options);
 #ifdef KANEXPR_ROBOTS_READ_SDF
   return read_sdf(file, options);
@@ -50,7 +49,10 @@ bool leave(const std::string& text, const std::string& file) {
 int write(request r) {
   if (!is_namespace(r.name)) return refuse(r.name + " is not the name of a namespace");
   if (r.as_written) r.reading.right_angles = 0;
-  const read_robot read = ::read(r.file, r.reading);
+  r.reading.mimic = !r.without_mimic, r.model.damping = !r.without_damping;
+  r.model.base = r.base == "floating" ? base_kind::floating : base_kind::fixed;
+  r.model.bind = r.bind == "parameters" ? binding::parameters : binding::numbers;
+  const read_robot read = robot_of(r.file, r.reading);
   if (!r.quiet)
     for (const std::string& note : read.notes) std::cerr << "kanexpr-robot: note: " << note << '\n';
   if (!read) return refuse(read.cause());
@@ -73,24 +75,20 @@ int main(int count, char** arguments) {
   app.add_option("-n,--name", r.name, "the namespace of the model")->required();
   app.add_option("-o,--output", r.header, "the header; without one it is printed");
   app.add_option("--picture", r.picture, "a second header, with what the robot looks like");
-  const std::map<std::string, base_kind> bases{{"fixed", base_kind::fixed},
-                                               {"floating", base_kind::floating}};
-  app.add_option("--base", r.model.base, "what becomes of the root: it is fixed (as without this), or moves")
-      ->transform(CLI::CheckedTransformer(bases).description(""))
+  app.add_option("--base", r.base, "what becomes of the root: it is fixed, as without this, or moves")
+      ->check(CLI::IsMember({"fixed", "floating"}))
       ->option_text("fixed|floating");
-  const std::map<std::string, binding> bindings{{"numbers", binding::numbers},
-                                                {"parameters", binding::parameters}};
   app.add_option(
-         "--bind", r.model.bind,
-         "what masses, mass centres, inertias, dampings and gravity are in the model: numbers (as without "
-         "this), or parameters, whose values are beside it")
-      ->transform(CLI::CheckedTransformer(bindings).description(""))
+         "--bind", r.bind,
+         "what masses, mass centres, inertias, dampings and gravity are: numbers, as without this, or "
+         "parameters with these values")
+      ->check(CLI::IsMember({"numbers", "parameters"}))
       ->option_text("numbers|parameters");
   app.add_option("--gravity", r.model.gravity, "against the z axis of the root, in m/s^2; 9.81 without this")
       ->option_text("NUMBER");
   app.add_flag("--as-written", r.as_written, "angles as they are written: 1.5708 is no right angle");
-  app.add_flag("!--no-mimic", r.reading.mimic, "joints that follow others move by themselves");
-  app.add_flag("!--no-damping", r.model.damping, "leave the damping of joints out");
+  app.add_flag("--no-mimic", r.without_mimic, "joints that follow others move by themselves");
+  app.add_flag("--no-damping", r.without_damping, "leave the damping of joints out");
   app.add_flag("--friction", r.model.friction, "with the dry friction of joints");
   app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file, nor what names become");
   CLI11_PARSE(app, count, arguments);
