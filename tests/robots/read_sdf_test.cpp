@@ -191,6 +191,8 @@ TEST(read_sdf, says_what_is_wrong) {
   const std::string two = link_at("a", "0 0 0 0 0 0", "__model__") + link_at("b", "0 0 0 0 0 0", "__model__");
   EXPECT_EQ(read_sdf_text("<robot/>").cause(), "line 1: the file begins with <robot>, which is not <sdf>");
   EXPECT_THAT(read_sdf_text("<sdf").cause(), HasSubstr("this is no XML"));
+  EXPECT_EQ(read_sdf_text("<sdf version='x.y'><model name='r'><link name='a'/></model></sdf>").cause(),
+            "libsdformat gives up: stoi");
   EXPECT_EQ(read_sdf_text("<sdf version='1.9'/>").cause(), "the file has no model, and a robot is one");
   EXPECT_THAT(cause_of(""), HasSubstr("libsdformat says: A model must have at least one link."));
   EXPECT_EQ(

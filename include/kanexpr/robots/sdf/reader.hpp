@@ -11,6 +11,7 @@
 #include <sdf/World.hh>
 
 #include <algorithm>
+#include <exception>
 #include <ostream>
 
 namespace kanexpr::robots::sdf_files {
@@ -44,7 +45,11 @@ public:
       return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <sdf>");
     const silence quiet;
     sdf::Root file;
-    if (!is_sound(file.LoadSdfString(text, sdf::ParserConfig()))) return false;
+    try {
+      if (!is_sound(file.LoadSdfString(text, sdf::ParserConfig()))) return false;
+    } catch (const std::exception& e) { // as of a number in a version
+      return from_.fail(std::string("libsdformat gives up: ") + shown(e.what()));
+    }
     const sdf::Model* const model = model_of(file);
     if (!model) return false;
     robot.name = model->Name();
