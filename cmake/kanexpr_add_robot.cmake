@@ -1,5 +1,5 @@
-# kanexpr_add_robot(<target> URDF <file.urdf> [BASE fixed|floating] [BIND numbers|parameters] [OPTIONS <option>...]): a
-# library of headers: <target>.hpp has the namespace <target> with the model System of the robot, and
+# kanexpr_add_robot(<target> URDF <file.urdf>|SDF <file.sdf> [BASE fixed|floating] [BIND numbers|parameters]
+# [OPTIONS <option>...]): a library of headers: <target>.hpp has the namespace <target> with the model System of the robot, and
 # <target>_picture.hpp what it looks like, for pages of kanexpr::animate:
 #
 #     kanexpr_add_robot(panda URDF panda.urdf)
@@ -9,13 +9,17 @@
 # Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs it, or kanexpr_ROBOT_COMMAND names one that
 # runs here.
 function(kanexpr_add_robot target)
-  cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;BASE;BIND" "OPTIONS")
-  if(NOT robot_URDF OR robot_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "kanexpr_add_robot(<target> URDF <file.urdf> [BASE fixed|floating] [BIND numbers|parameters] [OPTIONS <option>...])")
+  cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;SDF;BASE;BIND" "OPTIONS")
+  set(file ${robot_URDF}${robot_SDF})
+  if(NOT file OR (robot_URDF AND robot_SDF) OR robot_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "kanexpr_add_robot(<target> URDF <file.urdf>|SDF <file.sdf> [BASE fixed|floating] [BIND numbers|parameters] [OPTIONS <option>...])")
   endif()
-  cmake_path(ABSOLUTE_PATH robot_URDF BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
-  if(NOT EXISTS ${robot_URDF})
-    message(FATAL_ERROR "kanexpr_add_robot: there is no ${robot_URDF}")
+  cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  if(NOT EXISTS ${file})
+    message(FATAL_ERROR "kanexpr_add_robot: there is no ${file}")
+  endif()
+  if(robot_SDF AND NOT TARGET kanexpr::robots_sdf AND NOT kanexpr_ROBOT_COMMAND)
+    message(FATAL_ERROR "kanexpr_add_robot cannot read ${file}: ${kanexpr_robots_sdf_lacks}")
   endif()
   kanexpr_find_robot_command(command)
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_robot)
@@ -30,10 +34,10 @@ function(kanexpr_add_robot target)
   endif()
   file(MAKE_DIRECTORY ${directory})
   add_custom_command(OUTPUT ${header} ${picture}
-    COMMAND ${command} ${robot_URDF} --name ${target} --output ${header} --picture ${picture} ${options}
-    DEPENDS ${robot_URDF} ${command} COMMENT "Writing the model of ${target}" VERBATIM)
+    COMMAND ${command} ${file} --name ${target} --output ${header} --picture ${picture} ${options}
+    DEPENDS ${file} ${command} COMMENT "Writing the model of ${target}" VERBATIM)
   add_custom_target(${target}_header DEPENDS ${header} ${picture})
-  add_library(${target} INTERFACE)
+  add_library(${target} INTERFACE ${file}) # with a source, so that one can build it: that writes the headers
   add_dependencies(${target} ${target}_header)
   target_include_directories(${target} INTERFACE ${directory})
   target_link_libraries(${target} INTERFACE kanexpr::kanexpr)
@@ -57,5 +61,5 @@ function(kanexpr_find_robot_command command)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp CONTENT
     "#include <kanexpr/robots/engine/kanexpr_robot.cpp>\n" @ONLY)
   add_executable(kanexpr-robot ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp)
-  target_link_libraries(kanexpr-robot PRIVATE kanexpr::robots CLI11::CLI11)
+  target_link_libraries(kanexpr-robot PRIVATE kanexpr::robots $<TARGET_NAME_IF_EXISTS:kanexpr::robots_sdf> CLI11::CLI11)
 endfunction()

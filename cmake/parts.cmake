@@ -24,3 +24,13 @@ set(kanexpr_robots_lacks "")
 if(NOT TARGET tinyxml2::tinyxml2)
   set(kanexpr_robots_lacks "tinyxml2 was not found")
 endif()
+
+# It tells of what it looks for also where it is asked not to.
+set(kanexpr_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+find_package(sdformat12 QUIET)
+set(CMAKE_MESSAGE_LOG_LEVEL "${kanexpr_log_level}")
+set(kanexpr_robots_sdf_lacks "${kanexpr_robots_lacks}")
+if(NOT kanexpr_robots_lacks AND NOT TARGET sdformat12::sdformat12)
+  set(kanexpr_robots_sdf_lacks "libsdformat 12 was not found; Debian has it in libsdformat-dev")
+endif()

@@ -1,4 +1,5 @@
 # kanexpr::robots: robots from URDF files. Needs tinyxml2; the command kanexpr-robot, which writes models, CLI11 too.
+# kanexpr::robots_sdf: the same from SDF files. Needs libsdformat besides.
 if(kanexpr_robots_lacks)
   message(STATUS "kanexpr::robots is left out: ${kanexpr_robots_lacks}")
   return()
@@ -11,10 +12,23 @@ target_link_libraries(kanexpr_robots INTERFACE kanexpr tinyxml2::tinyxml2)
 install(TARGETS kanexpr_robots EXPORT kanexpr-robots-targets)
 install(EXPORT kanexpr-robots-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+if(kanexpr_robots_sdf_lacks)
+  message(STATUS "kanexpr::robots_sdf is left out: ${kanexpr_robots_sdf_lacks}")
+else()
+  add_library(kanexpr_robots_sdf INTERFACE)
+  add_library(kanexpr::robots_sdf ALIAS kanexpr_robots_sdf)
+  set_target_properties(kanexpr_robots_sdf PROPERTIES EXPORT_NAME robots_sdf)
+  target_compile_definitions(kanexpr_robots_sdf INTERFACE KANEXPR_ROBOTS_READ_SDF)
+  target_link_libraries(kanexpr_robots_sdf INTERFACE kanexpr_robots sdformat12::sdformat12)
+  install(TARGETS kanexpr_robots_sdf EXPORT kanexpr-robots_sdf-targets)
+  install(EXPORT kanexpr-robots_sdf-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+endif()
+
 # The command is installed for people; projects compile one of their own, kanexpr_add_robot.cmake.
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/engine/kanexpr_robot.cpp)
-  target_link_libraries(kanexpr-robot PRIVATE kanexpr_robots kanexpr_strict CLI11::CLI11)
+  target_link_libraries(kanexpr-robot PRIVATE kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
+    kanexpr_strict CLI11::CLI11)
   install(TARGETS kanexpr-robot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -45,17 +45,20 @@ endfunction()
 set(without_sundials -DCMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
 set(without_json -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 set(without_tinyxml2 -DCMAKE_DISABLE_FIND_PACKAGE_tinyxml2=ON)
+set(without_sdformat -DCMAKE_DISABLE_FIND_PACKAGE_sdformat12=ON)
 build(poor "kanexpr::simulate is left out: SUNDIALS 6.4 was not found" -DKANEXPR_NPM=KANEXPR_NPM-NOTFOUND
   -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON ${without_sundials} ${without_json} ${without_tinyxml2})
 run(passes "kanexpr::animate is left out: nlohmann-json 3.2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
 run(passes "kanexpr::robots is left out: tinyxml2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
+run(passes "kanexpr::robots_sdf is left out: tinyxml2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
 run(passes "" ${CMAKE_COMMAND} --install ${BINARY}/poor --prefix ${BINARY}/little)
-foreach(part engine simulate robots)
+foreach(part engine simulate robots robots_sdf)
   find(fails "kanexpr::${part} is left out: kanexpr was installed without it" little REQUIRED COMPONENTS ${part})
 endforeach()
 
 # All that can be, but for the page, and then with it
-build(rich "only if its page was built")
+build(rich "kanexpr::robots_sdf is left out: libsdformat 12 was not found; Debian has it in libsdformat-dev" ${without_sdformat})
+run(passes "only if its page was built" ${CMAKE_COMMAND} ${BINARY}/rich)
 run(passes "kanexpr::animate is left out: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
   --prefix ${BINARY}/most)
 find(passes "there is simulate" most REQUIRED COMPONENTS simulate)

@@ -55,7 +55,7 @@ TEST(compiled_robots, agree_with_pinocchio) {
 TEST(compiled_robots, can_be_asked_for_their_links) {
   state<arm_robot::System> x = arm_robot::at_rest();
   x[arm_robot::q_waist] = 0.3, x[arm_robot::u_waist] = 2;
-  const Eigen::Vector3d v = function<arm_robot::System, velocity_of<arm_robot::Tool_origin>>{}(x);
+  const Eigen::Vector3d v = function<arm_robot::System, velocity_of<arm_robot::Tool>>{}(x);
   EXPECT_NEAR(v.z(), 0, 1e-15);
   EXPECT_GT(v.norm(), 0.1);
   EXPECT_EQ(arm_robot::limits::effort[1], 60);

@@ -51,14 +51,23 @@ TEST(header_writer, writes_what_a_person_can_read) {
   EXPECT_THAT(header, HasSubstr("namespace arm {"));
   EXPECT_THAT(header, HasSubstr("constexpr coordinate<\"q_shoulder_pitch\"> q_shoulder_pitch;"));
   EXPECT_THAT(header, HasSubstr("// shoulder-pitch: from shoulder to upper arm"));
-  EXPECT_THAT(header, HasSubstr("struct Shoulder : rotated<Shoulder, N, q_waist, N::z> {};"));
-  EXPECT_THAT(header,
-              HasSubstr("struct Forearm : rotated<Forearm, Forearm_home, q_elbow, -Forearm_home::y> {};"));
-  EXPECT_THAT(header, HasSubstr("torque_between<Shoulder, N, (T_waist - 0.6 * u_waist) * N::z>"));
-  EXPECT_THAT(header, HasSubstr("struct Tool_origin")); // folded, and still there
+  EXPECT_THAT(header, HasSubstr("struct Shoulder : pin<Shoulder, N, axis<own::z>, at<0.4 * N::z>, "
+                                "by<q_waist, u_waist>,\n"));
+  EXPECT_THAT(header, HasSubstr("struct Forearm : pin<Forearm, Upper_arm, axis<-own::y>, "));
+  EXPECT_THAT(header, HasSubstr("motor<Shoulder, T_waist>, joint_friction<Shoulder, 0.6>"));
+  EXPECT_THAT(header, HasSubstr("struct Tool : weld<Tool, Forearm,")); // folded, and still there
   EXPECT_THAT(header, HasSubstr("  static constexpr double upper[]{2.5, no_limit, 2.1};"));
-  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.damping = false}), Not(HasSubstr("0.6 *")));
-  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = true}), HasSubstr("- 0.2 * sign(u_waist)"));
+  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.damping = false}), Not(HasSubstr("joint_friction")));
+  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = true}),
+              HasSubstr("motor<Shoulder, T_waist - 0.2 * sign(u_waist)>"));
+}
+
+// What follows another has no coordinate: it is fixed where that says.
+TEST(header_writer, writes_joints_that_follow_others) {
+  const std::string header = header_of(robot_of("gripper.urdf"));
+  EXPECT_THAT(header, HasSubstr("at<(1.2 * q_left_slide + 0.004) * Right_finger_start::y>"));
+  EXPECT_THAT(header, HasSubstr("home<-2.04 * q_left_slide + 0.3432, 0.6 * Thumb_start::x + "));
+  EXPECT_THAT(header, HasSubstr("joints<Hand, Left_finger, Right_finger_start, Right_finger, "));
 }
 
 TEST(header_writer, writes_parameters_and_their_values) {
@@ -74,24 +83,31 @@ TEST(header_writer, writes_names_that_are_identifiers) {
       "<joint name='!' type='revolute'><parent link='System'/><child link='3 *//\\'/></joint>"
       "<joint name='&lt;' type='revolute'><parent link='3 *//\\'/><child link='\xc3\xa9'/></joint>"));
   EXPECT_THAT(header, HasSubstr("using System_2 = N;"));
-  EXPECT_THAT(header, HasSubstr("struct Link_3 : rotated<Link_3, N, q_joint, N::x>"));
-  EXPECT_THAT(header, HasSubstr("struct Link : rotated<Link, Link_3, q_joint_2, Link_3::x>"));
+  EXPECT_THAT(header, HasSubstr("struct Link_3 : pin<Link_3, N, axis<own::x>, by<q_joint, u_joint>>"));
+  EXPECT_THAT(header, HasSubstr("struct Link : pin<Link, Link_3, axis<own::x>, by<q_joint_2, u_joint_2>>"));
   EXPECT_THAT(header, HasSubstr("// !: from System to 3 *//_\n"));
+  EXPECT_THAT(
+      header,
+      HasSubstr("/// Names of the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
+                "joint_2 is <.\nnamespace"));
+  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names of the file")));
+  EXPECT_TRUE(is_namespace("arm_2"));
+  for (const char* no : {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std"})
+    EXPECT_FALSE(is_namespace(no)) << no;
 }
 
 TEST(header_writer, writes_what_a_robot_looks_like) {
   const robot arm = robot_of("arm.urdf");
   const std::string picture = picture_writer(arm, {}).write("arm");
-  EXPECT_THAT(
-      picture,
-      HasSubstr("struct Shoulder_shape : offset<Shoulder_shape, Shoulder_origin, 0.1 * Shoulder::z> {};"));
+  EXPECT_THAT(picture,
+              HasSubstr("struct Shoulder_shape : offset<Shoulder_shape, Shoulder, 0.1 * Shoulder::z> {};"));
   EXPECT_THAT(picture, HasSubstr("show<cylinder<Shoulder, Shoulder_shape, Shoulder::x, 0.06, 0.2>,"));
   EXPECT_THAT(picture,
-              HasSubstr("show<rod<Upper_arm_origin, Forearm_origin, 0.02>, colour<")); // in place of a mesh
+              HasSubstr("show<rod<Upper_arm, Forearm, 0.02>, colour<")); // in place of a mesh
   EXPECT_THAT(picture, HasSubstr("ground<>"));
   EXPECT_THAT(picture_writer(arm, {.base = base_kind::floating}).write("arm"), Not(HasSubstr("ground<>")));
   EXPECT_THAT(picture_writer(robot_of("walker.urdf"), {}).write("walker"),
-              HasSubstr("show<sphere<Left_thigh_origin, 0.017>, colour<")); // nothing of it is seen
+              HasSubstr("show<sphere<Left_thigh, 0.017>, colour<")); // nothing of it is seen
 }
 
 class meshes : public testing::Test {

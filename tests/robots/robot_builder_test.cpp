@@ -84,6 +84,9 @@ TEST(robot_builder, knows_links_by_their_names_in_the_file) {
   EXPECT_EQ(arm.frame_of("pedestal"), runtime::builder::inertial_frame());
   EXPECT_NE(arm.frame_of("tool"), arm.frame_of("forearm"));
   EXPECT_EQ(arm.frame_of("nobody"), runtime::builder::inertial_frame());
+  EXPECT_EQ(arm.body_of("tool"), "Forearm_body");
+  EXPECT_EQ(arm.body_of("pedestal"), "");
+  EXPECT_EQ(arm.body_of("nobody"), "");
   arm.force(arm.origin_of("tool"), arm.along(arm.frame_of("tool"), arm.input("push"), 0, 0));
   EXPECT_EQ(arm.cause(), "");
   EXPECT_EQ(arm.mechanism().inputs.size(), 4);

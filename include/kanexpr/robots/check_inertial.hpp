@@ -2,6 +2,8 @@
 
 #include <kanexpr/robots/robot.hpp>
 
+#include <string>
+
 namespace kanexpr::robots {
 
 namespace detail {
@@ -32,9 +34,7 @@ inline bool is_indefinite(const inertia_matrix& i) {
 
 /// Whether it is nothing beside its mass, a radius of gyration below a thousandth of a millimetre: files hold
 /// 1e-20 where a program computed zero.
-inline bool is_rounding(const inertia_matrix& i, double mass) {
-  return i.largest() <= 1e-12 * mass;
-}
+inline bool is_rounding(const inertia_matrix& i, double mass) { return i.largest() <= 1e-12 * mass; }
 
 /// Whether no distribution of mass has it: one principal moment is larger than the other two together, by
 /// more than the digits of a published number.
@@ -42,6 +42,25 @@ inline bool is_of_no_body(const inertia_matrix& i) {
   const inertia_matrix s = detail::scaled(i);
   const double trace = s.xx + s.yy + s.zz;
   return !detail::is_semidefinite(s, -1, (0.5 + 1e-3) * trace);
+}
+
+/// What is wrong with an inertial, and what is only strange; both may be empty.
+struct inertial_remarks {
+  std::string mistake{}, note{};
+};
+
+/// Looks at an inertial, in which rounding errors become zero.
+inline inertial_remarks remarks_on(inertial& of, const std::string& whose) {
+  inertia_matrix& i = of.inertia;
+  if (of.mass < 0) return {"the mass of " + whose + " is negative", {}};
+  if (is_indefinite(i) && is_rounding(i, of.mass)) i = {};
+  if (i.xx < 0 || i.yy < 0 || i.zz < 0) return {"a moment of inertia of " + whose + " is negative", {}};
+  const std::string inertia = "the inertia of " + whose;
+  if (is_indefinite(i)) // which what moves with the link may make up for
+    return {{}, inertia + " is indefinite: about some axis its moment is negative"};
+  if (is_of_no_body(i))
+    return {{}, inertia + " is that of no body: one principal moment is larger than the other two together"};
+  return {};
 }
 
 } // namespace kanexpr::robots

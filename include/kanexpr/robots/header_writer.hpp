@@ -18,46 +18,39 @@ public:
   /// Why there is no header; empty: there is one.
   const std::string& cause() const { return plan_.mistake; }
 
+  /// Which names of the file are others in C++: "Finger_a is finger a, …".
+  std::string renamed() const { return text::list(plan_.renamed); }
+
   /// The header of a model in the namespace `called`, `from` a file.
   std::string write(const std::string& called, std::string_view from) {
-    frames_.resize(robot_.links.size());
-    origins_.resize(robot_.links.size());
+    links_.resize(robot_.links.size());
     write_root();
     for (const moving_body& b : plan_.what.bodies) {
       if (b.joint >= 0) write_joint(b);
-      write_mass(b);
       if (b.joint >= 0) write_rotor(b);
       write_folded(b);
       out_ += '\n';
     }
     loads_.insert(loads_.begin(), "gravity<-" + text::factor(value("g", options_.gravity)) + " * N::z>");
     return head(called, from) + symbols() +
-           "struct N : inertial_frame<N> {};\nstruct O : origin<O, N> {};\n\n" + out_ + system() + limits() +
-           at_rest() + values() + "\n} // namespace " + called + "\n";
+           "/// The ground, its axes and its origin.\nstruct N : inertial_ground<N> {};\n\n" + out_ +
+           system() + limits() + at_rest() + values() + "\n} // namespace " + called + "\n";
   }
 
 private:
-  /// The expressions by which a joint moves.
+  /// The expressions by which a joint of one coordinate moves.
   struct motion {
-    std::vector<std::string> q{}, u{};
-    std::string drive{};
+    std::string q{}, u{};
   };
 
   const std::string& name(int link) const { return plan_.links[static_cast<std::size_t>(link)]; }
-  std::string& frame(int link) { return frames_[static_cast<std::size_t>(link)]; }
-  std::string& origin(int link) { return origins_[static_cast<std::size_t>(link)]; }
+  /// What has the axes and the origin of a link: N of one that is fixed in the ground at its origin.
+  std::string& type(int link) { return links_[static_cast<std::size_t>(link)]; }
   const joint& joint_of(const moving_body& b) const {
     return robot_.joints[static_cast<std::size_t>(b.joint)];
   }
   const moving_body& parent_of(const moving_body& b) const {
     return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
-  }
-
-  void write_struct(const std::string& called, const std::string& word, const std::string& arguments,
-                    const std::string& more = {}) {
-    const std::string what = " : " + word + "<" + called + ", " + arguments + ">" + more + " {};";
-    const bool fits = called.size() + what.size() + 7 <= text::columns;
-    out_ += "struct " + called + (fits ? what : "\n   " + text::folded(what, 3, 4 + 3 + word.size())) + "\n";
   }
 
   std::string value(const std::string& called, double of_file) {
@@ -66,142 +59,142 @@ private:
     return called;
   }
 
-  /// The name of axes that are turned in others, which is that of these without a turn.
-  std::string turned(const std::string& called, const std::string& in, const rotation& by) {
-    if (by == no_rotation) return in;
-    std::string cosines;
-    for (const vector3& row : by)
-      for (double e : row) cosines += ", " + text::digits(e);
-    write_struct(called, "direction_cosines", in + cosines);
-    return called;
+  void write_struct(const std::string& called, const std::string& word,
+                    const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{called};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    out_ += text::wrapped("struct " + called + " : " + word + "<", all) + "> {};\n";
   }
-  std::string moved(const std::string& called, const std::string& from, const std::string& axes,
-                    const vector3& by) {
-    if (is_zero(by)) return from;
-    write_struct(called, "offset", from + ", " + text::along(axes, by));
-    return called;
+
+  /// The words for where a joint sits in its parent: none for a place or a turn that is none.
+  static std::vector<std::string> placed(const std::string& parent, const pose& origin) {
+    std::vector<std::string> words{parent};
+    if (!is_zero(origin.at)) words.push_back("at<" + text::along(parent, origin.at) + ">");
+    if (origin.turn == no_rotation) return words;
+    std::vector<std::string> cosines;
+    for (const vector3& row : origin.turn)
+      for (double e : row) cosines.push_back(text::digits(e));
+    words.push_back("home<" + text::list(cosines) + ">");
+    return words;
   }
 
   motion motion_of(int joint) const {
     const mimicry how = followed_by(robot_, joint);
     const planned_joint& leader = *plan_.joint_by(how.leader);
-    if (how.leader == joint) return {leader.coordinates, leader.speeds, leader.input};
     const auto times = [&](const std::string& e) {
       return how.multiplier == 1 ? e : text::digits(how.multiplier) + " * " + e;
     };
     const std::string behind = how.offset == 0  ? ""
                                : how.offset < 0 ? " - " + text::digits(-how.offset)
                                                 : " + " + text::digits(how.offset);
-    return {{times(leader.coordinates[0]) + behind}, {times(leader.speeds[0])}, {}};
+    return {times(leader.coordinates[0]) + behind, times(leader.speeds[0])};
   }
 
   void write_root() {
-    const int root = plan_.what.bodies[0].link;
-    frame(root) = "N", origin(root) = "O";
-    if (options_.base == base_kind::floating)
-      write_free(root, "N", "O", {plan_.joints[0].coordinates, plan_.joints[0].speeds, {}});
+    const moving_body& root = plan_.what.bodies[0];
+    type(root.link) = "N";
+    if (options_.base == base_kind::floating) write_joint_by(root, "floating", {"N"}, plan_.joints[0]);
   }
 
-  /// All that a joint becomes.
+  /// A joint as one word, with the symbols and the body that it has.
+  void write_joint_by(const moving_body& b, const std::string& word, std::vector<std::string> words,
+                      const planned_joint& j) {
+    std::vector<std::string> symbols = j.coordinates;
+    symbols.insert(symbols.end(), j.speeds.begin(), j.speeds.end());
+    words.push_back("by<" + text::list(symbols) + ">");
+    if (b.has_mass()) words.push_back(body_of(b));
+    type(b.link) = name(b.link);
+    write_struct(name(b.link), word, words);
+  }
+
   void write_joint(const moving_body& b) {
     const moving_body& in = parent_of(b);
-    const motion m = motion_of(b.joint);
     const joint& j = joint_of(b);
-    const std::string& called = name(b.link);
-    const std::string parent = frame(in.link), parent_origin = origin(in.link);
     out_ += "// " + text::comment(j.name) + ": from " +
             text::comment(robot_.links[static_cast<std::size_t>(in.link)].name) + " to " +
             text::comment(robot_.links[static_cast<std::size_t>(b.link)].name) + "\n";
-    if (j.is == joint_kind::prismatic) {
-      const std::string axes = turned(called, parent, b.origin.turn);
-      const std::string start = moved(called + "_start", parent_origin, parent, b.origin.at);
-      const std::string axis = text::factor(text::along(axes, j.axis));
-      write_struct(called + "_origin", "offset", start + ", " + text::factor(m.q[0]) + " * " + axis);
-      frame(b.link) = axes, origin(b.link) = called + "_origin";
-      if (const std::string drive = driving(b, m); !drive.empty())
-        loads_.push_back("force_between<" + origin(b.link) + ", " + start + ", " + text::factor(drive) +
-                         " * " + axis + ">");
-      return;
-    }
-    const std::string home = turned(called + "_home", parent, b.origin.turn);
-    const std::string axis = text::along(home, j.axis);
-    if (j.is == joint_kind::revolute || j.is == joint_kind::continuous) {
-      write_struct(called, "rotated", home + ", " + m.q[0] + ", " + axis);
-      frame(b.link) = called;
-      origin(b.link) = moved(called + "_origin", parent_origin, parent, b.origin.at);
-      if (const std::string drive = driving(b, m); !drive.empty())
-        loads_.push_back("torque_between<" + called + ", " + parent + ", " + text::factor(drive) + " * " +
-                         text::factor(axis) + ">");
-      return;
-    }
-    const std::string start = moved(called + "_start", parent_origin, parent, b.origin.at);
-    if (j.is == joint_kind::floating) return write_free(b.link, home, start, m);
-    const auto [first, second] = across(j.axis);
-    write_struct(called, "rotated", home + ", " + m.q[2] + ", " + axis);
-    write_struct(called + "_origin", "offset",
-                 start + ", " + m.q[0] + " * " + text::factor(text::along(home, first)) + " + " + m.q[1] +
-                     " * " + text::factor(text::along(home, second)));
-    frame(b.link) = called, origin(b.link) = called + "_origin";
+    if (j.mimic) return write_follower(b);
+    const auto [word, axes] = joint_word(j);
+    std::vector<std::string> words = placed(type(in.link), b.origin);
+    if (!axes.empty()) words.insert(words.begin() + 1, axes);
+    write_joint_by(b, word, words, *plan_.joint_by(b.joint));
+    if (has_one_coordinate(j.is)) write_drive(b);
   }
 
-  void write_free(int link, const std::string& in, const std::string& start, const motion& m) {
-    const std::string& called = name(link);
-    const auto sum = [](const std::string& axes, const std::string& x, const std::string& y,
-                        const std::string& z) {
-      return x + " * " + axes + "::x + " + y + " * " + axes + "::y + " + z + " * " + axes + "::z";
-    };
-    write_struct(called, "quaternion", text::list({in, m.q[6], m.q[3], m.q[4], m.q[5]}),
-                 ", angular_velocity<" + in + ", " + sum("own", m.u[3], m.u[4], m.u[5]) + ">");
-    const std::string v = sum(called, m.u[0], m.u[1], m.u[2]);
-    write_struct(called + "_origin", "offset", start + ", " + sum(in, m.q[0], m.q[1], m.q[2]),
-                 ", velocity<" + in + ", " + v + ">");
-    for (std::size_t i = 0; i < 3; ++i)
-      kinematics_.push_back("dot(" + m.q[i] + ") == dot(" + v + ", " + in + "::" + "xyz"[i] + ")");
-    kinematics_.push_back("kinematics_of<" + called + ", " + in + ">");
-    frame(link) = called, origin(link) = called + "_origin";
+  static std::pair<std::string, std::string> joint_word(const joint& j) {
+    if (j.is == joint_kind::floating) return {"floating", ""};
+    if (j.is == joint_kind::planar) {
+      const auto [first, second] = across(j.axis);
+      return {"planar", "axis<" + text::list({text::along("own", first), text::along("own", second)}) + ">"};
+    }
+    return {j.is == joint_kind::prismatic ? "prismatic" : "pin", "axis<" + text::along("own", j.axis) + ">"};
   }
 
-  std::string driving(const moving_body& b, const motion& m) {
+  void write_drive(const moving_body& b) {
     const joint& j = joint_of(b);
-    std::string drive = m.drive;
+    const planned_joint& by = *plan_.joint_by(b.joint);
+    std::string drive = by.input;
+    if (const std::string rubbed = friction(b, by.speeds[0]); !rubbed.empty()) drive += " - " + rubbed;
+    loads_.push_back("motor<" + name(b.link) + ", " + drive + ">");
     if (options_.damping && j.damping > 0)
-      drive += (drive.empty() ? "-" : " - ") + value("c_" + name(b.link), j.damping) + " * " +
-               text::factor(m.u[0]);
-    if (options_.friction && j.friction > 0)
-      drive +=
-          (drive.empty() ? "-" : " - ") + value("f_" + name(b.link), j.friction) + " * sign(" + m.u[0] + ")";
-    return drive;
+      loads_.push_back("joint_friction<" + name(b.link) + ", " + value("c_" + name(b.link), j.damping) + ">");
   }
 
-  std::string symbols_along(const std::string& axes, const std::string& called, const vector3& v) {
+  std::string friction(const moving_body& b, const std::string& speed) {
+    const joint& j = joint_of(b);
+    if (!options_.friction || !(j.friction > 0)) return {};
+    return value("f_" + name(b.link), j.friction) + " * sign(" + speed + ")";
+  }
+
+  /// A joint without a coordinate of its own: fixed where that of another says.
+  void write_follower(const moving_body& b) {
+    const joint& j = joint_of(b);
+    const std::string &called = name(b.link), start = called + "_start";
+    const motion m = motion_of(b.joint);
+    write_weld(start, placed(type(parent_of(b).link), b.origin));
+    const std::string axis = text::along(start, j.axis);
+    const bool slides = j.is == joint_kind::prismatic;
+    std::vector<std::string> words{start, slides
+                                              ? "at<" + text::factor(m.q) + " * " + text::factor(axis) + ">"
+                                              : "home<" + m.q + ", " + axis + ">"};
+    if (b.has_mass()) words.push_back(body_of(b));
+    type(b.link) = called;
+    write_weld(called, words);
+    std::string drag;
+    if (options_.damping && j.damping > 0)
+      drag += "-" + value("c_" + called, j.damping) + " * " + text::factor(m.u);
+    if (const std::string rubbed = friction(b, m.u); !rubbed.empty())
+      drag += (drag.empty() ? "-" : " - ") + rubbed;
+    if (!drag.empty())
+      loads_.push_back(std::string(slides ? "force" : "torque") + "_between<" + called + ", " + start + ", " +
+                       text::factor(drag) + " * " + text::factor(axis) + ">");
+  }
+
+  void write_weld(const std::string& called, const std::vector<std::string>& words) {
+    write_struct(called, "weld", words);
+    welds_.push_back(called);
+  }
+
+  std::string symbols_along(const std::string& called, const vector3& v) {
     const std::string x = value("x_" + called, v[0]), y = value("y_" + called, v[1]),
                       z = value("z_" + called, v[2]);
-    return x + " * " + axes + "::x + " + y + " * " + axes + "::y + " + z + " * " + axes + "::z";
+    return x + " * own::x + " + y + " * own::y + " + z + " * own::z";
   }
 
-  void write_mass(const moving_body& b) {
-    const bool on_ground = b.joint < 0 && options_.base == base_kind::fixed;
-    if (on_ground || !b.has_mass()) return;
+  std::string body_of(const moving_body& b) {
     const std::string& called = name(b.link);
-    const std::string axes = frame(b.link);
     const bool numbers = options_.bind == binding::numbers;
     const std::string mass = value("m_" + called, b.mass);
-    std::string center = origin(b.link);
-    if (!numbers || !is_zero(b.center)) {
-      const std::string at = numbers ? text::along(axes, b.center) : symbols_along(axes, called, b.center);
-      center = called + "_center";
-      write_struct(center, "offset", origin(b.link) + ", " + at);
-    }
+    const std::string center = numbers ? text::along("own", b.center) : symbols_along(called, b.center);
     const inertia_matrix& i = b.inertia;
-    std::vector<std::string> scalars{axes, value("ixx_" + called, i.xx), value("iyy_" + called, i.yy),
+    std::vector<std::string> scalars{"own", value("ixx_" + called, i.xx), value("iyy_" + called, i.yy),
                                      value("izz_" + called, i.zz)};
     if (!numbers || i.xy != 0 || i.yz != 0 || i.zx != 0)
       for (const auto& [letters, e] : {std::pair("ixy_", i.xy), {"iyz_", i.yz}, {"izx_", i.zx}})
         scalars.push_back(value(letters + called, e));
     std::string inertia = "inertia<" + text::list(scalars) + ">";
     if (numbers && is_of_no_body(i)) inertia = "effective_inertia<" + inertia + ">";
-    write_struct(called + "_body", "rigid_body", text::list({center, axes, mass, inertia}));
-    bodies_.push_back(called + "_body");
+    return "body<" + text::list({mass, center, inertia}) + ">";
   }
 
   /// n² J is felt at the joint, and nothing else.
@@ -210,42 +203,45 @@ private:
     const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
     if (!(felt > 0) || !has_one_coordinate(j.is)) return;
     const std::string called = name(b.link) + "_rotor";
-    write_struct(called, "rotated", "N, " + motion_of(b.joint).q[0] + ", N::z");
-    write_struct(called + "_body", "rigid_body",
-                 "O, " + called + ", 0, inertia<" + called + ", 0, 0, " + value("j_" + name(b.link), felt) +
-                     ">");
+    write_struct(called, "rotated", {"N", motion_of(b.joint).q, "N::z"});
+    write_struct(
+        called + "_body", "rigid_body",
+        {"N", called, "0", "inertia<" + called + ", 0, 0, " + value("j_" + name(b.link), felt) + ">"});
     bodies_.push_back(called + "_body");
   }
 
-  /// The links that are fixed to a body, and other names of the same axes and points.
+  /// The links that are fixed to a body, and other names of the ground.
   void write_folded(const moving_body& b) {
-    write_alias(b.link);
+    if (type(b.link) != name(b.link)) out_ += "using " + name(b.link) + " = " + type(b.link) + ";\n";
     const auto body = static_cast<std::size_t>(&b - plan_.what.bodies.data());
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
       const placed_link& here = plan_.what.links[l];
-      if (static_cast<std::size_t>(here.body) != body || static_cast<int>(l) == b.link) continue;
-      frames_[l] = turned(plan_.links[l], frame(b.link), here.at.turn);
-      origins_[l] = moved(plan_.links[l] + "_origin", origin(b.link), frame(b.link), here.at.at);
-      write_alias(static_cast<int>(l));
+      if (static_cast<std::size_t>(here.body) == body && static_cast<int>(l) != b.link)
+        write_weld(plan_.links[l], placed(type(b.link), here.at));
     }
-  }
-  void write_alias(int link) {
-    if (frame(link) != name(link)) out_ += "using " + name(link) + " = " + frame(link) + ";\n";
-    if (origin(link) != name(link) + "_origin")
-      out_ += "using " + name(link) + "_origin = " + origin(link) + ";\n";
   }
 
   std::string head(const std::string& called, std::string_view from) const {
     const std::size_t links = robot_.links.size(), joints = plan_.what.joints.size();
     const std::string include = std::string("#") + "include "; // of the header, not of this file
-    return "#pragma once\n\n" + include + "<kanexpr/kanexpr.hpp>\n\n" + include +
-           "<limits>\n\n/// The robot " + text::comment(robot_.name) + " of " + text::comment(from) + ": " +
-           std::to_string(links) + (links == 1 ? " link, " : " links, ") + std::to_string(joints) +
-           (joints == 1 ? " joint" : " joints") + " that move" + (joints == 1 ? "s" : "") +
-           " by coordinates of their own, a " +
+    return "#pragma once\n\n" + include + "<kanexpr/joints.hpp>\n" + include + "<kanexpr/kanexpr.hpp>\n\n" +
+           include + "<limits>\n\n/// The robot " + text::comment(robot_.name) + " of " +
+           text::comment(from) + ": " + std::to_string(links) + (links == 1 ? " link, " : " links, ") +
+           std::to_string(joints) + (joints == 1 ? " joint" : " joints") + " that move" +
+           (joints == 1 ? "s" : "") + " by coordinates of their own, a " +
            (options_.base == base_kind::floating ? "floating" : "fixed") +
-           " base.\n/// Written by kanexpr-robot.\nnamespace " + called +
+           " base.\n/// Written by kanexpr-robot.\n" + names() + "namespace " + called +
            " {\n\nusing namespace kanexpr;\n\n";
+  }
+
+  std::string names() const {
+    if (plan_.renamed.empty()) return {};
+    std::vector<std::string> all;
+    for (const std::string& each : plan_.renamed) all.push_back(text::comment(each));
+    std::string told = text::wrapped("/// Names of the file: ", all) + ".\n";
+    for (std::size_t at = told.find('\n'); at + 1 < told.size(); at = told.find('\n', at + 1))
+      told.replace(at + 1, 3, "///");
+    return told;
   }
 
   std::string symbols() const {
@@ -263,22 +259,18 @@ private:
   }
 
   std::string system() {
-    std::vector<std::string> q, u, r, equations = std::move(kinematics_), p;
+    std::vector<std::string> inputs, p, joints;
     for (const planned_joint& j : plan_.joints) {
-      q.insert(q.end(), j.coordinates.begin(), j.coordinates.end());
-      u.insert(u.end(), j.speeds.begin(), j.speeds.end());
-      if (!j.input.empty()) r.push_back(j.input);
-      if (j.is == joint_kind::floating) continue;
-      for (std::size_t i = 0; i < j.speeds.size(); ++i)
-        equations.push_back("dot(" + j.coordinates[i] + ") == " + j.speeds[i]);
+      const int child = j.joint < 0 ? robot_.root : robot_.joints[static_cast<std::size_t>(j.joint)].child;
+      joints.push_back(name(child));
+      if (!j.input.empty()) inputs.push_back(j.input);
     }
+    joints.insert(joints.end(), welds_.begin(), welds_.end());
     for (const auto& [called, number] : values_) p.push_back(called);
     std::string told = "struct System\n    : kane_system<\n          inertial<N>";
-    for (const auto& [word, all] : {std::pair<const char*, const std::vector<std::string>&>("coordinates", q),
-                                    {"speeds", u},
-                                    {"kinematics", equations},
+    for (const auto& [word, all] : {std::pair<const char*, const std::vector<std::string>&>("joints", joints),
                                     {"parameters", p},
-                                    {"inputs", r},
+                                    {"inputs", inputs},
                                     {"bodies", bodies_},
                                     {"loads", loads_}})
       if (!all.empty()) told += ",\n" + text::wrapped(std::string(10, ' ') + word + "<", all) + ">";
@@ -328,7 +320,7 @@ private:
   const robot& robot_;
   model_options options_;
   robots::plan plan_;
-  std::vector<std::string> frames_{}, origins_{}, kinematics_{}, bodies_{}, loads_{};
+  std::vector<std::string> links_{}, welds_{}, bodies_{}, loads_{};
   std::vector<std::pair<std::string, double>> values_{};
   std::string out_{};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -27,6 +28,27 @@ inline std::string letters_of(std::string_view name) {
   return plain;
 }
 
+/// Whether it may be the namespace of a model: no word of C++, and no namespace that a model uses.
+inline bool is_namespace(std::string_view name) {
+  constexpr std::string_view taken[]{
+      "alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
+      "bitor",       "bool",      "break",      "case",      "catch",    "char",         "char8_t",
+      "char16_t",    "char32_t",  "class",      "compl",     "concept",  "const",        "consteval",
+      "constexpr",   "constinit", "const_cast", "continue",  "co_await", "co_return",    "co_yield",
+      "decltype",    "default",   "delete",     "do",        "double",   "dynamic_cast", "else",
+      "enum",        "explicit",  "export",     "extern",    "false",    "float",        "for",
+      "friend",      "goto",      "if",         "inline",    "int",      "long",         "mutable",
+      "namespace",   "new",       "noexcept",   "not",       "not_eq",   "nullptr",      "operator",
+      "or",          "or_eq",     "private",    "protected", "public",   "register",     "reinterpret_cast",
+      "requires",    "return",    "short",      "signed",    "sizeof",   "static",       "static_assert",
+      "static_cast", "struct",    "switch",     "template",  "this",     "thread_local", "throw",
+      "true",        "try",       "typedef",    "typeid",    "typename", "union",        "unsigned",
+      "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
+      "xor_eq",      "std",       "kanexpr",    "Eigen",     "boost"};
+  return !name.empty() && name[0] >= 'A' && name.find("__") == name.npos && letters_of(name) == name &&
+         std::ranges::find(taken, name) == std::end(taken);
+}
+
 /// Names that are identifiers of C++, none of them twice.
 class identifiers {
 public:
@@ -49,7 +71,8 @@ public:
 private:
   std::string unused(const std::string& wanted, std::initializer_list<std::string_view> beginnings,
                      std::initializer_list<std::string_view> endings) {
-    for (int& count = next_[wanted];;) {
+    const std::string begun = beginnings.size() == 0 ? wanted : std::string(*beginnings.begin()) + wanted;
+    for (int& count = next_[begun];;) {
       ++count;
       const std::string name = count == 1 ? wanted : wanted + "_" + std::to_string(count);
       std::set<std::string> all;

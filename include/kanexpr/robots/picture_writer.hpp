@@ -117,7 +117,7 @@ private:
 
   void draw(std::size_t link, const shape& s, int which) {
     const std::string own = name(link) + "_shape" + (which == 1 ? "" : std::to_string(which));
-    std::string axes = name(link), point = name(link) + "_origin";
+    std::string axes = name(link), point = name(link);
     if (!is_zero(s.placed.at)) {
       out_ += "struct " + own + " : offset<" + own + ", " + point + ", " + text::along(axes, s.placed.at) +
               "> {};\n";
@@ -168,16 +168,14 @@ private:
   void draw_rods(std::size_t link) {
     for (const joint& j : robot_.joints)
       if (static_cast<std::size_t>(j.parent) == link && !is_zero(j.origin.at))
-        show("rod<" + name(link) + "_origin, " + name(static_cast<std::size_t>(j.child)) + "_origin, " +
-                 thickness() + ">",
+        show("rod<" + name(link) + ", " + name(static_cast<std::size_t>(j.child)) + ", " + thickness() + ">",
              link_colour);
   }
 
   /// Of a robot of which nothing is seen.
   void draw_joints() {
     for (const moving_body& b : plan_.what.bodies)
-      show("sphere<" + name(static_cast<std::size_t>(b.link)) + "_origin, " + thickness() + ">",
-           joint_colour);
+      show("sphere<" + name(static_cast<std::size_t>(b.link)) + ", " + thickness() + ">", joint_colour);
   }
 
   static constexpr const char* link_colour = "#c4c8cb";

@@ -2,6 +2,7 @@
 
 #include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_inertial.hpp>
+#include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/identifiers.hpp>
 #include <kanexpr/robots/model_options.hpp>
 #include <kanexpr/robots/shown.hpp>
@@ -27,6 +28,7 @@ struct plan {
   std::vector<planned_joint> joints{}; ///< the base, then in the order of the file
   std::vector<std::string> links{};    ///< names of all links
   std::vector<int> joint_of{};         ///< the place among `joints` of each joint of the robot; -1: none
+  std::vector<std::string> renamed{};  ///< "Finger_a is finger a": names that are not those of the file
   std::string mistake{};               ///< why there is no model; empty: there is one
 
   const planned_joint* joint_by(int of_robot) const {
@@ -95,10 +97,20 @@ inline std::string indefinite_in(const robot& r, const articulation& a, const mo
   return {};
 }
 
+/// The first letter of a type is a capital: that alone is no other name.
+inline void note_name(plan& p, const std::string& called, const std::string& in_file) {
+  std::string small_first = called;
+  if (!in_file.empty()) small_first[0] = in_file[0];
+  const bool is_capital = called[0] >= 'A' && called[0] <= 'Z';
+  const bool first_differs =
+      !in_file.empty() && called[0] != in_file[0] && !(is_capital && called[0] - 'A' + 'a' == in_file[0]);
+  if (first_differs || small_first != in_file) p.renamed.push_back(called + " is " + shown(in_file));
+}
+
 inline plan plan_of(const robot& r, const model_options& options) {
   constexpr std::size_t most_bodies = 400;
   plan p;
-  if (r.links.empty() || r.root < 0) return p.mistake = "the robot has no links", p;
+  if (p.mistake = check_robot(r); !p.mistake.empty()) return p;
   p.what = articulation_of(r);
   if (p.what.bodies.size() > most_bodies) {
     p.mistake = "the robot has " + std::to_string(p.what.bodies.size()) +
@@ -109,14 +121,17 @@ inline plan plan_of(const robot& r, const model_options& options) {
   if (p.mistake = indefinite_in(r, p.what, options); !p.mistake.empty()) return p;
   identifiers names;
   for (const char* taken : {"N", "O", "System"}) names.reserve(taken);
-  for (const link& l : r.links)
-    p.links.push_back(
-        names.type(l.name, {"", "_home", "_origin", "_start", "_center", "_body", "_rotor", "_shape"}));
+  for (const link& l : r.links) {
+    p.links.push_back(names.type(
+        l.name, {"", "_home", "_origin", "_start", "_base", "_center", "_body", "_rotor", "_shape"}));
+    note_name(p, p.links.back(), l.name);
+  }
   if (options.base == base_kind::floating) p.joints.push_back(floating(-1, ""));
   p.joint_of.assign(r.joints.size(), -1);
   for (int j : p.what.joints) {
     const joint& each = r.joints[static_cast<std::size_t>(j)];
     const std::string called = names.joint(each.name, {"q_", "u_", "T_", "F_"});
+    note_name(p, called, each.name);
     p.joint_of[static_cast<std::size_t>(j)] = static_cast<int>(p.joints.size());
     p.joints.push_back(each.is == joint_kind::floating ? floating(j, called)
                        : each.is == joint_kind::planar ? planar(j, called)

@@ -59,6 +59,9 @@ constexpr bool has_one_coordinate(joint_kind is) {
   return is == joint_kind::revolute || is == joint_kind::continuous || is == joint_kind::prismatic;
 }
 
+/// Whether it turns about an axis or moves along or across one.
+constexpr bool has_axis(joint_kind is) { return is != joint_kind::fixed && is != joint_kind::floating; }
+
 struct joint_limits {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
   double effort = std::numeric_limits<double>::infinity(), velocity = std::numeric_limits<double>::infinity();

@@ -29,6 +29,15 @@ public:
   frame_id frame_of(std::string_view link) const { return frames_[place_of(link)]; }
   point_id origin_of(std::string_view link) const { return origins_[place_of(link)]; }
 
+  /// The name of the body that has the mass of a link and of all that is fixed to it: of the link that moves,
+  /// "Forearm_body" of a tool on a forearm; empty of what is part of the ground or has no mass.
+  std::string body_of(std::string_view link) const {
+    const std::size_t place = place_of(link);
+    if (place >= plan_.what.links.size()) return {};
+    const moving_body& b = plan_.what.bodies[static_cast<std::size_t>(plan_.what.links[place].body)];
+    return is_on_ground(b) || !b.has_mass() ? "" : name(b.link) + "_body";
+  }
+
   /// The values that the file has for the parameters, in their order.
   const std::vector<std::pair<std::string, double>>& values() const { return values_; }
 
@@ -65,6 +74,7 @@ private:
   const joint& joint_of(const moving_body& b) const {
     return robot_.joints[static_cast<std::size_t>(b.joint)];
   }
+  bool is_on_ground(const moving_body& b) const { return b.joint < 0 && options_.base == base_kind::fixed; }
   const moving_body& parent_of(const moving_body& b) const {
     return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
   }
@@ -179,8 +189,7 @@ private:
   }
 
   void add_mass(const moving_body& b) {
-    const bool on_ground = b.joint < 0 && options_.base == base_kind::fixed;
-    if (on_ground || !b.has_mass()) return;
+    if (is_on_ground(b) || !b.has_mass()) return;
     const std::string& called = name(b.link);
     const frame_id axes = frame(b.link);
     const inertia_matrix& i = b.inertia;

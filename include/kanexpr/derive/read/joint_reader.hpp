@@ -26,9 +26,12 @@ public:
       check_reaction(reading_.from.reactions[i]);
   }
 
-  /// A joint is part of the system, and its body, whether anything else mentions it or not.
+  /// A joint is part of the system, and its body, whether anything else mentions it or not: but for one that
+  /// brings nothing that moves or has mass, whose point would be one more to choose where others are measured
+  /// from.
   constexpr void read(const joint_record& r) {
     check_axes(r);
+    if (r.speeds.size == 0 && r.body == nullptr) return;
     if (!reading_.mistake) entities_.frame(r.frame, "joints<...>");
     if (!reading_.mistake) entities_.point(r.point, "joints<...>");
     if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);

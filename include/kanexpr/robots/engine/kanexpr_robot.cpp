@@ -1,14 +1,16 @@
-// kanexpr-robot: writes the model of a robot that a URDF file describes as a header.
+// kanexpr-robot: writes the model of a robot that a URDF or SDF file describes as a header.
 #include <kanexpr/robots/header_writer.hpp>
 #include <kanexpr/robots/picture_writer.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
+#ifdef KANEXPR_ROBOTS_READ_SDF
+#include <kanexpr/robots/read_sdf.hpp>
+#endif
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <string>
 
 namespace {
@@ -16,17 +18,21 @@ namespace {
 using namespace kanexpr::robots;
 
 struct request {
-  std::string file{}, name{}, header{}, picture{};
-  urdf_options reading{};
+  std::string file{}, name{}, header{}, picture{}, base = "fixed", bind = "numbers";
+  reading_options reading{};
   model_options model{};
-  bool as_written = false, quiet = false;
+  bool as_written = false, without_mimic = false, without_damping = false, quiet = false;
 };
 
-bool is_identifier(const std::string& name) {
-  return !name.empty() &&
-         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") ==
-             name.npos &&
-         name.find_first_of("0123456789_") != 0;
+read_robot robot_of(const std::string& file, const reading_options& options) {
+  if (!file.ends_with(".sdf") && !file.ends_with(".world")) return read_urdf(file, options);
+#ifdef KANEXPR_ROBOTS_READ_SDF
+  return read_sdf(file, options);
+#else
+  return read_robot(file +
+                    " is an SDF file, and kanexpr-robot was compiled without libsdformat 12, which reads "
+                    "these; Debian has it in libsdformat-dev");
+#endif
 }
 
 int refuse(const std::string& cause) {
@@ -50,14 +56,19 @@ bool draw(const robot& seen, const request& r) {
 }
 
 int write(request r) {
-  if (!is_identifier(r.name)) return refuse(r.name + " is not the name of a namespace");
+  if (!is_namespace(r.name)) return refuse(r.name + " is not the name of a namespace");
   if (r.as_written) r.reading.right_angles = 0;
-  const read_robot read = read_urdf(r.file, r.reading);
+  r.reading.mimic = !r.without_mimic, r.model.damping = !r.without_damping;
+  r.model.base = r.base == "floating" ? base_kind::floating : base_kind::fixed;
+  r.model.bind = r.bind == "parameters" ? binding::parameters : binding::numbers;
+  const read_robot read = robot_of(r.file, r.reading);
   if (!r.quiet)
     for (const std::string& note : read.notes) std::cerr << "kanexpr-robot: note: " << note << '\n';
   if (!read) return refuse(read.cause());
   header_writer writer(read.robot, r.model);
   if (!writer.cause().empty()) return refuse(r.file + ": " + writer.cause());
+  if (const std::string renamed = writer.renamed(); !renamed.empty() && !r.quiet)
+    std::cerr << "kanexpr-robot: note: names in C++: " << renamed << '\n';
   const std::string text = writer.write(r.name, r.file.substr(r.file.rfind('/') + 1));
   if (!r.picture.empty() && !draw(read.robot, r)) return 1;
   if (r.header.empty()) return std::cout << text, 0;
@@ -68,25 +79,27 @@ int write(request r) {
 
 int main(int count, char** arguments) {
   request r;
-  CLI::App app("Writes the model of a robot that a URDF file describes as a header.");
-  app.add_option("urdf", r.file, "the file")->required();
+  CLI::App app("Writes the model of a robot that a URDF or SDF file describes as a header.");
+  app.add_option("file", r.file, "the file; one that ends with .sdf or .world is read as SDF")->required();
   app.add_option("-n,--name", r.name, "the namespace of the model")->required();
   app.add_option("-o,--output", r.header, "the header; without one it is printed");
   app.add_option("--picture", r.picture, "a second header, with what the robot looks like");
-  const std::map<std::string, base_kind> bases{{"fixed", base_kind::fixed},
-                                               {"floating", base_kind::floating}};
-  app.add_option("--base", r.model.base, "whether the root is fixed or floating")
-      ->transform(CLI::CheckedTransformer(bases));
-  const std::map<std::string, binding> bindings{{"numbers", binding::numbers},
-                                                {"parameters", binding::parameters}};
-  app.add_option("--bind", r.model.bind, "what masses are in the model")
-      ->transform(CLI::CheckedTransformer(bindings));
-  app.add_option("--gravity", r.model.gravity, "against the z axis of the root, in m/s^2");
+  app.add_option("--base", r.base, "what becomes of the root: it is fixed, as without this, or moves")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->option_text("fixed|floating");
+  app.add_option(
+         "--bind", r.bind,
+         "what masses, mass centres, inertias, dampings and gravity are: numbers, as without this, or "
+         "parameters with these values")
+      ->check(CLI::IsMember({"numbers", "parameters"}))
+      ->option_text("numbers|parameters");
+  app.add_option("--gravity", r.model.gravity, "against the z axis of the root, in m/s^2; 9.81 without this")
+      ->option_text("NUMBER");
   app.add_flag("--as-written", r.as_written, "angles as they are written: 1.5708 is no right angle");
-  app.add_flag("!--no-mimic", r.reading.mimic, "joints that follow others move by themselves");
-  app.add_flag("!--no-damping", r.model.damping, "leave the damping of joints out");
+  app.add_flag("--no-mimic", r.without_mimic, "joints that follow others move by themselves");
+  app.add_flag("--no-damping", r.without_damping, "leave the damping of joints out");
   app.add_flag("--friction", r.model.friction, "with the dry friction of joints");
-  app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file");
+  app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file, nor what names become");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));
 }

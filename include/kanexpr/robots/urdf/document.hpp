@@ -23,7 +23,8 @@ public:
 
   /// The root element; null after a mistake.
   const element* open(const std::string& text) {
-    if (text.find('\0') != std::string::npos) return refuse("the file holds a zero byte, so it is not XML");
+    if (text.find('\0') != std::string::npos)
+      return fail("the file holds a zero byte, so it is not XML"), nullptr;
     if (xml_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
       return fail(xml_.ErrorLineNum(), cause_of(xml_.ErrorID())), nullptr;
     for (const tinyxml2::XMLNode* n = xml_.FirstChild(); n; n = n->NextSibling())
@@ -43,6 +44,11 @@ public:
     return false;
   }
   bool fail(const element& e, const std::string& what) { return fail(e.GetLineNum(), what); }
+  /// Of the whole file.
+  bool fail(const std::string& what) {
+    if (mistake_.empty()) mistake_ = called_.empty() ? what : called_ + ": " + what;
+    return false;
+  }
   void note(int line, const std::string& what) {
     if (notes_.size() < most_notes) notes_.push_back(at(line) + what);
   }
@@ -76,10 +82,6 @@ public:
   }
 
 private:
-  const element* refuse(const std::string& what) {
-    if (mistake_.empty()) mistake_ = called_.empty() ? what : called_ + ": " + what;
-    return nullptr;
-  }
   std::string at(int line) const {
     return "line " + std::to_string((std::max)(line, 1)) + (called_.empty() ? "" : " of " + called_) + ": ";
   }

@@ -21,8 +21,6 @@ inline std::optional<joint_kind> joint_kind_of(std::string_view type) {
   return {};
 }
 
-constexpr bool has_axis(joint_kind is) { return is != joint_kind::fixed && is != joint_kind::floating; }
-
 /// Joints, and what speaks of them, once all links are there.
 class joint_reader {
 public:
@@ -69,7 +67,10 @@ public:
         multiplier *= at->mimic->multiplier;
         at = &into_.joints[static_cast<std::size_t>(at->mimic->leader)];
       }
-      if (at->is == joint_kind::fixed && at != &into_.joints[place]) held.emplace_back(place, offset);
+      if (at->is != joint_kind::fixed || at == &into_.joints[place]) continue;
+      from_.note(*e, "joint " + shown(into_.joints[place].name) + " follows " + shown(at->name) +
+                         ", which is fixed, and is fixed too");
+      held.emplace_back(place, offset);
     }
     for (const auto& [place, q] : held) fix(into_.joints[place], q);
     return true;
@@ -143,8 +144,11 @@ private:
   }
 
   bool take_mimic(const element& e, joint& into) {
-    if (into.is == joint_kind::fixed) return true; // as programs leave it that fix joints
     const std::string whose = "joint " + shown(into.name);
+    if (into.is == joint_kind::fixed) { // as programs leave it that fix joints
+      from_.note(e, whose + " is fixed, so its mimic is left out");
+      return true;
+    }
     const auto name = from_.text(e, "joint", "the mimic of " + whose);
     if (!name) return false;
     mimicry read;

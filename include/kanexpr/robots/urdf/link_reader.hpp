@@ -12,7 +12,6 @@ inline bool read_inertial(document& from, const element& e, const std::string& w
   const element* const inertia = e.FirstChildElement("inertia");
   if (!mass || !mass->Attribute("value")) return from.fail(e, whose + " has an inertial without a mass");
   if (!from.take(*mass, "value", read.mass, "the mass of " + whose)) return false;
-  if (read.mass < 0) return from.fail(*mass, "the mass of " + whose + " is negative");
   if (inertia) {
     inertia_matrix& i = read.inertia;
     const std::string of = "the inertia of " + whose;
@@ -20,15 +19,11 @@ inline bool read_inertial(document& from, const element& e, const std::string& w
         !from.take(*inertia, "izz", i.zz, of) || !from.take(*inertia, "ixy", i.xy, of) ||
         !from.take(*inertia, "iyz", i.yz, of) || !from.take(*inertia, "ixz", i.zx, of))
       return false;
-    if (is_indefinite(i) && is_rounding(i, read.mass)) i = {};
-    if (i.xx < 0 || i.yy < 0 || i.zz < 0)
-      return from.fail(*inertia, "a moment of inertia of " + whose + " is negative");
-    if (is_indefinite(i)) // which what moves with the link may make up for
-      from.note(*inertia, of + " is indefinite: about some axis its moment is negative");
-    else if (is_of_no_body(i))
-      from.note(*inertia,
-                of + " is that of no body: one principal moment is larger than the other two together");
   }
+  const inertial_remarks remarks = remarks_on(read, whose);
+  const element& at = inertia && read.mass >= 0 ? *inertia : *mass;
+  if (!remarks.mistake.empty()) return from.fail(at, remarks.mistake);
+  if (!remarks.note.empty()) from.note(at, remarks.note);
   into.inertial = read;
   return true;
 }

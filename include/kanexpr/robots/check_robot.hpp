@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kanexpr/robots/robot.hpp>
+#include <kanexpr/robots/shown.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+/// Whether a robot is one: what a file was found to be, a program may have made otherwise.
+namespace kanexpr::robots {
+
+/// A sentence, and the joint that it is about; empty: nothing is wrong.
+struct robot_mistake {
+  std::string what{};
+  int joint = -1; ///< -1: of all
+};
+
+/// Which link no joint leads to; a mistake where the joints are no tree.
+struct found_root {
+  int link = -1;
+  robot_mistake mistake{};
+};
+
+namespace detail {
+
+inline std::string called(const robot& r, int link) {
+  return shown(r.links[static_cast<std::size_t>(link)].name);
+}
+
+/// Whether the way along parents leads from every link to the root.
+inline robot_mistake unreached_in(const robot& r, const std::vector<int>& leads_to, int root) {
+  std::vector<bool> reached(leads_to.size(), false);
+  reached[static_cast<std::size_t>(root)] = true;
+  std::vector<std::size_t> way;
+  for (std::size_t l = 0; l < leads_to.size(); ++l) {
+    way.clear();
+    for (std::size_t at = l; !reached[at];
+         at = static_cast<std::size_t>(r.joints[static_cast<std::size_t>(leads_to[at])].parent)) {
+      if (way.size() > leads_to.size())
+        return {"the joints go round in a circle: link " + called(r, static_cast<int>(l)) +
+                    " hangs on itself",
+                leads_to[l]};
+      way.push_back(at);
+    }
+    for (std::size_t each : way) reached[each] = true;
+  }
+  return {};
+}
+
+inline bool is_rotation(const rotation& t) {
+  constexpr double tolerance = 1e-6; // what files with few digits hold
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(std::abs(dot(t[i], t[i]) - 1) < tolerance)) return false;
+    if (!(std::abs(dot(t[i], t[(i + 1) % 3])) < tolerance)) return false;
+  }
+  return dot(t[0], cross(t[1], t[2])) > 0;
+}
+inline bool is_finite(const vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); }
+inline bool is_placed(const pose& p) { return is_rotation(p.turn) && is_finite(p.at); }
+
+inline std::string wrong_with(const link& l) {
+  if (!l.inertial) return {};
+  const std::string whose = "link " + shown(l.name);
+  const inertial& i = *l.inertial;
+  const inertia_matrix& m = i.inertia;
+  if (!std::isfinite(i.mass + m.xx + m.yy + m.zz + m.xy + m.yz + m.zx))
+    return "the mass or the inertia of " + whose + " is not a finite number";
+  if (!is_placed(i.center)) return "the mass centre of " + whose + " is not placed by numbers and a rotation";
+  return i.mass < 0 ? "the mass of " + whose + " is negative" : "";
+}
+
+inline std::string wrong_with_mimic(const robot& r, const joint& j) {
+  const std::string whose = "joint " + shown(j.name);
+  const joint* at = &j;
+  for (std::size_t steps = 0; at->mimic; ++steps) {
+    const mimicry& m = *at->mimic;
+    if (m.leader < 0 || static_cast<std::size_t>(m.leader) >= r.joints.size())
+      return whose + " follows a joint that is not there";
+    if (!std::isfinite(m.multiplier) || !std::isfinite(m.offset))
+      return whose + " follows another by a number that is not finite";
+    if (steps == r.joints.size()) return whose + " follows a joint that follows it in turn";
+    if (!has_one_coordinate(at->is)) return whose + " follows another, but has not one coordinate";
+    at = &r.joints[static_cast<std::size_t>(m.leader)];
+    if (!has_one_coordinate(at->is))
+      return whose + " follows " + shown(at->name) + ", which has not one coordinate";
+  }
+  return {};
+}
+
+inline std::string wrong_with(const robot& r, const joint& j) {
+  const std::string whose = "joint " + shown(j.name);
+  const auto is_link = [&](int l) { return l >= 0 && static_cast<std::size_t>(l) < r.links.size(); };
+  if (!is_link(j.parent) || !is_link(j.child))
+    return whose + " has a parent or a child that is not among the links";
+  if (j.parent == j.child) return whose + " leads from a link to itself";
+  if (!is_placed(j.origin)) return "the origin of " + whose + " is not placed by numbers and a rotation";
+  if (has_axis(j.is) && !(std::abs(dot(j.axis, j.axis) - 1) < 1e-6))
+    return "the axis of " + whose + " does not have the length 1";
+  if (!(j.damping >= 0) || !(j.friction >= 0) || !(j.rotor_inertia >= 0) ||
+      !std::isfinite(j.damping + j.friction + j.rotor_inertia + j.gear_ratio))
+    return "the damping, friction or rotor of " + whose + " is negative or not finite";
+  return wrong_with_mimic(r, j);
+}
+
+} // namespace detail
+
+/// Of joints whose parents and children are links.
+inline found_root root_of(const robot& r) {
+  std::vector<int> leads_to(r.links.size(), -1);
+  for (std::size_t j = 0; j < r.joints.size(); ++j) {
+    int& known = leads_to[static_cast<std::size_t>(r.joints[j].child)];
+    if (known >= 0)
+      return {-1,
+              {"link " + detail::called(r, r.joints[j].child) + " is the child of two joints, " +
+                   shown(r.joints[static_cast<std::size_t>(known)].name) + " and " + shown(r.joints[j].name),
+               static_cast<int>(j)}};
+    known = static_cast<int>(j);
+  }
+  int root = -1;
+  for (std::size_t l = 0; l < leads_to.size(); ++l) {
+    if (leads_to[l] >= 0) continue;
+    if (root >= 0)
+      return {-1,
+              {"no joint leads to link " + detail::called(r, root) + " nor to link " +
+               detail::called(r, static_cast<int>(l)) + "; a robot has one such link, its root"}};
+    root = static_cast<int>(l);
+  }
+  if (root < 0) return {-1, {"the joints go round in a circle: a joint leads to every link"}};
+  return {root, detail::unreached_in(r, leads_to, root)};
+}
+
+/// The first mistake in a robot; empty: there is none.
+inline std::string check_robot(const robot& r) {
+  if (r.links.empty()) return "the robot has no links";
+  for (const link& l : r.links)
+    if (std::string wrong = detail::wrong_with(l); !wrong.empty()) return wrong;
+  for (const joint& j : r.joints)
+    if (std::string wrong = detail::wrong_with(r, j); !wrong.empty()) return wrong;
+  const found_root found = root_of(r);
+  if (!found.mistake.what.empty() || found.link == r.root) return found.mistake.what;
+  return "the root of the robot is not link " + detail::called(r, found.link) + ", to which no joint leads";
+}
+
+} // namespace kanexpr::robots

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/robots/reading_options.hpp>
+#include <kanexpr/robots/robot.hpp>
+#include <kanexpr/robots/urdf/document.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::robots {
+
+/// A robot, or why a file has none: "line 12 of arm.urdf: the mass of link elbow is negative".
+struct [[nodiscard]] read_robot : outcome {
+  using outcome::outcome;
+
+  robots::robot robot{};
+  /// What was left out, or is strange: "line 80 of arm.urdf: the inertia of link hand is that of no body: …".
+  std::vector<std::string> notes{};
+};
+
+namespace detail {
+
+/// What a reader of one format makes of a text.
+template <class Reader>
+read_robot read_text(const std::string& text, const std::string& called, const reading_options& options) {
+  urdf::document from(called, options.right_angles);
+  Reader reader(from, options);
+  read_robot read = reader.read(text) ? read_robot() : read_robot(from.mistake());
+  if (read) read.robot = std::move(reader.robot);
+  read.notes = from.take_notes();
+  return read;
+}
+
+template <class Reader>
+read_robot read_file(const std::string& path, const reading_options& options) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) return read_robot(path + " cannot be read");
+  return read_text<Reader>(text, path.substr(path.rfind('/') + 1), options);
+}
+
+} // namespace detail
+
+} // namespace kanexpr::robots

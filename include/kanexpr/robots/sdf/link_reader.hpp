@@ -1,0 +1,95 @@
+#pragma once
+
+#include <kanexpr/robots/check_inertial.hpp>
+#include <kanexpr/robots/robot.hpp>
+#include <kanexpr/robots/sdf/poses.hpp>
+#include <kanexpr/robots/urdf/document.hpp>
+
+#include <sdf/Box.hh>
+#include <sdf/Capsule.hh>
+#include <sdf/Collision.hh>
+#include <sdf/Cylinder.hh>
+#include <sdf/Element.hh>
+#include <sdf/Geometry.hh>
+#include <sdf/Link.hh>
+#include <sdf/Mesh.hh>
+#include <sdf/Sphere.hh>
+#include <sdf/Visual.hh>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace kanexpr::robots::sdf_files {
+
+/// The line in the file; 1 of what the library made itself.
+template <class Entity>
+int line_of(const Entity& e) {
+  return e.Element() ? e.Element()->LineNumber().value_or(1) : 1;
+}
+
+/// A shape of those that robots have.
+inline std::optional<shape> shape_of(const sdf::Geometry& g) {
+  shape s;
+  if (const sdf::Box* box = g.BoxShape()) {
+    s.size = vector_of(box->Size());
+  } else if (const sdf::Cylinder* cylinder = g.CylinderShape()) {
+    s.is = shape_kind::cylinder, s.size = {cylinder->Radius(), cylinder->Length(), 0};
+  } else if (const sdf::Capsule* capsule = g.CapsuleShape()) {
+    s.is = shape_kind::capsule, s.size = {capsule->Radius(), capsule->Length(), 0};
+  } else if (const sdf::Sphere* sphere = g.SphereShape()) {
+    s.is = shape_kind::sphere, s.size = {sphere->Radius(), 0, 0};
+  } else if (const sdf::Mesh* mesh = g.MeshShape()) {
+    s.is = shape_kind::mesh, s.size = vector_of(mesh->Scale()), s.file = mesh->Uri();
+  } else {
+    return {};
+  }
+  return s;
+}
+
+class link_reader {
+public:
+  explicit link_reader(urdf::document& from) : from_(from) {}
+
+  bool read(const sdf::Link& l, const std::string& called, link& into) {
+    into.name = called;
+    if (!take_inertial(l, into)) return false;
+    for (std::uint64_t i = 0; i < l.VisualCount(); ++i) take_shape(*l.VisualByIndex(i), into, into.visual);
+    for (std::uint64_t i = 0; i < l.CollisionCount(); ++i)
+      take_shape(*l.CollisionByIndex(i), into, into.collision);
+    return true;
+  }
+
+private:
+  bool take_inertial(const sdf::Link& l, link& into) {
+    const std::string whose = "link " + shown(into.name);
+    const auto& mass = l.Inertial().MassMatrix();
+    inertial read;
+    read.mass = mass.Mass();
+    read.center = pose_of(l.Inertial().Pose(), from_.tolerance());
+    read.inertia = {mass.Ixx(), mass.Iyy(), mass.Izz(), mass.Ixy(), mass.Iyz(), mass.Ixz()};
+    if (!l.Element() || !l.Element()->HasElement("inertial"))
+      from_.note(line_of(l),
+                 whose + " has no inertial, which SDF takes for 1 kg and 1 kg m^2 about each axis");
+    const inertial_remarks remarks = remarks_on(read, whose);
+    if (!remarks.mistake.empty()) return from_.fail(line_of(l), remarks.mistake);
+    if (!remarks.note.empty()) from_.note(line_of(l), remarks.note);
+    into.inertial = read;
+    return true;
+  }
+
+  template <class Seen>
+  void take_shape(const Seen& seen, const link& of, std::vector<shape>& into) {
+    ignition::math::Pose3d placed;
+    std::optional<shape> s = seen.Geom() ? shape_of(*seen.Geom()) : std::nullopt;
+    if (!s || !seen.SemanticPose().Resolve(placed).empty())
+      return from_.note(line_of(seen),
+                        "link " + shown(of.name) + " has a shape that is not known here, and left out");
+    s->placed = pose_of(placed, from_.tolerance());
+    into.push_back(std::move(*s));
+  }
+
+  urdf::document& from_;
+};
+
+} // namespace kanexpr::robots::sdf_files

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <kanexpr/robots/check_robot.hpp>
+#include <kanexpr/robots/reading_options.hpp>
+#include <kanexpr/robots/sdf/joint_reader.hpp>
+
+#include <sdf/Console.hh>
+#include <sdf/Error.hh>
+#include <sdf/Model.hh>
+#include <sdf/Root.hh>
+#include <sdf/World.hh>
+
+#include <algorithm>
+#include <exception>
+#include <ostream>
+
+namespace kanexpr::robots::sdf_files {
+
+/// Keeps what libsdformat would print to itself. (What is no SDF at all, it hands to urdfdom, which prints a
+/// line.)
+class silence {
+public:
+  silence() : messages_(sdf::Console::Instance()->GetMsgStream()), to_(messages_.GetStream()) {
+    messages_.SetStream(nullptr);
+  }
+  ~silence() { messages_.SetStream(to_); }
+  silence(const silence&) = delete;
+  silence& operator=(const silence&) = delete;
+
+private:
+  sdf::Console::ConsoleStream& messages_;
+  std::ostream* to_;
+};
+
+/// Goes through the one model of a file.
+class reader {
+public:
+  reader(urdf::document& from, const reading_options& options) : from_(from), options_(options) {}
+
+  /// Whether there is one, and no mistake in it.
+  bool read(const std::string& text) {
+    const urdf::element* const root = from_.open(text);
+    if (!root) return from_.fail(1, "there is no element, so this is no robot");
+    if (std::string_view(root->Name()) != "sdf")
+      return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <sdf>");
+    const silence quiet;
+    sdf::Root file;
+    try {
+      if (!is_sound(file.LoadSdfString(text, sdf::ParserConfig()))) return false;
+    } catch (const std::exception& e) { // as of a number in a version
+      return from_.fail(std::string("libsdformat gives up: ") + shown(e.what()));
+    }
+    const sdf::Model* const model = model_of(file);
+    if (!model) return false;
+    robot.name = model->Name();
+    if (model->Static()) return from_.fail(line_of(*model), "the model " + shown(robot.name) + " is static");
+    const Pose3d stands = model->RawPose();
+    return read_links(*model, "", stands) && read_joints(*model, "") &&
+           (!options_.mimic || joints_.read_mimics()) && is_robot(*model);
+  }
+
+  robots::robot robot{};
+
+private:
+  /// An inertia of no body is no mistake here, but for libsdformat it is one in a world.
+  bool is_sound(const sdf::Errors& errors) {
+    const auto is_inertia = [](const sdf::Error& e) {
+      return e.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
+    };
+    const auto worst = std::ranges::find_if_not(errors, is_inertia);
+    if (worst == errors.end()) return true;
+    const auto first = std::ranges::find_if(errors, is_inertia);
+    const sdf::Error& e = first == errors.end() ? *worst : *first;
+    const std::string message = e.Message();
+    const std::string said = "libsdformat says: " + shown(message.substr(0, message.find('\n')), 200);
+    return e.LineNumber() ? from_.fail(*e.LineNumber(), said) : from_.fail(said);
+  }
+
+  const sdf::Model* model_of(const sdf::Root& file) {
+    if (file.Model()) return file.Model();
+    const bool one_world = file.WorldCount() == 1;
+    const std::uint64_t models = one_world ? file.WorldByIndex(0)->ModelCount() : 0;
+    if (models == 1) return file.WorldByIndex(0)->ModelByIndex(0);
+    from_.fail("the file has " + (one_world ? std::to_string(models) + " models" : "no model") +
+               ", and a robot is one");
+    return nullptr;
+  }
+
+  bool read_links(const sdf::Model& m, const std::string& scope, const Pose3d& stands) {
+    for (std::uint64_t i = 0; i < m.LinkCount(); ++i) {
+      const sdf::Link& l = *m.LinkByIndex(i);
+      Pose3d at;
+      if (!l.SemanticPose().Resolve(at, "__model__").empty())
+        return from_.fail(line_of(l), "the place of link " + shown(l.Name()) + " is not known");
+      const std::string called = scope + l.Name();
+      link read;
+      if (!link_reader(from_).read(l, called, read)) return false;
+      links_.places.emplace(called, static_cast<int>(robot.links.size()));
+      links_.poses.push_back(stands * at);
+      robot.links.push_back(std::move(read));
+    }
+    for (std::uint64_t i = 0; i < m.ModelCount(); ++i) {
+      const sdf::Model& inner = *m.ModelByIndex(i);
+      Pose3d at;
+      if (!inner.SemanticPose().Resolve(at, "__model__").empty())
+        return from_.fail(line_of(inner), "the place of model " + shown(inner.Name()) + " is not known");
+      if (!read_links(inner, scope + inner.Name() + "::", stands * at)) return false;
+    }
+    return true;
+  }
+
+  bool read_joints(const sdf::Model& m, const std::string& scope) {
+    for (std::uint64_t i = 0; i < m.JointCount(); ++i)
+      if (!joints_.read(*m.JointByIndex(i), scope)) return false;
+    for (std::uint64_t i = 0; i < m.ModelCount(); ++i)
+      if (!read_joints(*m.ModelByIndex(i), scope + m.ModelByIndex(i)->Name() + "::")) return false;
+    return true;
+  }
+
+  /// The root is upright: where a link stands otherwise, the model is a link below it.
+  bool is_robot(const sdf::Model& m) {
+    const found_root found = root_of(robot);
+    if (!found.mistake.what.empty()) return from_.fail(line_of(m), found.mistake.what);
+    robot.root = found.link;
+    const Pose3d stands(ignition::math::Vector3d::Zero,
+                        links_.poses[static_cast<std::size_t>(found.link)].Rot());
+    const pose turned = pose_of(stands, from_.tolerance());
+    if (turned.turn != no_rotation) {
+      joint upright;
+      upright.name = robot.name + "_stands";
+      upright.parent = static_cast<int>(robot.links.size());
+      upright.child = found.link;
+      upright.origin = turned;
+      robot.root = upright.parent;
+      link below;
+      below.name = robot.name;
+      robot.links.push_back(std::move(below));
+      robot.joints.push_back(std::move(upright));
+    }
+    const std::string wrong = check_robot(robot);
+    return wrong.empty() || from_.fail(line_of(m), wrong);
+  }
+
+  urdf::document& from_;
+  reading_options options_;
+  placed_links links_{};
+  joint_reader joints_{from_, links_, robot};
+};
+
+} // namespace kanexpr::robots::sdf_files

@@ -1,0 +1,252 @@
+// Robots from the text of SDF files, beside the same ones from URDF, and the sentences about files that hold
+// none.
+#include <kanexpr/robots/articulation.hpp>
+#include <kanexpr/robots/read_sdf.hpp>
+#include <kanexpr/robots/read_urdf.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace kanexpr::robots;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+read_robot in_model(const std::string& elements, const reading_options& options = {}) {
+  return read_sdf_text("<sdf version='1.9'><model name='r'>\n" + elements + "\n</model></sdf>", options);
+}
+
+std::string cause_of(const std::string& elements) { return in_model(elements).cause(); }
+
+std::string link_at(const std::string& name, const std::string& pose, const std::string& relative_to) {
+  return "<link name='" + name + "'><pose relative_to='" + relative_to + "'>" + pose +
+         "</pose><inertial><pose>0.1 0.02 -0.4 0.3 0 0</pose><mass>1.5</mass><inertia><ixx>0.05</ixx>"
+         "<iyy>0.06</iyy><izz>0.04</izz><ixy>0.002</ixy><ixz>0</ixz><iyz>-0.001</iyz></inertia></inertial>"
+         "</link>\n";
+}
+
+std::string joint_of(const std::string& name, const std::string& type, const std::string& parent,
+                     const std::string& child, const std::string& more) {
+  return "<joint name='" + name + "' type='" + type + "'><parent>" + parent + "</parent><child>" + child +
+         "</child>" + more + "</joint>\n";
+}
+
+std::string axis(const std::string& xyz, const std::string& more = {}) {
+  return "<axis><xyz>" + xyz + "</xyz>" + more + "</axis>";
+}
+
+const std::string limits =
+    "<limit><lower>-1</lower><upper>2</upper><effort>30</effort><velocity>4</velocity></limit>"
+    "<dynamics><damping>0.5</damping><friction>0.1</friction></dynamics>";
+
+void expect_close(const vector3& ours, const vector3& theirs) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-15);
+}
+
+/// To the last digits, and exact zeros as there.
+void expect_near(const pose& ours, const pose& theirs) {
+  expect_close(ours.at, theirs.at);
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_close(ours.turn[i], theirs.turn[i]);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(ours.turn[i][k] == 0, theirs.turn[i][k] == 0);
+  }
+}
+
+/// Whether the same moves: bodies with their joints and masses, in the same order.
+void expect_same(const read_robot& ours, const read_robot& theirs) {
+  ASSERT_TRUE(ours) << ours.cause();
+  ASSERT_TRUE(theirs) << theirs.cause();
+  const articulation a = articulation_of(ours.robot), b = articulation_of(theirs.robot);
+  ASSERT_EQ(a.bodies.size(), b.bodies.size());
+  for (std::size_t i = 1; i < a.bodies.size(); ++i) {
+    const moving_body &x = a.bodies[i], &y = b.bodies[i];
+    EXPECT_EQ(x.parent, y.parent);
+    expect_near(x.origin, y.origin);
+    EXPECT_NEAR(x.mass, y.mass, 1e-15);
+    expect_close(x.center, y.center);
+    expect_close({x.inertia.xx, x.inertia.yy, x.inertia.zz}, {y.inertia.xx, y.inertia.yy, y.inertia.zz});
+    expect_close({x.inertia.xy, x.inertia.yz, x.inertia.zx}, {y.inertia.xy, y.inertia.yz, y.inertia.zx});
+    const joint &j = ours.robot.joints[static_cast<std::size_t>(x.joint)],
+                &k = theirs.robot.joints[static_cast<std::size_t>(y.joint)];
+    EXPECT_EQ(j.is, k.is);
+    expect_close(j.axis, k.axis);
+  }
+}
+
+const std::string inertial =
+    "<inertial><origin xyz='0.1 0.02 -0.4' rpy='0.3 0 0'/><mass value='1.5'/><inertia "
+    "ixx='0.05' iyy='0.06' izz='0.04' ixy='0.002' ixz='0' iyz='-0.001'/></inertial>";
+
+/// Two links on a wall, and a tool that is fixed to them.
+const std::string by_urdf =
+    "<robot name='r'><link name='wall'/><link name='upper'>" + inertial + "</link><link name='lower'>" +
+    inertial + "</link><link name='tool'>" + inertial +
+    "</link><joint name='shoulder' type='revolute'><parent link='wall'/><child link='upper'/>"
+    "<origin xyz='0 0 1.2'/><axis xyz='0 1 0'/><limit lower='-1' upper='2' effort='30' velocity='4'/>"
+    "</joint><joint name='elbow' type='continuous'><parent link='upper'/><child link='lower'/>"
+    "<origin xyz='0.2 0 -1' rpy='0.4 0 3.1416'/><axis xyz='0.6 0 0.8'/></joint>"
+    "<joint name='hold' type='fixed'><parent link='lower'/><child link='tool'/><origin xyz='0 0.3 0' "
+    "rpy='1.5708 0 0'/>"
+    "</joint></robot>";
+
+TEST(read_sdf, reads_what_is_in_a_file) {
+  const std::string links = link_at("upper", "0 0 1.2 0 0 0", "__model__") +
+                            link_at("lower", "0.2 0 -1 0.4 0 3.1416", "upper") +
+                            link_at("tool", "0 0.3 0 1.5708 0 0", "lower");
+  const read_robot read =
+      in_model(links + joint_of("shoulder", "revolute", "world", "upper", axis("0 1 0", limits)) +
+               joint_of("elbow", "revolute", "upper", "lower", axis("3 0 4")) +
+               joint_of("hold", "fixed", "lower", "tool", ""));
+  expect_same(read, read_urdf_text(by_urdf));
+  EXPECT_THAT(read.notes, IsEmpty());
+  const joint& shoulder = read.robot.joints[0];
+  EXPECT_EQ(read.robot.links[static_cast<std::size_t>(shoulder.parent)].name, "world");
+  EXPECT_EQ(shoulder.limits.lower, -1);
+  EXPECT_EQ(shoulder.limits.effort, 30);
+  EXPECT_EQ(shoulder.damping, 0.5);
+  EXPECT_EQ(shoulder.friction, 0.1);
+}
+
+// The same robot, each pose relative to something else, and the axis of the elbow in the axes of the model.
+TEST(read_sdf, knows_poses_relative_to_others) {
+  expect_same(
+      in_model("<frame name='hook' attached_to='upper'><pose>0.2 0 -1 0.4 0 3.1416</pose></frame>" +
+               link_at("tool", "0 0.3 0 1.5708 0 0", "elbow") + link_at("lower", "0 0 0 0 0 0", "elbow") +
+               link_at("upper", "0 0 -1 0 0 0", "top") +
+               "<frame name='top'><pose>0 0 2.2 0 0 0</pose></frame>" +
+               joint_of("shoulder", "revolute", "world", "upper",
+                        "<pose>0 0.7 0 0.2 0.3 0.1</pose><axis><xyz expressed_in='upper'>0 1 0</xyz>" +
+                            limits + "</axis>") +
+               joint_of("elbow", "continuous", "upper", "lower",
+                        "<pose relative_to='hook'>0 0 0 0 0 0</pose><axis><xyz "
+                        "expressed_in='hook'>0.6 0 0.8</xyz></axis>") +
+               joint_of("hold", "fixed", "lower", "tool", "")),
+      read_urdf_text(by_urdf));
+}
+
+// The same of a joint that is not where its child is: with a link on the axis.
+TEST(read_sdf, puts_joints_where_they_are) {
+  expect_same(in_model(link_at("a", "1 0 0 0 0 0", "__model__") +
+                       joint_of("j", "revolute", "world", "a", "<pose>0 0.5 0 0 0 0</pose>" + axis("0 0 1"))),
+              read_urdf_text(
+                  "<robot name='r'><link name='world'/><link name='on'/><link name='a'>" + inertial +
+                  "</link><joint name='j' type='continuous'><parent link='world'/><child link='on'/><origin "
+                  "xyz='1 0.5 0'/><axis xyz='0 0 1'/></joint><joint name='k' type='fixed'><parent link='on'/>"
+                  "<child link='a'/><origin xyz='0 -0.5 0'/></joint></robot>"));
+}
+
+TEST(read_sdf, reads_universal_joints_and_those_that_follow) {
+  const read_robot read = in_model(
+      link_at("a", "0 0 1 0 0 0", "__model__") + link_at("b", "0 0 2 0 0 0", "__model__") +
+      joint_of("cardan", "universal", "world", "a",
+               axis("1 0 0") + "<axis2><xyz>0 1 0</xyz><dynamics><damping>2</damping></dynamics></axis2>") +
+      joint_of("slide", "prismatic", "a", "b",
+               axis("0 0 1", "<mimic joint='cardan'><multiplier>0.5</multiplier><offset>0.1</offset>"
+                             "<reference>0.4</reference></mimic>")));
+  ASSERT_TRUE(read) << read.cause();
+  const robot& r = read.robot;
+  ASSERT_EQ(r.joints.size(), 3u);
+  EXPECT_EQ(r.joints[0].axis, (vector3{1, 0, 0}));
+  EXPECT_EQ(r.joints[1].name, "cardan_2");
+  EXPECT_EQ(r.joints[1].axis, (vector3{0, 1, 0}));
+  EXPECT_EQ(r.joints[1].damping, 2);
+  EXPECT_EQ(r.links[static_cast<std::size_t>(r.joints[0].child)].name, "cardan_cross");
+  ASSERT_TRUE(r.joints[2].mimic);
+  EXPECT_EQ(r.joints[2].mimic->leader, 0);
+  EXPECT_EQ(r.joints[2].mimic->multiplier, 0.5);
+  EXPECT_NEAR(r.joints[2].mimic->offset, -0.1, 1e-16);
+}
+
+// Gravity is against z of the root, so a root that lies on its side gets one below it that is upright.
+TEST(read_sdf, knows_how_a_robot_stands) {
+  const read_robot read =
+      read_sdf_text("<sdf version='1.9'><world name='w'><model name='m'><pose>5 6 7 0 1.5708 0</pose>" +
+                    link_at("a", "0 0 1 0 0 0", "__model__") + link_at("b", "0 0 2 0 0 0", "__model__") +
+                    joint_of("j", "revolute", "a", "b", axis("0 1 0")) + "</model></world></sdf>");
+  ASSERT_TRUE(read) << read.cause();
+  const robot& r = read.robot;
+  EXPECT_EQ(r.links[static_cast<std::size_t>(r.root)].name, "m");
+  EXPECT_EQ(r.joints.back().origin.turn, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
+}
+
+TEST(read_sdf, reads_models_in_models) {
+  const read_robot read =
+      in_model(link_at("a", "0 0 1 0 0 0", "__model__") + "<model name='hand'><pose>0 0 3 0 0 0</pose>" +
+               link_at("palm", "0 0 0 0 0 0", "__model__") + link_at("tip", "0 1 0 0 0 0", "__model__") +
+               joint_of("bend", "revolute", "palm", "tip", axis("1 0 0")) + "</model>" +
+               joint_of("wrist", "revolute", "a", "hand::palm", axis("0 0 1")));
+  ASSERT_TRUE(read) << read.cause();
+  ASSERT_EQ(read.robot.joints.size(), 2u);
+  EXPECT_EQ(read.robot.joints[0].name, "wrist");
+  EXPECT_EQ(read.robot.joints[0].origin.at, (vector3{0, 0, 2}));
+  EXPECT_EQ(read.robot.joints[1].name, "hand::bend");
+}
+
+TEST(read_sdf, says_what_is_wrong) {
+  const std::string two = link_at("a", "0 0 0 0 0 0", "__model__") + link_at("b", "0 0 0 0 0 0", "__model__");
+  EXPECT_EQ(read_sdf_text("<robot/>").cause(), "line 1: the file begins with <robot>, which is not <sdf>");
+  EXPECT_THAT(read_sdf_text("<sdf").cause(), HasSubstr("this is no XML"));
+  EXPECT_EQ(read_sdf_text("<sdf version='x.y'><model name='r'><link name='a'/></model></sdf>").cause(),
+            "libsdformat gives up: stoi");
+  EXPECT_EQ(read_sdf_text("<sdf version='1.9'/>").cause(), "the file has no model, and a robot is one");
+  EXPECT_THAT(cause_of(""), HasSubstr("libsdformat says: A model must have at least one link."));
+  EXPECT_EQ(
+      cause_of(two + joint_of("j", "ball", "a", "b", "")),
+      "line 4: joint j is a ball, which is not read; a robot has fixed, revolute, continuous, prismatic and "
+      "universal joints");
+  EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "c", axis("0 0 1"))),
+              HasSubstr("libsdformat says: "));
+  EXPECT_THAT(cause_of(two), HasSubstr("no joint leads to link a nor to link b"));
+  EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "b",
+                                      axis("0 0 1", "<dynamics><damping>-1</damping></dynamics>"))),
+              HasSubstr("the damping of joint j is negative"));
+  EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "b", axis("0 0 1", "<mimic joint='k'/>"))),
+              HasSubstr("joint j follows k, which is no joint"));
+  EXPECT_EQ(read_sdf("nowhere/arm.sdf").cause(), "nowhere/arm.sdf cannot be read");
+  EXPECT_THAT(
+      read_sdf_text(
+          "<sdf version='1.9'><world name='w'><model name='m'><link name='a'><inertial><mass>-1</mass>"
+          "</inertial></link></model></world></sdf>")
+          .cause(),
+      HasSubstr("libsdformat says: A link named a has invalid inertia"));
+  const read_robot light = in_model("<link name='a'/>");
+  EXPECT_THAT(light.notes,
+              ElementsAre("line 2: link a has no inertial, which SDF takes for 1 kg and 1 kg m^2 about "
+                          "each axis"));
+}
+
+// Each is read, or refused with a sentence.
+TEST(read_sdf, survives_broken_files) {
+  const std::string whole =
+      "<sdf version='1.9'><model name='r'>" + link_at("a", "0 0 1 0 0 0", "__model__") +
+      link_at("b", "0.2 0 -1 0.4 0 3.1416", "a") + link_at("c", "1 2 3 0.5 0 0", "b") +
+      joint_of("s", "revolute", "world", "a", axis("0 1 0", limits)) +
+      joint_of("e", "universal", "a", "b", axis("3 0 4") + "<axis2><xyz>0 1 0</xyz></axis2>") +
+      joint_of("p", "prismatic", "b", "c", axis("0 0 1", "<mimic joint='s'/>")) + "</model></sdf>";
+  std::mt19937 random(2026);
+  const auto any = [&](std::size_t below) { return static_cast<std::size_t>(random()) % below; };
+  int read_well = 0, refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::string text = whole;
+    for (std::size_t changes = 1 + any(3); changes > 0; --changes) {
+      const std::size_t at = any(text.size()), length = 1 + any(20);
+      switch (any(3)) {
+      case 0: text.erase(at, length); break;
+      case 1: text.insert(any(text.size()), text.substr(at, length)); break;
+      default: text[at] = "0123456789-.e,<>/\"= nai"[any(23)];
+      }
+    }
+    const read_robot read = read_sdf_text(text);
+    EXPECT_EQ(static_cast<bool>(read), read.cause().empty());
+    ++(read ? read_well : refused);
+  }
+  EXPECT_GT(read_well, 5);
+  EXPECT_GT(refused, 100);
+}
+
+} // namespace
