@@ -100,6 +100,26 @@ TEST(WriteC, TakesWhatABuilderBuilt) {
   EXPECT_EQ(again, code) << "the same, however often it is written";
 }
 
+struct doubled {
+  template <class T>
+  T operator()(const T& x) const {
+    return 2 * x;
+  }
+};
+
+TEST(WriteC, RefusesFunctionsOfTheProgram) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto P = b.offset("P", b.origin("O"), b.along(N, q, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.force(P, b.along(N, external<"spring", doubled>()(q), 0, 0));
+  const folder to;
+  EXPECT_EQ(write_c(b, to.path, "arm", with({results("udot")})).cause(),
+            "function udot calls spring, a function of the program, which other languages do not have");
+}
+
 TEST(WriteC, TellsTheMistakeOfAModel) {
   runtime::builder b("N");
   const auto q = b.coordinate("q"), u = b.speed("u");

@@ -110,6 +110,10 @@ private:
     const lower::tape code = lower::tape_of(from.graph(), bound(from, nodes));
     made.code = lower::statements_of(code);
     made.cost = lower::cost_of(code);
+    if (!made.code.externals.empty())
+      return refuse("function " + wanted.name + " calls " +
+                    std::string(made.code.externals[0]->called.view()) +
+                    ", a function of the program, which other languages do not have");
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
       if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))

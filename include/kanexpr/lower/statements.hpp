@@ -19,9 +19,8 @@ struct statement {
 };
 
 /// A tape as code in which every value is given once, by an operation that any language has or by a call of a
-/// function of the program: what a backend
-/// that writes code goes through. Linear systems are written out, each exchange of rows as two choices. The
-/// cosine of a pair stands behind its sine.
+/// function of the program: what a backend that writes code goes through. Linear systems are written out,
+/// each exchange of rows as two choices. The cosine of a pair stands behind its sine.
 struct statements {
   sequence<symbolic::number> numbers{};
   sequence<load> arguments{};

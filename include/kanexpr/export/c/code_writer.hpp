@@ -124,7 +124,8 @@ private:
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // are written out
+    case form::singularity_measure: // are written out
+    case form::call: break;         // is not exported
     }
     return "";
   }
