@@ -108,6 +108,16 @@ struct System : loaded<force<P, air(q == 1) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n14
 
+// expect: the force at O takes sum of more than nine scalars
+namespace n16 {
+struct sum {
+  double operator()(auto... x) const { return (x + ...); }
+};
+constexpr external<"sum", sum> all;
+struct System : loaded<force<O, all(q, q, q, q, q, u, u, u, u, u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n16
+
 // expect: the force at Q takes wind, which is given more than three derivatives
 namespace n15 {
 constexpr external<"wind", wind, wind_slope, wind_slope, wind_slope, wind_slope> often;

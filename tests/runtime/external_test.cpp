@@ -6,6 +6,10 @@
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/limits/limit.hpp>
+#include <kanexpr/symbolic/print/latex.hpp>
+#include <kanexpr/symbolic/print/print.hpp>
 
 #include <gtest/gtest.h>
 

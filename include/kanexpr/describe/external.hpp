@@ -76,10 +76,11 @@ struct external_family {
   template <int digits, int level, class Given>
   static constexpr decltype(auto) entry(const Given& given) {
     constexpr derivative_of path(digits);
+    constexpr int operand = level < path.order ? path.by[level] : 0;
     if constexpr (level == path.order)
       return given;
     else if constexpr (requires { given[0]; })
-      return entry<digits, level + 1>(given[static_cast<std::size_t>(path.by[level])]);
+      return entry<digits, level + 1>(given[operand]);
     else
       return entry<digits, path.order>(given);
   }
@@ -113,6 +114,7 @@ struct external_family {
 
   static constexpr std::string_view mistake = [] {
     if (!symbolic::is_name(name)) return ", which is no name for a function";
+    if (operands > symbolic::most_operands) return " of more than nine scalars";
     if (sizeof...(Derivatives) >= symbolic::most_derivatives)
       return ", which is given more than three derivatives";
     if constexpr (!is_called_with<0, double>)
