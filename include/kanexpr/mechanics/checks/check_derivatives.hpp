@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::mechanics {
 
