@@ -49,7 +49,6 @@ public:
   }
 
 private:
-  /// Which reserved words are not: the name begins longer ones.
   static bool is_identifier(std::string_view name) {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
     return !name.empty() && letters.find(name[0]) != letters.npos &&
@@ -107,6 +106,11 @@ private:
       nodes.push(c.measure.node());
       nodes.push(c.scale.node());
     }
+    constexpr std::size_t most_checks = 64; // a bit of the status each
+    if (made.checks.size() > most_checks)
+      return refuse("what function " + wanted.name + " computes may be singular in " +
+                    std::to_string(made.checks.size()) +
+                    " ways, and there is room for 64; export it in parts");
     const lower::tape code = lower::tape_of(from.graph(), bound(from, nodes));
     made.code = lower::statements_of(code);
     made.cost = lower::cost_of(code);
