@@ -50,6 +50,12 @@ TEST(WriteC, NamesWhatCannotBeExported) {
             "there is no parameter k that could be bound to a number");
   EXPECT_EQ(cause_of("arm", {{.bound = {{"m", std::numeric_limits<double>::infinity()}}}}),
             "parameter m is bound to no finite number");
+  c_options huge{{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}}};
+  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that double has no room for");
+  huge = {{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}}}, precision::single_precision};
+  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that float has no room for");
+  EXPECT_EQ(cause_of("math", {}), "what is exported needs a name that is one in C, of letters, digits and "
+                                  "underscores; \"math\" is none");
   EXPECT_EQ(cause_of("7 arms", {}), "what is exported needs a name that is one in C, of letters, digits and "
                                     "underscores; \"7 arms\" is none");
   EXPECT_EQ(cause_of("", {}),
@@ -85,14 +91,20 @@ TEST(WriteC, TakesWhatABuilderBuilt) {
   b.kinematic_equation(b.dot(angle) - rate);
   const auto N = b.inertial_frame();
   const auto A = b.rotated("A", N, angle, b.along(N, 0, 0, 1));
-  b.particle("Bob", b.offset("P", b.origin("O"), b.along(A, 2, 0, 0)), b.number(3));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, 2, 0, 0));
+  b.particle("Bob", P, b.number(3));
   b.gravity(b.along(N, g, 0, 0));
+  const auto exponent = b.parameter("exp"), rows = b.parameter("udot_rows"), end = b.parameter("a*/b");
+  b.force(P, b.along(N, exponent * rate, 1 + rows * 2, end));
   const folder to;
   ASSERT_TRUE(write_c(b, to.path, "pendulum", with({results("udot")})));
   const std::string header = to.text_of("pendulum.h"), code = to.text_of("pendulum.c");
   EXPECT_THAT(header, HasSubstr("   ω is called u03c9 here.\n"));
   EXPECT_THAT(header, HasSubstr("  pendulum_int = 0,\n  pendulum_u03c9 = 1,\n  pendulum_g = 0,\n"));
+  EXPECT_THAT(header, HasSubstr("   a* b is called a__b here.\n")) << "in one comment";
+  EXPECT_THAT(header, HasSubstr("   udot_rows is called udot_rows_ here.\n"));
   EXPECT_THAT(code, HasSubstr("  const double int_ = x[0];\n")) << "no word of the language";
+  EXPECT_THAT(code, HasSubstr("  const double exp_ = p[1];\n")) << "no function of math.h";
 
   ASSERT_TRUE(write_c(b, to.path, "again", with({results("udot")})));
   std::string again = to.text_of("again.c");

@@ -124,3 +124,16 @@ constexpr external<"wind", wind, wind_slope, wind_slope, wind_slope, wind_slope>
 struct System : loaded<force<Q, often(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n15
+
+// expect: the force at Q takes both, whose first derivative does not give numbers
+namespace n17 {
+struct product {
+  double operator()(double x, double y) const { return x * x * y; }
+};
+struct by_first {
+  double operator()(double x, double y) const { return 2 * x * y; }
+};
+constexpr external<"both", product, by_first> both;
+struct System : loaded<force<Q, both(u, q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n17

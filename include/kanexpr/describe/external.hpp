@@ -72,6 +72,18 @@ struct external_family {
   static constexpr bool is_called_with =
       takes<order, T>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
 
+  /// What a derivative lacks.
+  struct no_entry {};
+  template <class Given>
+  static constexpr bool has_entry_for_each() {
+    if constexpr (!requires(const Given& g) { g[0]; })
+      return false;
+    else if constexpr (requires { std::tuple_size<Given>::value; })
+      return std::tuple_size_v<Given> == static_cast<std::size_t>(operands);
+    else
+      return true;
+  }
+
   /// An entry of what a derivative gives; of one operand it may be the number itself.
   template <int digits, int level, class Given>
   static constexpr decltype(auto) entry(const Given& given) {
@@ -79,10 +91,12 @@ struct external_family {
     constexpr int operand = level < path.order ? path.by[level] : 0;
     if constexpr (level == path.order)
       return given;
-    else if constexpr (requires { given[0]; })
+    else if constexpr (has_entry_for_each<Given>())
       return entry<digits, level + 1>(given[operand]);
-    else
+    else if constexpr (operands == 1 && !requires { given[0]; })
       return entry<digits, path.order>(given);
+    else
+      return no_entry();
   }
   template <int order, class T, std::size_t... i>
   static constexpr auto given_with(std::index_sequence<i...>)

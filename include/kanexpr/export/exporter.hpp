@@ -51,7 +51,7 @@ public:
 private:
   static bool is_identifier(std::string_view name) {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
-    return !name.empty() && letters.find(name[0]) != letters.npos &&
+    return !name.empty() && name != "math" && letters.find(name[0]) != letters.npos &&
            std::all_of(name.begin(), name.end(),
                        [&](char c) { return letters.find(c) != letters.npos || (c >= '0' && c <= '9'); });
   }
@@ -109,8 +109,7 @@ private:
     constexpr std::size_t most_checks = 64; // a bit of the status each
     if (made.checks.size() > most_checks)
       return refuse("what function " + wanted.name + " computes may be singular in " +
-                    std::to_string(made.checks.size()) +
-                    " ways, and there is room for 64; export it in parts");
+                    std::to_string(made.checks.size()) + " ways, and a status has 64 bits");
     const lower::tape code = lower::tape_of(from.graph(), bound(from, nodes));
     made.code = lower::statements_of(code);
     made.cost = lower::cost_of(code);

@@ -17,8 +17,21 @@ struct c_options : options {
 
 namespace detail {
 
+/// A number that the type has no room for, or nothing.
+inline std::string mistake_of_numbers(const exported_system& s, precision number) {
+  for (const exported_function& f : s.functions)
+    for (const symbolic::number& n : f.code.numbers)
+      if (!std::isfinite(number == precision::single_precision
+                             ? static_cast<double>(lower::number_as<float>(n))
+                             : lower::number_as<double>(n)))
+        return "function " + f.name + " holds a number that " + scalar(number).type() + " has no room for";
+  return {};
+}
+
 inline outcome write_c(const exported& of, const std::filesystem::path& folder, const c_options& chosen) {
   if (!of.mistake.empty()) return outcome(of.mistake);
+  if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
+    return outcome(mistake);
   const c_file file(of.system, chosen.number);
   std::vector<file_text> files{{folder / (of.system.name + ".h"), file.header()},
                                {folder / (of.system.name + ".c"), file.source()}};

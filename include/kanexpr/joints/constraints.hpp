@@ -100,7 +100,8 @@ template <auto direction, auto axis>
 inline constexpr auto parallel = describe::kept_parallel<direction, axis>();
 
 /// The axes of two frames stay the same: `same_axes<A, B>`. Beside `coincident` it closes a loop by a weld.
-/// Of the configuration. (Half a turn about an axis satisfies it as well: start where the axes are the same.)
+/// Of the configuration. (Half a turn about an axis and turns that exchange the axes satisfy it as well:
+/// start where the axes are the same.)
 template <class Frame, class Other>
 inline constexpr auto same_axes =
     zero_along<dot(Frame::x, Other::y) * Other::x + dot(Frame::y, Other::z) * Other::y +

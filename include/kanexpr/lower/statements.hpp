@@ -112,7 +112,8 @@ struct scalar_math<written_value> {
     const written_value opposite = -condition, nothing = from(0);
     if (op == operation::if_positive)
       return detail::choose(condition, x, detail::choose(opposite, nothing, condition));
-    return detail::choose(condition, nothing, detail::choose(opposite, x, x + condition));
+    return detail::choose(condition, nothing,
+                          detail::choose(opposite, x, x - by_name<operation::abs>(condition)));
   }
   static constexpr void exchange_if_positive(const written_value& d, written_value& a, written_value& b) {
     const written_value upper = detail::choose(d, b, a), lower = detail::choose(d, a, b);
@@ -159,12 +160,12 @@ constexpr statements without_unused(const statements& all) {
 /// The code of a tape, with the operations of every other evaluation in their order.
 inline statements statements_of(const tape& code) {
   statements all{code.numbers, code.loads, {}, {}, {}, {}};
-  sequence<written_value> slots(code.slot_count()), aside(aside_of(code));
-  for (int i = 0; i < code.numbers.size(); ++i) slots[i] = detail::write(all, {.a = i});
+  sequence<written_value> values(code.slot_count()), aside(aside_of(code));
+  for (int i = 0; i < code.numbers.size(); ++i) values[i] = detail::write(all, {.a = i});
   for (int i = 0; i < code.loads.size(); ++i)
-    slots[code.numbers.size() + i] = detail::write(all, {.is = statement::kind::argument, .a = i});
-  evaluate_steps(code, slots.begin(), aside.begin());
-  for (int slot : code.results) all.results.push(slots[slot].place);
+    values[code.numbers.size() + i] = detail::write(all, {.is = statement::kind::argument, .a = i});
+  evaluate_steps(code, values.begin(), aside.begin());
+  for (int slot : code.results) all.results.push(values[slot].place);
   return detail::without_unused(all);
 }
 

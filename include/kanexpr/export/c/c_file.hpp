@@ -83,13 +83,13 @@ private:
   std::string told_of_names() const {
     std::string text;
     for (const auto& [before, after] : mapped_.changed)
-      text += "   " + before + " is called " + after + " here.\n";
+      text += "   " + in_comment(before) + " is called " + after + " here.\n";
     return text;
   }
 
-  static std::string upper(std::string text) {
-    for (char& c : text)
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  /// Nothing that ends the comment.
+  static std::string in_comment(std::string text) {
+    for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }
 

@@ -16,6 +16,7 @@ public:
               const scalar& number)
       : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
     names_.reserve_words();
+    names_.reserve_words_of_mathematics();
     for (const char* taken : {"t", "x", "p", "r", "a"}) names_.reserve(taken);
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }

@@ -35,6 +35,58 @@ public:
       reserve(word);
   }
 
+  /// And what no function of a module of Python may be called.
+  void reserve_words_of_python() {
+    for (const std::string_view word : {"False",      "None",
+                                        "True",       "and",
+                                        "as",         "assert",
+                                        "async",      "await",
+                                        "break",      "class",
+                                        "continue",   "def",
+                                        "del",        "elif",
+                                        "else",       "except",
+                                        "finally",    "for",
+                                        "from",       "global",
+                                        "if",         "import",
+                                        "in",         "is",
+                                        "lambda",     "nonlocal",
+                                        "not",        "or",
+                                        "pass",       "raise",
+                                        "return",     "try",
+                                        "while",      "with",
+                                        "yield",      "ctypes",
+                                        "dict",       "enumerate",
+                                        "isinstance", "len",
+                                        "list",       "pathlib",
+                                        "range",      "str",
+                                        "zip",        "ArithmeticError",
+                                        "KeyError",   "Singular",
+                                        "ValueError"})
+      reserve(word);
+  }
+
+  /// What math.h declares.
+  void reserve_words_of_mathematics() {
+    for (const std::string_view word :
+         {"acos",   "asin",     "atan",    "atan2",     "cos",        "sin",   "tan",       "acosh",
+          "asinh",  "atanh",    "cosh",    "sinh",      "tanh",       "exp",   "exp2",      "expm1",
+          "frexp",  "ilogb",    "ldexp",   "log",       "log10",      "log1p", "log2",      "logb",
+          "modf",   "scalbn",   "scalbln", "cbrt",      "fabs",       "hypot", "pow",       "sqrt",
+          "erf",    "erfc",     "lgamma",  "tgamma",    "ceil",       "floor", "nearbyint", "rint",
+          "lrint",  "llrint",   "round",   "lround",    "llround",    "trunc", "fmod",      "remainder",
+          "remquo", "copysign", "nan",     "nextafter", "nexttoward", "fdim",  "fmax",      "fmin",
+          "fma",    "j0",       "j1",      "jn",        "y0",         "y1",    "yn",        "gamma",
+          "signgam"}) {
+      reserve(word);
+      reserve(std::string(word) + 'f');
+    }
+    for (const std::string_view macro :
+         {"INFINITY",  "NAN",         "HUGE_VAL",     "HUGE_VALF", "HUGE_VALL", "FP_NAN",   "FP_ZERO",
+          "FP_NORMAL", "FP_INFINITE", "FP_SUBNORMAL", "isnan",     "isinf",     "isfinite", "isnormal",
+          "signbit",   "fpclassify",  "isgreater",    "isless",    "M_PI",      "M_E",      "NULL"})
+      reserve(macro);
+  }
+
 private:
   static bool is_letter(unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';

@@ -23,6 +23,8 @@ inline system_in_c in_c(exported_system s) {
                           "INLINE", "H", "SINES_OF_THE_LIBRARY", "has_bits_of_that_size", "sine_and_cosine",
                           "choose", "sign", "is_singular", "is_infinite"})
     taken.reserve(own);
+  identifiers functions = taken;
+  functions.reserve_words_of_python();
   std::vector<std::pair<std::string, std::string>> changed;
   const auto map = [&](std::string& name, identifiers& among) {
     const std::string mapped = among.of(name);
@@ -30,11 +32,19 @@ inline system_in_c in_c(exported_system s) {
     name = mapped;
   };
   for (exported_function& f : s.functions) {
-    map(f.name, taken);
+    map(f.name, functions);
+    taken.reserve(f.name);
+    taken.reserve(f.name + "_checks");
+    taken.reserve(f.name + "_causes");
     identifiers arguments; // of that function
     arguments.reserve_words();
+    arguments.reserve_words_of_mathematics();
     for (const char* own : {"t", "x", "p", "r", "a"}) arguments.reserve(own);
-    for (exported_result& each : f.results) map(each.name, arguments);
+    for (exported_result& each : f.results) {
+      map(each.name, arguments);
+      for (const char* size : {"_rows", "_columns"})
+        taken.reserve((each.name == f.name ? f.name : f.name + '_' + each.name) + size);
+    }
   }
   // the same symbols stand in the lists of rows
   std::vector<std::pair<std::string, std::string>> symbols;

@@ -53,6 +53,8 @@ public:
   }
   friend constexpr expression operator+(expression a, int b) { return a + a.number(exactly(b)); }
   friend constexpr expression operator-(expression a, int b) { return a - a.number(exactly(b)); }
+  friend constexpr expression operator+(int a, expression b) { return b.number(exactly(a)) + b; }
+  friend constexpr expression operator*(expression a, int b) { return a * a.number(exactly(b)); }
   friend constexpr expression operator*(int a, expression b) { return b.number(exactly(a)) * b; }
   friend constexpr expression operator-(int a, expression b) { return b.number(exactly(a)) - b; }
   friend constexpr expression operator/(expression a, int b) { return a / a.number(exactly(b)); }
