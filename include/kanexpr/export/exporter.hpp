@@ -81,6 +81,7 @@ private:
 
   std::vector<std::string> names_of(symbolic::symbol_kind kind) const {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(known_->count_of(kind)));
     for (int i = 0; i < known_->count_of(kind); ++i)
       names.emplace_back(known_->names[known_->first_of(kind) + i].view());
     return names;

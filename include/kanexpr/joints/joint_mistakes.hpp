@@ -9,12 +9,10 @@ namespace kanexpr::describe {
 /// Whether an expression is something else than a vector, whatever it holds.
 template <class Expression>
 constexpr bool is_no_vector() {
-  if constexpr (plain_number<Expression>)
-    return true;
-  else if constexpr (requires { shape_of_operand<Expression>; })
+  if constexpr (requires { shape_of_operand<Expression>; })
     return shape_of_operand<Expression> != shape::vector;
   else
-    return false; // what it is shows where it is read
+    return plain_number<Expression>; // what anything else is shows where it is read
 }
 
 /// Whether an expression holds axes that are not `own` ones.
@@ -28,9 +26,7 @@ constexpr bool holds_other_axes(const Expression& given) {
 
 template <class Word>
 constexpr bool is_parent() {
-  if constexpr (word_of_a_joint<Word>)
-    return false;
-  else if constexpr (requires { sizeof(Word); })
+  if constexpr (!word_of_a_joint<Word> && requires { sizeof(Word); })
     return __is_base_of(orientation_words, Word) || __is_base_of(place_words, Word);
   else
     return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/export/c/code_writer.hpp>
 #include <kanexpr/export/c/filled.hpp>
@@ -195,10 +196,11 @@ private:
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
-      const std::string bit = f.checks[i].of_finiteness
-                                  ? name() + "_is_infinite(" + measure + ')'
-                                  : name() + "_is_singular(" + measure + ", " + scale + ')';
-      bits += (i == 0 ? "" : " | ") + bit + (i == 0 ? "" : " << " + std::to_string(i));
+      bits += i == 0 ? "" : " | ";
+      bits += name();
+      bits +=
+          f.checks[i].of_finiteness ? "_is_infinite(" + measure : "_is_singular(" + measure + ", " + scale;
+      bits += i == 0 ? ")" : ") << " + std::to_string(i);
     }
     return bits.empty() ? "0" : bits;
   }

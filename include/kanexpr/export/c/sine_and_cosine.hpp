@@ -13,9 +13,10 @@ namespace detail {
 /// A polynomial in `square` by Horner's rule, as in numeric/sine_and_cosine.hpp.
 template <class Number, std::size_t count>
 std::string polynomial(const Number (&coefficients)[count], const scalar& of) {
-  std::string sum = of.number(static_cast<double>(coefficients[count - 1]));
+  std::string sum(count - 1, '(');
+  sum += of.number(static_cast<double>(coefficients[count - 1]));
   for (std::size_t i = count - 1; i-- > 0;)
-    sum = '(' + sum + " * square + " + of.number(static_cast<double>(coefficients[i])) + ')';
+    sum.append(" * square + ").append(of.number(static_cast<double>(coefficients[i]))).append(")");
   return sum;
 }
 
