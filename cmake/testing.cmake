@@ -35,7 +35,8 @@ function(kanexpr_test name)
   set_tests_properties(${name} PROPERTIES LABELS "${test_LABELS}")
 endfunction()
 
-# A test says in its own text which of the special builds it takes part in: `// builds: sanitize no-exceptions`.
+# A test says in its own text which of the special builds it takes part in, `// builds: sanitize no-exceptions`, and
+# whether one compiler alone builds it, `// builds: g++`.
 function(kanexpr_test_builds file result)
   file(STRINGS ${file} builds REGEX "^// builds: " LIMIT_COUNT 1)
   string(REPLACE "// builds: " "" builds "${builds}")

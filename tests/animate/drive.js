@@ -22,6 +22,7 @@ const context = await chromium.launchPersistentContext(home, {
     '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
   ],
 });
+context.setDefaultTimeout(120_000); // a busy machine draws without a graphics card
 
 try {
   const page = await context.newPage();

@@ -1,3 +1,4 @@
+// builds: g++
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>

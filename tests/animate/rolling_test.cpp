@@ -1,3 +1,4 @@
+// builds: g++
 #include "animate/disc_on_a_circle.hpp"
 
 #include <kanexpr/animate/animated.hpp>

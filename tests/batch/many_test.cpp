@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <models/double_pendulum.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // The derivatives of the configuration constraints by all coordinates.
 #include "compiled/complex_steps.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // ∂T/∂u of all speeds: against derivatives of the kinetic energy, and against the momenta of simple bodies.
 #include "compiled/complex_steps.hpp"
 

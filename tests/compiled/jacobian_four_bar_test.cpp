@@ -1,3 +1,4 @@
+// builds: g++
 // The derivatives of the whole right side of a linkage by its whole state.
 #include "compiled/complex_steps.hpp"
 

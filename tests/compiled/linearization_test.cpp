@@ -1,3 +1,4 @@
+// builds: g++
 // What a compiled linearization offers beside its matrices.
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include <models/spinning_top.hpp>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: g++
 // F_r + F_r* of all speeds of a bicycle.
 #include "compiled/unreduced_forces.hpp"
 

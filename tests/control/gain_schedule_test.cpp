@@ -1,3 +1,4 @@
+// builds: g++
 // Gains that the compiler computes: a bicycle that is balanced by the torque at its fork.
 #include "control/matrices.hpp"
 #include "control/references.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // A derivation that is set aside and taken up again is the one that went on.
 #include <kanexpr/derive/cut.hpp>
 #include <kanexpr/lower/tape.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // Frames by modified Rodrigues parameters: against unit quaternions, and against the matrix of the book.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // Many systems at once: docs/guide/batch.md.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // Models that are compiled once: docs/guide/compiled-once.md. tests/consumer/linked has the rest.
 #include <kanexpr/kanexpr.hpp>
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Constraints: docs/guide/constraints.md.
 #include "docs/complete.hpp"
 #include "models/four_bar.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // Control: docs/guide/control.md.
 #include <kanexpr/control.hpp>
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Functions of models: docs/guide/functions.md.
 #include "docs/complete.hpp"
 

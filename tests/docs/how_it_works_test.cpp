@@ -1,3 +1,4 @@
+// builds: g++
 // docs/how-it-works.md
 #include <gtest/gtest.h>
 

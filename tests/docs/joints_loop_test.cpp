@@ -1,3 +1,4 @@
+// builds: g++
 // A closed loop of joints: docs/guide/joints.md.
 #include <kanexpr/joints.hpp>
 

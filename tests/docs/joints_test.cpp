@@ -1,3 +1,4 @@
+// builds: g++
 // Joints: docs/guide/joints.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Linearization: docs/guide/linearization.md, but for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // Simulations of models that are derived while the program runs: docs/guide/builder.md and
 // docs/simulation.md.
 #include <kanexpr/runtime/builder.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // Pictures: docs/pictures.md.
 #include "models/double_pendulum.hpp"
 

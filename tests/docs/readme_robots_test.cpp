@@ -1,3 +1,4 @@
+// builds: g++
 // Joints and robots in the README.
 #include <iiwa_robot.hpp>
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Robots from files: docs/robots.md.
 #include <arm_picture.hpp>
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Simulation: docs/simulation.md, but for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // The words of a model: docs/guide/words.md.
 #include "docs/complete.hpp"
 #include "docs/no_mistake.hpp"

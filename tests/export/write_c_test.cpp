@@ -1,3 +1,4 @@
+// builds: g++
 // Exports by builders, and what cannot be exported.
 #include <kanexpr/export.hpp>
 #include <kanexpr/runtime/builder.hpp>

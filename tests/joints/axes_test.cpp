@@ -1,3 +1,4 @@
+// builds: g++
 // Axes of any length: only where they point matters.
 #include "joints/by_hand.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Loops that are closed by a pin or a weld, against the same mechanism without a loop.
 #include "joints/by_hand.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // What the joints carry that a chain of pins and balls has not, against Newton's and Euler's equations: what
 // moves in a plane, slides, is welded, and turns about a cross.
 #include "joints/newton_euler.hpp"

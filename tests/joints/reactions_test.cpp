@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 // What joints of a chain carry, against Newton's and Euler's equations.
 #include "joints/newton_euler.hpp"
 

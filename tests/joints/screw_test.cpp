@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "joints/by_hand.hpp"
 
 namespace {

@@ -1,3 +1,4 @@
+// builds: g++
 // The bicycle under its gains by speed, beside the linear equations of the benchmark in NumPy and SciPy.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // The cart under its filter and regulator, beside the same loop in NumPy and SciPy with the same noise.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"

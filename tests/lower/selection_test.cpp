@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 
 // Selections of every type of scalars.
 #include <kanexpr/lower/complex_math.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize
 // Least solutions of least squares, of matrices of any shape and rank, against the singular value
 // decomposition.
 #include <kanexpr/numeric/complete_orthogonal.hpp>

@@ -1,5 +1,5 @@
 // Matrices for constant expressions: compiling is half of the test.
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include <kanexpr/numeric/as_eigen.hpp>
 
 #include <Eigen/LU>

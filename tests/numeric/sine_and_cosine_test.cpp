@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // A vector that is wider than those of the processor is returned in memory, which is no concern of one
 // program.
 #pragma GCC diagnostic ignored "-Wpsabi"

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Robots that programs make, as they should not be: a sentence, and never a model.
 #include <kanexpr/robots/header_writer.hpp>
 

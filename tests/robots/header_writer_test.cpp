@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Models of robots as the text of a header, of robots as they should not be, too.
 #include "robots/files.hpp"
 

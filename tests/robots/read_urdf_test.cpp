@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Robots from the text of URDF files, and the sentences about files that hold none.
 #include "robots/files.hpp"
 

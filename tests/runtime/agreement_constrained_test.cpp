@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "models/andrews.hpp"
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // Linearizations as compiled code and as the interpreted derivation, to the last bit.
 #include "models/four_bar.hpp"
 #include "models/rotating_tube.hpp"

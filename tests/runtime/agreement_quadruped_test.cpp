@@ -1,3 +1,4 @@
+// builds: g++
 #include "models/quadruped.hpp"
 #include "runtime/agreement.hpp"
 

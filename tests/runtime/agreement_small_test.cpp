@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize
 #include "models/arm3.hpp"
 #include "models/double_pendulum.hpp"
 #include "models/rolling_disc.hpp"

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Linearization while the program runs: what a textbook prints, operating points in parts, what is wrong with
 // them, and limits.
 #include "models/double_pendulum.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // A bicycle that is pushed, beside what its linearized equations say of that.
 #include "oracles.hpp"
 

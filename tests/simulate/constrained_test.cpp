@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // How systems with constraints begin, and how they end where a constraint cannot be met.
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/prescribe.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // A constraint of configurations holds however long a simulation is.
 #include <kanexpr/simulate.hpp>
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "simulate/falling_ball.hpp"
 
 #include <kanexpr/simulate.hpp>

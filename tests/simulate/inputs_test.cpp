@@ -1,3 +1,4 @@
+// builds: g++
 // Controllers, prescribed motions, and the derivatives that stiff methods need of them.
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/prescribe.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // A system by Lagrange's method moves as the same one by Kane's.
 #include <kanexpr/simulate.hpp>
 

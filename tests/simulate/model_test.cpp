@@ -1,3 +1,4 @@
+// builds: g++
 // Models that are derived while the program runs, and what a builder built, move as the same system of types.
 #include "runtime/built_pendulum.hpp"
 #include "simulate/falling_ball.hpp"

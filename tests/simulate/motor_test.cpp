@@ -1,3 +1,4 @@
+// builds: g++
 // A motor that turns a four-bar linkage, whose loop stays closed.
 #include <motion/four_bar.hpp>
 

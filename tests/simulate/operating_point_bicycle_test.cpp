@@ -1,3 +1,4 @@
+// builds: g++
 // A bicycle that circles by itself.
 #include "models/bicycle.hpp"
 

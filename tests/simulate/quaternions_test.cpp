@@ -1,3 +1,4 @@
+// builds: g++
 // Quaternions keep norm 1 however long a simulation is.
 #include "steps/quaternions.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // Constraints on velocities alone hold however long a simulation is.
 #include <kanexpr/simulate.hpp>
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // How a simulation is asked for, and what it gives.
 #include <kanexpr/simulate.hpp>
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // What a trajectory knows: states between its samples, expressions along it, columns by name.
 #include "simulate/falling_ball.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 #include "derivatives_of_steps.hpp"
 #include "runtime/four_bars.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 // What a step with its derivatives says that it costs, beside the operations of a number that counts them.
 #include "runtime/four_bars.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 #include "derivatives_of_steps.hpp"
 #include "quaternions.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "symbols.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>

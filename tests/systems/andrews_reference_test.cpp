@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // The published formulas against the published numbers.
 #include "oracles.hpp"
 #include "systems/andrews_reference.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 #include "systems/andrews_reference.hpp"
 #include "systems/check_constrained.hpp"
 

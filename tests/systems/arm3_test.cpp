@@ -1,3 +1,4 @@
+// builds: g++
 #include "systems/check_against_oracle.hpp"
 
 #include <models/arm3.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 #include "systems/check_constrained.hpp"
 
 #include <models/bicycle.hpp>

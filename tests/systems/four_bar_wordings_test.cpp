@@ -1,3 +1,4 @@
+// builds: g++
 // The same linkage in other words: other constraints that say the same, and other choices of what is
 // dependent.
 #include "systems/check_constrained.hpp"

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize
 #include "systems/check_lagrange.hpp"
 
 #include <models/double_pendulum.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize
 #include "systems/check_constrained.hpp"
 
 #include <models/pendulum_nonminimal.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 #include "systems/checked_system.hpp"
 #include "systems/robot_results.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize
 #include "systems/check_against_oracle.hpp"
 
 #include <models/simple_pendulum.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // What springs, dampers and potential energies do to motion, energy and forces of constraints.
 #include "mechanics/workbench.hpp"
 

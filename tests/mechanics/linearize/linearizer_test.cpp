@@ -1,3 +1,4 @@
+// builds: g++
 // The linearization in the states alone against the one of all equations, solved in numbers; and general
 // forms that are written by hand.
 #include "mechanics/random/bound_mechanism.hpp"

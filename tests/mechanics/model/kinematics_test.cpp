@@ -1,3 +1,4 @@
+// builds: g++
 // What a person can say of frames, points and inertias, against plain numbers.
 #include "mechanics/workbench.hpp"
 

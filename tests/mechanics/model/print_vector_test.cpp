@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include <kanexpr/mechanics/model/print_vector.hpp>
 
 #include <gtest/gtest.h>

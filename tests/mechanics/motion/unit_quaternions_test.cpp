@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 // Which quaternions the kinematic differential equations keep at norm 1.
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "symbolic/algebra/rewritten_formulas.hpp"
 
 #include <kanexpr/symbolic/algebra/forms.hpp>

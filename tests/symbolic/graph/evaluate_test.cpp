@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "entry_squares.hpp"
 #include "symbolic/random_formula.hpp"
 

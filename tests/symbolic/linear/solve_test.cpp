@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "evaluate_graph.hpp"
 
 #include <kanexpr/symbolic/cost.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include <kanexpr/symbolic/polynomials/polynomial_gcd.hpp>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: sanitize
 #include "symbolic/symbols.hpp"
 
 #include <kanexpr/symbolic/print/latex.hpp>
