@@ -198,8 +198,9 @@ private:
                         scale = writer.value(f.code.results[place + 1]);
       bits += i == 0 ? "" : " | ";
       bits += name();
-      bits +=
-          f.checks[i].of_finiteness ? "_is_infinite(" + measure : "_is_singular(" + measure + ", " + scale;
+      bits += f.checks[i].of_finiteness ? "_is_infinite(" : "_is_singular(";
+      bits += measure;
+      if (!f.checks[i].of_finiteness) bits.append(", ").append(scale);
       bits += i == 0 ? ")" : ") << " + std::to_string(i);
     }
     return bits.empty() ? "0" : bits;
