@@ -171,7 +171,8 @@ private:
     case extent_by::speed_constraints:
     case extent_by::all_constraints:
     case extent_by::auxiliary_speeds:
-    case extent_by::unknowns: break;
+    case extent_by::unknowns:
+    case extent_by::state_and_inputs: break;
     }
     return {};
   }

@@ -14,6 +14,7 @@
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/linearize/second_order.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
@@ -149,7 +150,11 @@ public:
     case quantity::input_jacobian:
     case quantity::implicit_mass_matrix:
     case quantity::implicit_state_matrix:
-    case quantity::implicit_input_matrix: return in_motion(at_given_rates(wanted));
+    case quantity::implicit_input_matrix:
+    case quantity::weighted_gradient:
+    case quantity::directional_derivative:
+    case quantity::weighted_hessian:
+    case quantity::weighted_hessian_product: return in_motion(at_given_rates(wanted));
     }
     return {};
   }
@@ -167,6 +172,10 @@ public:
     if (wanted == implicit_mass_matrix) return imposed_forces(linearized_in_full().implicit_form().mass);
     if (wanted == implicit_state_matrix) return imposed_forces(linearized_in_full().implicit_form().state);
     if (wanted == implicit_input_matrix) return imposed_forces(linearized_in_full().implicit_form().input);
+    if (wanted == weighted_gradient) return to_second_order().gradient();
+    if (wanted == quantity::directional_derivative) return to_second_order().directional_derivative();
+    if (wanted == weighted_hessian) return to_second_order().hessian();
+    if (wanted == weighted_hessian_product) return to_second_order().product();
     return get(wanted);
   }
 
@@ -191,6 +200,11 @@ public:
     if (!is_constrained_) constrain();
     if (!free_linearizer_.has_value()) free_linearizer_.emplace(*m_->g, form().reduced(), directions::free);
     return *free_linearizer_;
+  }
+
+  constexpr second_order& to_second_order() {
+    if (!second_order_.has_value()) second_order_.emplace(*m_->g, linearized_freely());
+    return *second_order_;
   }
 
   /// λ with the symbols u̇, of a system by Lagrange's method with constraints.
@@ -299,6 +313,8 @@ private:
     for (const auto* any : {&linearizer_, &free_linearizer_})
       if (*any)
         for (const symbolic::pivot& p : (*any)->pivots()) all.push(p);
+    if (second_order_)
+      for (const symbolic::pivot& p : second_order_->pivots()) all.push(p);
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
@@ -385,6 +401,7 @@ private:
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
+  std::optional<second_order> second_order_{};
 };
 
 } // namespace kanexpr::mechanics
