@@ -68,6 +68,23 @@ struct arguments {
   }
 };
 
+/// The same of a function of weights, or of a direction.
+template <class System, class T, class X, class P, class R, class Weights, class Direction>
+struct weighted_arguments : arguments<System, T, X, P, R, not_given> {
+  const Weights& weights;
+  const Direction& direction;
+
+  template <symbolic::symbol_kind from, int position>
+  [[gnu::always_inline]] T operator()() const noexcept {
+    if constexpr (from == symbolic::symbol_kind::weight)
+      return lower::scalar_math<T>::from(weights[position]);
+    else if constexpr (from == symbolic::symbol_kind::direction)
+      return lower::scalar_math<T>::from(direction[position]);
+    else
+      return arguments<System, T, X, P, R, not_given>::template operator()<from, position>();
+  }
+};
+
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
@@ -85,6 +102,12 @@ template <auto wanted, class System>
 inline constexpr deriving::extent extent_of =
     deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
 
+template <auto... wanted>
+inline constexpr deriving::given_behind given_to = [] {
+  constexpr deriving::request all[]{deriving::requested<wanted>::value...};
+  return deriving::given_to(all);
+}();
+
 template <class System, auto... wanted>
 struct derives {};
 
@@ -93,7 +116,8 @@ struct derives {};
 /// Compiled evaluation of one or several results of a system: a function object without state, which
 /// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the
 /// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the
-/// speeds, any Eigen vectors of their sizes.
+/// speeds, any Eigen vectors of their sizes. Results to the second order are given weights and directions in
+/// the place of a: f(x, p, r, w), f(x, p, r, v) or f(x, p, r, w, v).
 template <class System, auto... wanted>
 struct function {
   using code = compiled::code<System, wanted...>;
@@ -103,6 +127,11 @@ struct function {
       static_cast<std::size_t>(compiled::survey_of<System>.parameters);
   static constexpr std::size_t speed_count = static_cast<std::size_t>(compiled::survey_of<System>.speeds);
   static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
+  static constexpr deriving::given_behind given = compiled::given_to<wanted...>;
+  static constexpr std::size_t direction_size = state_size + input_count;
+  static constexpr std::size_t given_count = given.weights     ? state_size
+                                             : given.direction ? direction_size
+                                                               : speed_count;
 
   /// Operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
@@ -130,11 +159,13 @@ struct function {
     return constant(x, {}, {});
   }
 
-  /// The same at given rates of the speeds.
+  /// The same at given rates of the speeds; or for weights or a direction in their place, and a direction
+  /// behind weights.
   static constexpr auto constant_at(const std::array<double, state_size>& x,
                                     const std::array<double, parameter_count>& p,
                                     const std::array<double, input_count>& r,
-                                    const std::array<double, speed_count>& a, double t = 0) {
+                                    const std::array<double, given_count>& a, double t = 0,
+                                    const std::array<double, direction_size>& v = {}) {
     using symbolic::symbol_kind;
     const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
       const auto i = static_cast<std::size_t>(l.position);
@@ -144,7 +175,9 @@ struct function {
         return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
       case symbol_kind::parameter: return p[i];
       case symbol_kind::input: return r[i];
-      case symbol_kind::speed_rate: return a[i];
+      case symbol_kind::speed_rate:
+      case symbol_kind::weight: return a[i];
+      case symbol_kind::direction: return given.weights ? v[i] : a[i];
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate: // are no arguments of a call
       case symbol_kind::auxiliary_speed:
@@ -163,6 +196,21 @@ private:
   /// Tells what is needed and left out.
   template <class P, class R = none>
   using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
+  static constexpr none nothing{};
+
+  /// Tells what is wrong with the types of the arguments.
+  template <class Time, class X, class P, class R, class A, class V>
+  static constexpr bool can_call() {
+    constexpr bool calls = compiled::can_call_externals<code, typename X::Scalar, false, wanted...>();
+    if constexpr (given.is_to_second_order()) {
+      using weights = std::conditional_t<given.weights, A, none>;
+      using direction = std::conditional_t<given.weights, V, A>;
+      return compiled::call<System, code, Time, X, P, R, none, wanted...>::possible &&
+             compiled::weighted_call<System, code, weights, direction, given, wanted...>::possible && calls;
+    } else {
+      return compiled::call<System, code, Time, X, P, R, A, wanted...>::possible && calls;
+    }
+  }
 
   template <int first, auto one, class Slots>
   static constexpr auto constant_result(const Slots& slot) {
@@ -178,12 +226,12 @@ private:
     return std::tuple(constant_result<first_of(i), wanted>(slot)...);
   }
 
-  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none>
+  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none,
+            class V = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
-                                              const A& a = {}) noexcept {
+                                              const A& a = {}, const V& v = {}) noexcept {
     using T = typename X::Scalar;
-    if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
-                  !compiled::can_call_externals<code, T, false, wanted...>()) {
+    if constexpr (!can_call<Time, X, P, R, A, V>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
       return no_results<T>();
@@ -191,8 +239,15 @@ private:
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      return collect_from<with_statuses, T>(
-          lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+      if constexpr (given.weights)
+        return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
+            compiled::weighted_arguments<System, T, X, P, R, A, V>{{t, x, p, r, nothing}, a, v}));
+      else if constexpr (given.direction)
+        return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
+            compiled::weighted_arguments<System, T, X, P, R, none, A>{{t, x, p, r, nothing}, nothing, a}));
+      else
+        return collect_from<with_statuses, T>(
+            lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
     }
   }
 

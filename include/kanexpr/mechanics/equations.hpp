@@ -202,6 +202,14 @@ public:
     return *free_linearizer_;
   }
 
+  /// The derivatives of the rates q̇ and u̇ by some parameters, a column for each, with the symbols u̇.
+  constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
+    if (!is_constrained_) constrain();
+    if (!mistake_) mass(); // which may be a mistake
+    if (mistake_) return {};
+    return to_second_order().rates_by(parameters);
+  }
+
   constexpr second_order& to_second_order() {
     if (!second_order_.has_value()) second_order_.emplace(*m_->g, linearized_freely());
     return *second_order_;

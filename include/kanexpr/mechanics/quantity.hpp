@@ -48,10 +48,10 @@ enum class quantity : unsigned char {
   implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
   implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
   implicit_input_matrix,  ///< B, (n+p+k)×s
-  weighted_gradient,      ///< ∂(λᵀẋ)/∂z for z = [q; u; r] and n+p weights λ, as if nothing bound the state, n+p+s
-  directional_derivative, ///< (∂ẋ/∂z) v for a direction v, n+p
-  weighted_hessian,       ///< ∂²(λᵀẋ)/∂z², symmetric, (n+p+s)×(n+p+s)
-  weighted_hessian_product, ///< ∂²(λᵀẋ)/∂z² v, n+p+s
+  weighted_gradient, ///< ∂(λᵀẋ)/∂z for z = [q; u; r] and n+p weights λ, as if nothing bound the state, n+p+s
+  directional_derivative,                    ///< (∂ẋ/∂z) v for a direction v, n+p
+  weighted_hessian,                          ///< ∂²(λᵀẋ)/∂z², symmetric, (n+p+s)×(n+p+s)
+  weighted_hessian_product,                  ///< ∂²(λᵀẋ)/∂z² v, n+p+s
   auxiliary_forces = noncontributing_forces, ///< by another name
 };
 
@@ -169,14 +169,14 @@ inline constexpr result_row results[]{
      stage::equations},
     {quantity::implicit_input_matrix, "implicit_form", extent_by::unknowns, extent_by::inputs,
      stage::equations},
-    {quantity::weighted_gradient, "weighted_gradient", extent_by::state_and_inputs, extent_by::one,
-     stage::equations, false, false, true},
+    {quantity::weighted_gradient, "gradient", extent_by::state_and_inputs, extent_by::one, stage::equations,
+     false, false, true},
     {quantity::directional_derivative, "directional_derivative", extent_by::coordinates_and_speeds,
      extent_by::one, stage::equations, false, false, false, true},
-    {quantity::weighted_hessian, "weighted_hessian", extent_by::state_and_inputs, extent_by::state_and_inputs,
+    {quantity::weighted_hessian, "hessian", extent_by::state_and_inputs, extent_by::state_and_inputs,
      stage::equations, false, false, true},
-    {quantity::weighted_hessian_product, "weighted_hessian_product", extent_by::state_and_inputs,
-     extent_by::one, stage::equations, false, false, true, true},
+    {quantity::weighted_hessian_product, "hessian_product", extent_by::state_and_inputs, extent_by::one,
+     stage::equations, false, false, true, true},
 };
 
 /// The rows stand in the order of the quantities.

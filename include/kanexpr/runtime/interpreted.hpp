@@ -11,10 +11,16 @@ namespace kanexpr::runtime {
 
 /// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
 /// f(t, x, p, r, a). Behind the inputs stands what the result reads beside them, in this order: the rates of
-/// the speeds, weights, a direction. It keeps the matrix that it returns, and takes no memory when it is called. Where a
-/// vector is too short for what is needed of it, the result is not a number, and the status says so.
+/// the speeds, weights, a direction. It keeps the matrix that it returns, and takes no memory when it is
+/// called. Where a vector is too short for what is needed of it, the result is not a number, and the status
+/// says so.
 template <class Scalar = double>
 class interpreted {
+  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
+  struct nothing {
+    Scalar operator[](Eigen::Index) const { return not_a_number(); }
+  };
+
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -85,10 +91,6 @@ public:
   }
 
 private:
-  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
-  struct nothing {
-    Scalar operator[](Eigen::Index) const { return not_a_number(); }
-  };
   static Scalar not_a_number() {
     return lower::scalar_math<Scalar>::from(std::numeric_limits<double>::quiet_NaN());
   }

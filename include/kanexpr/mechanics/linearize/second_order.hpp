@@ -13,9 +13,9 @@ namespace kanexpr::mechanics {
 ///
 ///     ∂²(λᵀẋ)/∂z² = ψ_zz + ψ_zu̇ u̇_z + (ψ_zu̇ u̇_z)ᵀ
 ///
-/// So no inverse is ever differentiated, and u̇_z is that of the linearization. ρ is of the independent speeds:
-/// with multipliers there would be as many unknowns more, whose derivatives along every direction are not
-/// needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
+/// So no inverse is ever differentiated, and u̇_z is that of the linearization. ρ is of the independent
+/// speeds: with multipliers there would be as many unknowns more, whose derivatives along every direction are
+/// not needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
 class second_order {
 public:
   /// `first` linearizes in free directions.
@@ -66,8 +66,7 @@ public:
         for (int k = 0; k < mixed.columns; ++k) through(i, j) += mixed(i, k) * rates(n + k, j);
     symbolic::matrix all(g_, size, size);
     for (int i = 0; i < size; ++i)
-      for (int j = i; j < size; ++j)
-        all(i, j) = all(j, i) = partial(i, j) + (through(i, j) + through(j, i));
+      for (int j = i; j < size; ++j) all(i, j) = all(j, i) = partial(i, j) + (through(i, j) + through(j, i));
     return with_adjoint(all);
   }
 
@@ -89,7 +88,19 @@ public:
     return with_adjoint(column);
   }
 
-  /// The rates [q̇; u̇] of what changes with the rates of `d`.
+  /// ∂ẋ/∂p, a column for each symbol.
+  constexpr symbolic::matrix rates_by(const sequence<expression>& symbols) {
+    symbolic::matrix all(g_, form_.q.size() + form_.u.size(), symbols.size());
+    for (int j = 0; j < symbols.size(); ++j) {
+      symbolic::differentiation d(g_);
+      d.set_rate(symbols[j], {g_, graph::one});
+      const symbolic::matrix column = rates_along(d);
+      for (int i = 0; i < all.rows; ++i) all(i, j) = column(i, 0);
+    }
+    return all;
+  }
+
+  /// How the rates [q̇; u̇] change with the symbols that have a rate in `d`.
   constexpr symbolic::matrix rates_along(symbolic::differentiation& d) {
     const int n = form_.q.size();
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
@@ -106,8 +117,7 @@ public:
     for (int i = 0; i < free.size(); ++i) all(n + free[i], 0) = moved[i];
     for (int k = 0; k < bound.size(); ++k) {
       all(n + bound[k], 0) = bias(k, 0);
-      for (int i = 0; i < free.size(); ++i)
-        all(n + bound[k], 0) += form_.known.dependency(k, i) * moved[i];
+      for (int i = 0; i < free.size(); ++i) all(n + bound[k], 0) += form_.known.dependency(k, i) * moved[i];
     }
     return all;
   }
