@@ -49,24 +49,25 @@ public:
     return rates_along(d);
   }
 
+  /// u̇_z is not formed: what it is multiplied by is taken through the mass matrix instead, which fewer
+  /// directions of z change. Of two entries that are equal the cheaper one is formed: along a coordinate
+  /// rather than a speed, along the last of two coordinates, which moves the fewest bodies, and the first of
+  /// two speeds.
   constexpr symbolic::matrix hessian() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
-    const explicit_linearization rates = first_.of_all_rates();
-    symbolic::matrix partial(g_, size, size), mixed(g_, size, form_.u.size());
+    symbolic::matrix all(g_, size, size), through(g_, size, size);
     for (int j = 0; j < size; ++j) {
       symbolic::differentiation d(g_);
       d.set_rate(z().symbol(j), {g_, graph::one});
-      for (int i = 0; i <= j; ++i) partial(i, j) = d.of(slope[i]);
-      for (int k = 0; k < mixed.columns; ++k) mixed(j, k) = d.of(slope[size + k]);
+      for (int i = j < n ? 0 : j; i < size; ++i)
+        if (i <= j || i >= n) all(i, j) = all(j, i) = d.of(slope[i]);
+      sequence<expression> unbalanced;
+      for (int k = 0; k < form_.u.size(); ++k) unbalanced.push(d.of(slope[size + k]));
+      add_through_rates(through, j, unbalanced);
     }
-    symbolic::matrix through(g_, size, size);
     for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        for (int k = 0; k < mixed.columns; ++k) through(i, j) += mixed(i, k) * rates(n + k, j);
-    symbolic::matrix all(g_, size, size);
-    for (int i = 0; i < size; ++i)
-      for (int j = i; j < size; ++j) all(i, j) = all(j, i) = partial(i, j) + (through(i, j) + through(j, i));
+      for (int j = i; j < size; ++j) all(i, j) = all(j, i) = all(i, j) + (through(i, j) + through(j, i));
     return with_adjoint(all);
   }
 
@@ -150,12 +151,7 @@ private:
   /// other sign.
   constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
-    sequence<expression> right;
-    for (int i = 0; i < free.size(); ++i) {
-      right.push(of[free[i]]);
-      for (int k = 0; k < bound.size(); ++k) right[i] += form_.known.dependency(k, i) * of[bound[k]];
-    }
-    sequence<expression> adjoint = solved(right);
+    sequence<expression> adjoint = solved(reduced(of));
     symbolic::matrix transposed(g_, bound.size(), bound.size()), left(g_, bound.size(), 1);
     const symbolic::matrix by_rates = on_dependent();
     for (int k = 0; k < bound.size(); ++k) {
@@ -165,6 +161,30 @@ private:
     }
     for (const expression& e : symbolic::solve_linear(g_, transposed, left).x.entries) adjoint.push(e);
     return adjoint;
+  }
+
+  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
+  constexpr void add_through_rates(symbolic::matrix& through, int row, const sequence<expression>& of) {
+    bool is_zero = true;
+    for (const expression& e : of) is_zero = is_zero && e.is_zero();
+    if (is_zero) return;
+    const symbolic::matrix &force = first_.changes_of_force(), &bias = first_.changes_of_bias();
+    const sequence<expression> taken = solved(reduced(of));
+    for (int j = 0; j < through.columns; ++j) {
+      for (int i = 0; i < force.rows; ++i) through(row, j) += taken[i] * force(i, j);
+      for (int k = 0; k < bias.rows; ++k) through(row, j) += of[form_.speeds.dependent[k]] * bias(k, j);
+    }
+  }
+
+  /// Tᵀ of what belongs to all speeds, which is that of the independent ones.
+  constexpr sequence<expression> reduced(const sequence<expression>& of) const {
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    sequence<expression> out;
+    for (int i = 0; i < free.size(); ++i) {
+      out.push(of[free[i]]);
+      for (int k = 0; k < bound.size(); ++k) out[i] += form_.known.dependency(k, i) * of[bound[k]];
+    }
+    return out;
   }
 
   constexpr symbolic::matrix with_adjoint(symbolic::matrix m) {
