@@ -93,6 +93,8 @@ private:
     exported_function made{.name = wanted.name};
     symbolic::sequence<int> nodes;
     for (const wanted_result& each : wanted.results) {
+      if (deriving::given_to({&each.request, 1}).is_to_second_order())
+        return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
       const symbolic::matrix found = from.get(each.request);
       if (!from.mistake().empty()) return refuse(from.mistake());
       if (found.entries.empty()) continue; // without inputs there is no B

@@ -192,6 +192,9 @@ constexpr bool is_of_linearization(quantity wanted) {
   return wanted >= quantity::state_matrix && wanted <= quantity::implicit_input_matrix;
 }
 
+/// Whether a result is given weights, or a direction.
+constexpr bool is_to_second_order(quantity wanted) { return wanted >= quantity::weighted_gradient; }
+
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 
 } // namespace kanexpr::mechanics

@@ -37,6 +37,11 @@ public:
   /// What the mass matrix was divided by, perhaps several times the same.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
+  /// Of what else is solved with the mass matrix.
+  constexpr void add_pivots(const sequence<symbolic::pivot>& more) {
+    for (const symbolic::pivot& p : more) pivots_.push(p);
+  }
+
   constexpr const implicit_linearization& implicit_form() {
     if (implicit_.mass.rows != 0) return implicit_;
     sequence<expression> zero = summed(form_.f_0, form_.f_1);

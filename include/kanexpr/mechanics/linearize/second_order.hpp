@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -32,7 +33,12 @@ public:
   second_order(const second_order&) = delete;
   second_order& operator=(const second_order&) = delete;
 
-  constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
+  constexpr symbolic::matrix get(quantity wanted) {
+    if (wanted == quantity::weighted_gradient) return gradient();
+    if (wanted == quantity::directional_derivative) return directional_derivative();
+    if (wanted == quantity::weighted_hessian) return hessian();
+    return product();
+  }
 
   /// ∂(λᵀẋ)/∂z.
   constexpr symbolic::matrix gradient() {
@@ -199,7 +205,7 @@ private:
 
   constexpr sequence<expression> solved(const sequence<expression>& right) {
     const symbolic::symmetric_solution found = mass_.solve(right);
-    for (const symbolic::pivot& p : found.pivots) pivots_.push(p);
+    first_.add_pivots(found.pivots);
     return found.x;
   }
 
@@ -220,7 +226,6 @@ private:
   sequence<expression> weights_{}, direction_{};
   sequence<expression> held_{}; ///< stand for the adjoint
   sequence<expression> slopes_{};
-  sequence<symbolic::pivot> pivots_{};
 };
 
 } // namespace kanexpr::mechanics
