@@ -148,35 +148,34 @@ TEST(second_order, is_the_same_in_the_compiler) {
                               each(quantity::weighted_hessian_product)(0, x, p, r, w, v));
   agreement::expect_same_bits(compiled::gradient(x, p, r, w),
                               each(quantity::weighted_gradient)(0, x, p, r, w));
+  auto m = kanexpr::derive<system>();
+  agreement::expect_same_bits(
+      kanexpr::sensitivity<system, double_pendulum::m1, double_pendulum::g>(x, p, r),
+      m.function(m.sensitivity<double_pendulum::m1, double_pendulum::g>())(0, x, p, r));
   agreement::expect_same_bits(compiled::directional_derivative(x, p, r, v),
                               each(quantity::directional_derivative)(0, x, p, r, v));
 }
 
 // Against complex steps along the parameters.
 TEST(second_order, sensitivity) {
-  using system = four_bar::System;
-  auto m = kanexpr::derive<system>();
+  auto m = kanexpr::derive<four_bar::System>();
   auto found = m.function(m.sensitivity<four_bar::l1, four_bar::g>());
   auto rhs = m.function<complex>(m.rhs());
   ASSERT_EQ(m.mistake(), "");
   std::mt19937_64 source(5);
-  using eom = kanexpr::equations_of_motion<system>;
-  const VectorXd x = agreement::random<eom::state>(source, -1, 1),
-                 p = agreement::random<eom::parameters>(source, 0.5, 2), r = VectorXd::Constant(1, 0.7);
+  const VectorXd x = random_numbers(source, 6, 1), r = random_numbers(source, 1, 1);
+  const Index count = m.mechanism().parameters.size();
+  const VectorXd p = VectorXd::Ones(count) + random_numbers(source, count, 0.5);
   const MatrixXd by_parameters = found(0, x, p, r);
-  const MatrixXd compiled = kanexpr::sensitivity<system, four_bar::l1, four_bar::g>(x, p, r);
-  agreement::expect_same_bits(compiled, by_parameters);
   for (const auto& [column, name] : {std::pair(0, "l1"), std::pair(1, "g")}) {
     VectorXcd there = p;
-    const Index place =
-        m.known()->place(kanexpr::symbolic::symbol_kind::parameter, kanexpr::symbolic::name(name));
-    there(place) += complex(0, step);
+    there(m.known()->place(kanexpr::symbolic::symbol_kind::parameter, kanexpr::symbolic::name(name))) +=
+        complex(0, step);
     const VectorXd expected = rhs(0, x, there, r).imag() / step;
-    EXPECT_LE((by_parameters.col(column) - expected).norm(), 1e-12 * (1 + expected.norm()));
+    EXPECT_LE((by_parameters.col(column) - expected).norm(), 1e-12 * expected.norm());
   }
 }
 
-// What a system without parameters, or bound to numbers, cannot answer to.
 TEST(second_order, sensitivity_is_by_parameters) {
   auto m = kanexpr::derive<double_pendulum::System>();
   EXPECT_EQ(m.sensitivity<double_pendulum::q1>().entries.size(), 0);
