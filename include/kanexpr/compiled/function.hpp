@@ -102,12 +102,6 @@ template <auto wanted, class System>
 inline constexpr deriving::extent extent_of =
     deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
 
-template <auto... wanted>
-inline constexpr deriving::given_behind given_to = [] {
-  constexpr deriving::request all[]{deriving::requested<wanted>::value...};
-  return deriving::given_to(all);
-}();
-
 template <class System, auto... wanted>
 struct derives {};
 
@@ -127,11 +121,6 @@ struct function {
       static_cast<std::size_t>(compiled::survey_of<System>.parameters);
   static constexpr std::size_t speed_count = static_cast<std::size_t>(compiled::survey_of<System>.speeds);
   static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
-  static constexpr deriving::given_behind given = compiled::given_to<wanted...>;
-  static constexpr std::size_t direction_size = state_size + input_count;
-  static constexpr std::size_t given_count = given.weights     ? state_size
-                                             : given.direction ? direction_size
-                                                               : speed_count;
 
   /// Operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
@@ -159,13 +148,13 @@ struct function {
     return constant(x, {}, {});
   }
 
-  /// The same at given rates of the speeds; or for weights or a direction in their place, and a direction
-  /// behind weights.
+  /// The same at given rates of the speeds.
   static constexpr auto constant_at(const std::array<double, state_size>& x,
                                     const std::array<double, parameter_count>& p,
                                     const std::array<double, input_count>& r,
-                                    const std::array<double, given_count>& a, double t = 0,
-                                    const std::array<double, direction_size>& v = {}) {
+                                    const std::array<double, speed_count>& a, double t = 0) {
+    static_assert(!is_weighted,
+                  "results that are given weights or a direction are not to be had in constant expressions");
     using symbolic::symbol_kind;
     const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
       const auto i = static_cast<std::size_t>(l.position);
@@ -175,13 +164,13 @@ struct function {
         return x[static_cast<std::size_t>(compiled::survey_of<System>.coordinates) + i];
       case symbol_kind::parameter: return p[i];
       case symbol_kind::input: return r[i];
-      case symbol_kind::speed_rate:
-      case symbol_kind::weight: return a[i];
-      case symbol_kind::direction: return given.weights ? v[i] : a[i];
+      case symbol_kind::speed_rate: return a[i];
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate: // are no arguments of a call
       case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break;
+      case symbol_kind::multiplier:
+      case symbol_kind::weight:
+      case symbol_kind::direction: break;
       }
       return t;
     });
@@ -197,20 +186,7 @@ private:
   template <class P, class R = none>
   using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
   static constexpr none nothing{};
-
-  /// Tells what is wrong with the types of the arguments.
-  template <class Time, class X, class P, class R, class A, class V>
-  static constexpr bool can_call() {
-    constexpr bool calls = compiled::can_call_externals<code, typename X::Scalar, false, wanted...>();
-    if constexpr (given.is_to_second_order()) {
-      using weights = std::conditional_t<given.weights, A, none>;
-      using direction = std::conditional_t<given.weights, V, A>;
-      return compiled::call<System, code, Time, X, P, R, none, wanted...>::possible &&
-             compiled::weighted_call<System, code, weights, direction, given, wanted...>::possible && calls;
-    } else {
-      return compiled::call<System, code, Time, X, P, R, A, wanted...>::possible && calls;
-    }
-  }
+  static constexpr bool is_weighted = (deriving::requested<wanted>::value.is_weighted() || ...);
 
   template <int first, auto one, class Slots>
   static constexpr auto constant_result(const Slots& slot) {
@@ -231,7 +207,14 @@ private:
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
                                               const A& a = {}, const V& v = {}) noexcept {
     using T = typename X::Scalar;
-    if constexpr (!can_call<Time, X, P, R, A, V>()) {
+    if constexpr (is_weighted) {
+      constexpr deriving::given_behind given = deriving::given_to({&deriving::requested<wanted>::value...});
+      if constexpr (given.weights)
+        return evaluate_weighted<with_statuses, given>(time, x, p, r, a, v);
+      else
+        return evaluate_weighted<with_statuses, given>(time, x, p, r, nothing, a);
+    } else if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
+                         !compiled::can_call_externals<code, T, false, wanted...>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
       return no_results<T>();
@@ -239,15 +222,30 @@ private:
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       T t = lower::scalar_math<T>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      if constexpr (given.weights)
-        return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
-            compiled::weighted_arguments<System, T, X, P, R, A, V>{{t, x, p, r, nothing}, a, v}));
-      else if constexpr (given.direction)
-        return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
-            compiled::weighted_arguments<System, T, X, P, R, none, A>{{t, x, p, r, nothing}, nothing, a}));
-      else
-        return collect_from<with_statuses, T>(
-            lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+      return collect_from<with_statuses, T>(
+          lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+    }
+  }
+
+  /// Of what is given weights, or a direction.
+  template <bool with_statuses, deriving::given_behind given, class Time, class X, class P, class R, class W,
+            class V>
+  [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const X& x, const P& p, const R& r,
+                                                       const W& w, const V& v) noexcept {
+    using T = typename X::Scalar;
+    if constexpr (!compiled::call<System, code, Time, X, P, R, none, wanted...>::possible ||
+                  !compiled::weighted_call<System, code, W, V, given, wanted...>::possible ||
+                  !compiled::can_call_externals<code, T, false, wanted...>()) {
+      deriving::tell_in_code<compiled::surveyed<System>>();
+      deriving::tell_in_code<code>();
+      return no_results<T>();
+    } else {
+      assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
+      assert_size(w, state_size), assert_size(v, state_size + input_count);
+      T t = lower::scalar_math<T>::from(0);
+      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
+      return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
+          compiled::weighted_arguments<System, T, X, P, R, W, V>{{t, x, p, r, nothing}, w, v}));
     }
   }
 

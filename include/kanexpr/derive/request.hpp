@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
+#include <initializer_list>
 #include <span>
 
 namespace kanexpr::deriving {
@@ -44,21 +45,24 @@ struct request {
   std::string_view whom = "an expression"; ///< holds the phrases
   std::span<const describe::token> by{};   ///< of a Jacobian: the symbols
   bool is_to_inputs = false;               ///< of a sensitivity
+
+  /// Whether a function is given weights or a direction for it.
+  constexpr bool is_weighted() const {
+    return (what == kind::result || what == kind::derivatives) && mechanics::is_to_second_order(wanted);
+  }
 };
 
 /// What a function is given behind the inputs.
 struct given_behind {
   bool rates = false, weights = false, direction = false;
-
-  constexpr bool is_to_second_order() const { return weights || direction; }
 };
 
-constexpr given_behind given_to(std::span<const request> all) {
+constexpr given_behind given_to(std::initializer_list<const request*> all) {
   given_behind given;
-  for (const request& each : all) {
-    if (each.what != request::kind::result && each.what != request::kind::derivatives) continue;
-    const mechanics::result_row& row = mechanics::row_of(each.wanted);
-    given.rates = given.rates || row.holds_speed_rates || each.is_at_given_rates;
+  for (const request* each : all) {
+    if (each->what != request::kind::result && each->what != request::kind::derivatives) continue;
+    const mechanics::result_row& row = mechanics::row_of(each->wanted);
+    given.rates = given.rates || row.holds_speed_rates || each->is_at_given_rates;
     given.weights = given.weights || row.takes_weights;
     given.direction = given.direction || row.takes_direction;
   }

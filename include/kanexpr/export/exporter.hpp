@@ -93,7 +93,7 @@ private:
     exported_function made{.name = wanted.name};
     symbolic::sequence<int> nodes;
     for (const wanted_result& each : wanted.results) {
-      if (deriving::given_to({&each.request, 1}).is_to_second_order())
+      if (each.request.is_weighted())
         return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
       const symbolic::matrix found = from.get(each.request);
       if (!from.mistake().empty()) return refuse(from.mistake());

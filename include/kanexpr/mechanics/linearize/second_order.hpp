@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 
 namespace kanexpr::mechanics {
 
