@@ -59,6 +59,14 @@ void linearization_line(const char* system) {
       {quantity::implicit_mass_matrix, quantity::implicit_state_matrix, quantity::implicit_input_matrix});
 }
 
+template <class System>
+void second_order_lines(const char* system) {
+  line<System>(system, "jacobian", {quantity::state_jacobian, quantity::input_jacobian});
+  line<System>(system, "gradient", {quantity::weighted_gradient});
+  line<System>(system, "hessian", {quantity::weighted_hessian});
+  line<System>(system, "hessian_product", {quantity::weighted_hessian_product});
+}
+
 } // namespace
 
 int main() {
@@ -91,4 +99,8 @@ int main() {
   linearization_line<bicycle::BoundSystem>("bicycle_bound");
   linearization_line<puma::System>("puma");
   linearization_line<iiwa::System>("iiwa");
+  second_order_lines<double_pendulum::System>("double_pendulum");
+  second_order_lines<bicycle::System>("bicycle");
+  second_order_lines<iiwa::System>("iiwa");
+  second_order_lines<quadruped::System>("quadruped");
 }

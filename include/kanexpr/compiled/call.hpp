@@ -4,6 +4,7 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
 #include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derive/request.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
@@ -124,6 +125,38 @@ struct call {
   static_assert(deriving::tell<call>());
 
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
+};
+
+/// What a call gives behind the inputs to a function of weights, or of a direction: `Weights` and `Direction`
+/// are not given where it takes none.
+template <class System, class Code, class Weights, class Direction, deriving::given_behind given, auto first,
+          auto... more>
+struct weighted_call {
+  static constexpr mechanics::sentence mistake = [] {
+    constexpr std::string_view system = type_name<System>(), result = result_name<first>();
+    constexpr const deriving::survey& known = survey_of<System>;
+    constexpr int state = known.coordinates + known.speeds;
+    mechanics::sentence found;
+    if (static_cast<bool>(known.mistake) || static_cast<bool>(Code::mistake)) return found;
+    const auto keep = [&](const mechanics::sentence& p) {
+      if (!found) found = p;
+    };
+    if (given.rates)
+      keep(mechanics::sentence({result, " is asked for together with a result that is given the rates of the "
+                                        "speeds; ask for them in two calls"}));
+    if (given.weights && std::is_same_v<Weights, not_given>)
+      keep(mechanics::sentence({result, " needs a weight for each rate of the state: call it as ", result,
+                                given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
+    if (given.direction && std::is_same_v<Direction, not_given>)
+      keep(mechanics::sentence({result,
+                                " needs a direction, a change of the state and the inputs: call it as ",
+                                result, given.weights ? "(x, p, r, w, v)" : "(x, p, r, v)"}));
+    keep(check_size("weight", system, entries_of<Weights>(), state));
+    keep(check_size("direction", system, entries_of<Direction>(), state + known.inputs));
+    return found;
+  }();
+  static_assert(deriving::tell<weighted_call>());
+  static constexpr bool possible = !static_cast<bool>(mistake);
 };
 
 /// What a call gives that cannot be made: it fits wherever a result is used, a vector, matrix or number with

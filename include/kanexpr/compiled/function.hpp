@@ -68,6 +68,23 @@ struct arguments {
   }
 };
 
+/// The same of a function of weights, or of a direction.
+template <class System, class T, class X, class P, class R, class Weights, class Direction>
+struct weighted_arguments : arguments<System, T, X, P, R, not_given> {
+  const Weights& weights;
+  const Direction& direction;
+
+  template <symbolic::symbol_kind from, int position>
+  [[gnu::always_inline]] T operator()() const noexcept {
+    if constexpr (from == symbolic::symbol_kind::weight)
+      return lower::scalar_math<T>::from(weights[position]);
+    else if constexpr (from == symbolic::symbol_kind::direction)
+      return lower::scalar_math<T>::from(direction[position]);
+    else
+      return arguments<System, T, X, P, R, not_given>::template operator()<from, position>();
+  }
+};
+
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
 template <class T, auto wanted>
 auto no_result_of() {
@@ -93,7 +110,8 @@ struct derives {};
 /// Compiled evaluation of one or several results of a system: a function object without state, which
 /// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the
 /// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the
-/// speeds, any Eigen vectors of their sizes.
+/// speeds, any Eigen vectors of their sizes. Results to the second order are given weights and directions in
+/// the place of a: f(x, p, r, w), f(x, p, r, v) or f(x, p, r, w, v).
 template <class System, auto... wanted>
 struct function {
   using code = compiled::code<System, wanted...>;
@@ -135,6 +153,8 @@ struct function {
                                     const std::array<double, parameter_count>& p,
                                     const std::array<double, input_count>& r,
                                     const std::array<double, speed_count>& a, double t = 0) {
+    static_assert(!is_weighted,
+                  "results that are given weights or a direction are not to be had in constant expressions");
     using symbolic::symbol_kind;
     const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
       const auto i = static_cast<std::size_t>(l.position);
@@ -148,7 +168,9 @@ struct function {
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate: // are no arguments of a call
       case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break;
+      case symbol_kind::multiplier:
+      case symbol_kind::weight:
+      case symbol_kind::direction: break;
       }
       return t;
     });
@@ -163,6 +185,8 @@ private:
   /// Tells what is needed and left out.
   template <class P, class R = none>
   using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
+  static constexpr none nothing{};
+  static constexpr bool is_weighted = (deriving::requested<wanted>::value.is_weighted() || ...);
 
   template <int first, auto one, class Slots>
   static constexpr auto constant_result(const Slots& slot) {
@@ -178,12 +202,19 @@ private:
     return std::tuple(constant_result<first_of(i), wanted>(slot)...);
   }
 
-  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none>
+  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none,
+            class V = none>
   [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
-                                              const A& a = {}) noexcept {
+                                              const A& a = {}, const V& v = {}) noexcept {
     using T = typename X::Scalar;
-    if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
-                  !compiled::can_call_externals<code, T, false, wanted...>()) {
+    if constexpr (is_weighted) {
+      constexpr deriving::given_behind given = deriving::given_to({&deriving::requested<wanted>::value...});
+      if constexpr (given.weights)
+        return evaluate_weighted<with_statuses, given>(time, x, p, r, a, v);
+      else
+        return evaluate_weighted<with_statuses, given>(time, x, p, r, nothing, a);
+    } else if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
+                         !compiled::can_call_externals<code, T, false, wanted...>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
       return no_results<T>();
@@ -193,6 +224,28 @@ private:
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
       return collect_from<with_statuses, T>(
           lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+    }
+  }
+
+  /// Of what is given weights, or a direction.
+  template <bool with_statuses, deriving::given_behind given, class Time, class X, class P, class R, class W,
+            class V>
+  [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const X& x, const P& p, const R& r,
+                                                       const W& w, const V& v) noexcept {
+    using T = typename X::Scalar;
+    if constexpr (!compiled::call<System, code, Time, X, P, R, none, wanted...>::possible ||
+                  !compiled::weighted_call<System, code, W, V, given, wanted...>::possible ||
+                  !compiled::can_call_externals<code, T, false, wanted...>()) {
+      deriving::tell_in_code<compiled::surveyed<System>>();
+      deriving::tell_in_code<code>();
+      return no_results<T>();
+    } else {
+      assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
+      assert_size(w, state_size), assert_size(v, state_size + input_count);
+      T t = lower::scalar_math<T>::from(0);
+      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
+      return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
+          compiled::weighted_arguments<System, T, X, P, R, W, V>{{t, x, p, r, nothing}, w, v}));
     }
   }
 

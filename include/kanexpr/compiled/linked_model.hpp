@@ -39,7 +39,8 @@ struct joined<function_list<First...>, function_list<Second...>> {
 template <bool at_rates>
 struct results_by_name {
   static constexpr bool holds(const mechanics::result_row& row) {
-    return !mechanics::is_of_linearization(row.is) && row.holds_speed_rates == at_rates;
+    return !mechanics::is_of_linearization(row.is) && !row.takes_weights && !row.takes_direction &&
+           row.holds_speed_rates == at_rates;
   }
   static constexpr int size = [] {
     int count = 0;

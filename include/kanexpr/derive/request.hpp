@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
+#include <initializer_list>
 #include <span>
 
 namespace kanexpr::deriving {
@@ -33,6 +34,7 @@ struct request {
     jacobian,    ///< the derivatives of a phrase by symbols
     derivatives, ///< of a quantity of the system, by symbols of the system
     sensitivity, ///< how phrases answer to changes of the state, or of the inputs
+    parameters,  ///< how the rates of the state answer to changes of parameters, which the phrases are
   };
 
   kind what = kind::foreign;
@@ -43,7 +45,29 @@ struct request {
   std::string_view whom = "an expression"; ///< holds the phrases
   std::span<const describe::token> by{};   ///< of a Jacobian: the symbols
   bool is_to_inputs = false;               ///< of a sensitivity
+
+  /// Whether a function is given weights or a direction for it.
+  constexpr bool is_weighted() const {
+    return (what == kind::result || what == kind::derivatives) && mechanics::is_to_second_order(wanted);
+  }
 };
+
+/// What a function is given behind the inputs.
+struct given_behind {
+  bool rates = false, weights = false, direction = false;
+};
+
+constexpr given_behind given_to(std::initializer_list<const request*> all) {
+  given_behind given;
+  for (const request* each : all) {
+    if (each->what != request::kind::result && each->what != request::kind::derivatives) continue;
+    const mechanics::result_row& row = mechanics::row_of(each->wanted);
+    given.rates = given.rates || row.holds_speed_rates || each->is_at_given_rates;
+    given.weights = given.weights || row.takes_weights;
+    given.direction = given.direction || row.takes_direction;
+  }
+  return given;
+}
 
 constexpr int rows_of(const phrase& p) { return p.kind == shape::vector ? 3 : 1; }
 
@@ -67,6 +91,7 @@ constexpr extent extent_of(const request& r, const survey& s) {
     return {rows, 1, r.phrases.size() == 1 && r.phrases[0].kind != shape::vector};
   case request::kind::jacobian: return {rows, static_cast<int>(r.by.size())};
   case request::kind::sensitivity: return {rows, r.is_to_inputs ? s.inputs : s.states()};
+  case request::kind::parameters: return {s.coordinates + s.speeds, static_cast<int>(r.phrases.size())};
   }
   return {1, 1, true};
 }
@@ -76,6 +101,7 @@ constexpr mechanics::stage stage_for(const request& r) {
   switch (r.what) {
   case request::kind::result:
   case request::kind::derivatives: return mechanics::row_of(r.wanted).needs;
+  case request::kind::parameters: return mechanics::stage::equations;
   case request::kind::sensitivity: return mechanics::stage::linearized;
   case request::kind::foreign:
   case request::kind::expressions:
@@ -147,6 +173,27 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, const mechanism
   return symbolic::jacobian(*m.g, result.entries, state);
 }
 
+/// ∂[q̇; u̇]/∂p, a column for each parameter.
+constexpr symbolic::matrix sensitivity_to_parameters(const request& wanted, reader& r,
+                                                     mechanics::equations& e) {
+  sequence<expression> parameters;
+  for (const phrase& p : wanted.phrases) {
+    const bool is_symbol = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
+    sentence by(
+        {"a sensitivity is asked for by ", is_symbol ? p.tokens[0].symbol->called.view() : "an expression"});
+    if (!is_symbol || p.tokens[0].symbol->kind != symbolic::symbol_kind::parameter) {
+      r.refuse(sentence({by.view(), "; it must be a parameter"}).view());
+      return {};
+    }
+    parameters.push(r.symbol(*p.tokens[0].symbol, wanted.whom));
+    if (parameters[parameters.size() - 1].is_constant()) {
+      r.refuse(sentence({by.view(), ", which is bound to a number"}).view());
+      return {};
+    }
+  }
+  return e.sensitivity_to(parameters);
+}
+
 } // namespace detail
 
 /// The result with the symbols q̇ and u̇, where it has them, of a request that was visited.
@@ -166,6 +213,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
         e.linearized().outputs(detail::values_of(wanted, r, m).entries);
     return wanted.is_to_inputs ? l.input : l.state;
   }
+  case request::kind::parameters: return detail::sensitivity_to_parameters(wanted, r, e);
   }
   return {};
 }

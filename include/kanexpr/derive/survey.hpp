@@ -55,6 +55,7 @@ struct survey {
     case extent_by::inputs: return inputs;
     case extent_by::independent_states: return states();
     case extent_by::unknowns: return unknowns();
+    case extent_by::state_and_inputs: return coordinates + speeds + inputs;
     }
     return 0;
   }
@@ -73,7 +74,9 @@ struct survey {
     case symbolic::symbol_kind::time:
     case symbolic::symbol_kind::speed_rate:
     case symbolic::symbol_kind::auxiliary_speed:
-    case symbolic::symbol_kind::multiplier: break;
+    case symbolic::symbol_kind::multiplier:
+    case symbolic::symbol_kind::weight:
+    case symbolic::symbol_kind::direction: break;
     }
     return 0;
   }
@@ -87,7 +90,9 @@ struct survey {
     case symbolic::symbol_kind::time:
     case symbolic::symbol_kind::speed_rate:
     case symbolic::symbol_kind::auxiliary_speed:
-    case symbolic::symbol_kind::multiplier: break;
+    case symbolic::symbol_kind::multiplier:
+    case symbolic::symbol_kind::weight:
+    case symbolic::symbol_kind::direction: break;
     }
     return 0;
   }

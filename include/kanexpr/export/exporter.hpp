@@ -93,6 +93,8 @@ private:
     exported_function made{.name = wanted.name};
     symbolic::sequence<int> nodes;
     for (const wanted_result& each : wanted.results) {
+      if (each.request.is_weighted())
+        return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
       const symbolic::matrix found = from.get(each.request);
       if (!from.mistake().empty()) return refuse(from.mistake());
       if (found.entries.empty()) continue; // without inputs there is no B
@@ -171,7 +173,8 @@ private:
     case extent_by::speed_constraints:
     case extent_by::all_constraints:
     case extent_by::auxiliary_speeds:
-    case extent_by::unknowns: break;
+    case extent_by::unknowns:
+    case extent_by::state_and_inputs: break;
     }
     return {};
   }

@@ -14,10 +14,12 @@
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/linearize/second_order.hpp>
 #include <kanexpr/mechanics/linearize/system_form.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
 
 #include <optional>
@@ -129,13 +131,14 @@ public:
     case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
     case quantity::generalized_momenta: return column(momenta());
     case quantity::configuration_residual: return column(constraints_.on_configuration);
-    case quantity::configuration_terms: return column(terms_of(constraints_.on_configuration));
+    case quantity::configuration_terms:
+      return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
     case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_by_all: return configuration_;
     case quantity::configuration_step: return step_of_configuration();
     case quantity::velocity_residual: return column(velocity_residual());
-    case quantity::velocity_terms: return column(terms_of(velocity_residual()));
+    case quantity::velocity_terms: return column(symbolic::terms_of(*m_->g, velocity_residual()));
     case quantity::constraint_residual: return column(constraints_.on_configuration, velocity_residual());
     case quantity::constraint_jacobian: return constraints_.jacobian;
     case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
@@ -149,16 +152,18 @@ public:
     case quantity::input_jacobian:
     case quantity::implicit_mass_matrix:
     case quantity::implicit_state_matrix:
-    case quantity::implicit_input_matrix: return in_motion(at_given_rates(wanted));
+    case quantity::implicit_input_matrix:
+    case quantity::weighted_gradient:
+    case quantity::directional_derivative:
+    case quantity::weighted_hessian:
+    case quantity::weighted_hessian_product: return in_motion(at_given_rates(wanted));
     }
     return {};
   }
 
   /// A result with the symbols u̇, for a caller who knows the rates of the speeds.
   constexpr symbolic::matrix at_given_rates(quantity wanted) {
-    if (!is_constrained_) constrain();
-    if (!mistake_) mass(); // which may be a mistake
-    if (mistake_) return {};
+    if (!is_sound()) return {};
     using enum quantity;
     if (wanted == state_matrix) return linearized().explicit_form().state;
     if (wanted == input_matrix) return linearized().explicit_form().input;
@@ -167,6 +172,7 @@ public:
     if (wanted == implicit_mass_matrix) return imposed_forces(linearized_in_full().implicit_form().mass);
     if (wanted == implicit_state_matrix) return imposed_forces(linearized_in_full().implicit_form().state);
     if (wanted == implicit_input_matrix) return imposed_forces(linearized_in_full().implicit_form().input);
+    if (is_to_second_order(wanted)) return to_second_order().get(wanted);
     return get(wanted);
   }
 
@@ -189,8 +195,18 @@ public:
   /// constraints or not, linearized.
   constexpr mechanics::linearizer& linearized_freely() {
     if (!is_constrained_) constrain();
-    if (!free_linearizer_.has_value()) free_linearizer_.emplace(*m_->g, form().reduced(), directions::free);
-    return *free_linearizer_;
+    if (free_linearizer_) return *free_linearizer_;
+    return free_linearizer_.emplace(*m_->g, form().reduced(), directions::free);
+  }
+
+  /// The derivatives of the rates q̇ and u̇ by some parameters, a column for each, with the symbols u̇.
+  constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
+    if (!is_sound()) return {};
+    return to_second_order().rates_by(parameters);
+  }
+
+  constexpr second_order& to_second_order() {
+    return second_order_ ? *second_order_ : second_order_.emplace(*m_->g, linearized_freely());
   }
 
   /// λ with the symbols u̇, of a system by Lagrange's method with constraints.
@@ -208,7 +224,7 @@ public:
     known_rates known(*m_, s_.coordinate_rates);
     without_auxiliary_speeds drop(*m_);
     for (expression& e : m.entries) e = drop.in(known.in(e));
-    if (!holds_speed_rate(m)) return m;
+    if (!depends_on(*m_->g, nodes_of(m.entries), nodes_of(m_->speed_rates))) return m;
     symbolic::substitution accelerated(*m_->g);
     for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);
     for (expression& e : m.entries) e = accelerated.in(e);
@@ -251,6 +267,12 @@ public:
   constexpr known_motion& known() { return known_; }
 
 private:
+  constexpr bool is_sound() {
+    if (!is_constrained_) constrain();
+    if (!mistake_) mass(); // which may be a mistake
+    return !mistake_;
+  }
+
   constexpr system_form form() {
     return {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_};
   }
@@ -264,13 +286,6 @@ private:
     for (int i = 0; i < lambda.rows; ++i) imposed.replace(full.lambda[i], lambda(i, 0));
     for (expression& e : m.entries) e = imposed.in(e);
     return m;
-  }
-
-  constexpr bool holds_speed_rate(const symbolic::matrix& m) const {
-    const sequence<char> live = symbolic::live_nodes(*m_->g, symbolic::nodes_of(m.entries));
-    for (const expression& rate : m_->speed_rates)
-      if (live[rate.node()] != 0) return true;
-    return false;
   }
 
   /// Speeds that are the rate of a dependent coordinate are dependent themselves if that serves.
@@ -355,12 +370,6 @@ private:
     for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
     return residual;
   }
-  constexpr sequence<expression> terms_of(const sequence<expression>& sums) const {
-    symbolic::sizes_of_terms sizes(*m_->g);
-    sequence<expression> terms;
-    for (const expression& f : sums) terms.push(sizes.of(f));
-    return terms;
-  }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {
     symbolic::matrix m(*m_->g, above.size() + below.size(), 1);
@@ -385,6 +394,7 @@ private:
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
+  std::optional<second_order> second_order_{};
 };
 
 } // namespace kanexpr::mechanics

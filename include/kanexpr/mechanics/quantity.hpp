@@ -48,6 +48,10 @@ enum class quantity : unsigned char {
   implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
   implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
   implicit_input_matrix,  ///< B, (n+p+k)×s
+  weighted_gradient, ///< ∂(λᵀẋ)/∂z for z = [q; u; r] and n+p weights λ, as if nothing bound the state, n+p+s
+  directional_derivative,                    ///< (∂ẋ/∂z) v for a direction v, n+p
+  weighted_hessian,                          ///< ∂²(λᵀẋ)/∂z², symmetric, (n+p+s)×(n+p+s)
+  weighted_hessian_product,                  ///< ∂²(λᵀẋ)/∂z² v, n+p+s
   auxiliary_forces = noncontributing_forces, ///< by another name
 };
 
@@ -67,6 +71,7 @@ enum class extent_by : unsigned char {
   inputs,             ///< s
   independent_states, ///< n−l+p−m
   unknowns,           ///< n+p+k
+  state_and_inputs,   ///< n+p+s
 };
 
 /// How far a derivation has to go for a result.
@@ -84,6 +89,8 @@ struct result_row {
   stage needs{};
   bool is_of_bodies = false;      ///< and not known where a model gives its Lagrangian as a whole
   bool holds_speed_rates = false; ///< the symbols u̇, which its function is given
+  bool takes_weights = false;     ///< λ of ẋ, in the same way
+  bool takes_direction = false;   ///< v of z
 };
 
 inline constexpr result_row results[]{
@@ -162,6 +169,14 @@ inline constexpr result_row results[]{
      stage::equations},
     {quantity::implicit_input_matrix, "implicit_form", extent_by::unknowns, extent_by::inputs,
      stage::equations},
+    {quantity::weighted_gradient, "gradient", extent_by::state_and_inputs, extent_by::one, stage::equations,
+     false, false, true},
+    {quantity::directional_derivative, "directional_derivative", extent_by::coordinates_and_speeds,
+     extent_by::one, stage::equations, false, false, false, true},
+    {quantity::weighted_hessian, "hessian", extent_by::state_and_inputs, extent_by::state_and_inputs,
+     stage::equations, false, false, true},
+    {quantity::weighted_hessian_product, "hessian_product", extent_by::state_and_inputs, extent_by::one,
+     stage::equations, false, false, true, true},
 };
 
 /// The rows stand in the order of the quantities.
@@ -173,7 +188,12 @@ static_assert([] {
 }());
 
 /// Whether a result is a part of the linearized equations, which are asked for as a whole.
-constexpr bool is_of_linearization(quantity wanted) { return wanted >= quantity::state_matrix; }
+constexpr bool is_of_linearization(quantity wanted) {
+  return wanted >= quantity::state_matrix && wanted <= quantity::implicit_input_matrix;
+}
+
+/// Whether a result is given weights, or a direction.
+constexpr bool is_to_second_order(quantity wanted) { return wanted >= quantity::weighted_gradient; }
 
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }
 

@@ -10,10 +10,17 @@
 namespace kanexpr::runtime {
 
 /// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
-/// f(t, x, p, r, a). It keeps the matrix that it returns, and takes no memory when it is called. Where a
-/// vector is too short for what is needed of it, the result is not a number, and the status says so.
+/// f(t, x, p, r, a). Behind the inputs stands what the result reads beside them, in this order: the rates of
+/// the speeds, weights, a direction. It keeps the matrix that it returns, and takes no memory when it is
+/// called. Where a vector is too short for what is needed of it, the result is not a number, and the status
+/// says so.
 template <class Scalar = double>
 class interpreted {
+  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
+  struct nothing {
+    Scalar operator[](Eigen::Index) const { return not_a_number(); }
+  };
+
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -33,25 +40,29 @@ public:
 
   template <class X>
   const matrix& operator()(const X& x) {
-    return (*this)(Scalar(0), x, nothing{}, nothing{}, nothing{});
+    return (*this)(Scalar(0), x, nothing{}, nothing{});
   }
   template <class X, class P>
   const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p) {
-    return (*this)(Scalar(0), x.derived(), p, nothing{}, nothing{});
+    return (*this)(Scalar(0), x.derived(), p, nothing{});
   }
   template <class X, class P, class R>
   const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p, const R& r) {
-    return (*this)(Scalar(0), x.derived(), p, r, nothing{});
+    return (*this)(Scalar(0), x.derived(), p, r);
   }
-  template <class X, class P, class R>
-  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r) {
-    return (*this)(t, x, p, r, nothing{});
-  }
-  template <class X, class P, class R, class A>
-  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a) {
+  template <class X, class P, class R, class A = nothing, class B = nothing, class C = nothing>
+  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a = {}, const B& b = {},
+                           const C& c = {}) {
     using symbolic::symbol_kind;
     too_short_ = {};
-    check_length(state_, x), check_length(parameters_, p), check_length(inputs_, r), check_length(rates_, a);
+    check_length(state_, x), check_length(parameters_, p), check_length(inputs_, r);
+    const int weights = rates_.entries > 0 ? 1 : 0, direction = weights + (weights_.entries > 0 ? 1 : 0);
+    const auto behind = [&](int place, const auto& take) {
+      place == 0 ? take(a) : place == 1 ? take(b) : take(c);
+    };
+    behind(0, [&](const auto& given) { check_length(rates_, given); });
+    behind(weights, [&](const auto& given) { check_length(weights_, given); });
+    behind(direction, [&](const auto& given) { check_length(direction_, given); });
     if (too_short_) {
       result_.setConstant(not_a_number());
       return result_;
@@ -63,6 +74,11 @@ public:
       case symbol_kind::parameter: return Scalar(p[each.position]);
       case symbol_kind::input: return Scalar(r[each.position]);
       case symbol_kind::speed_rate: return Scalar(a[each.position]);
+      case symbol_kind::weight: return weights == 0 ? Scalar(a[each.position]) : Scalar(b[each.position]);
+      case symbol_kind::direction:
+        return direction == 0   ? Scalar(a[each.position])
+               : direction == 1 ? Scalar(b[each.position])
+                                : Scalar(c[each.position]);
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate:
       case symbol_kind::auxiliary_speed:
@@ -75,10 +91,6 @@ public:
   }
 
 private:
-  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
-  struct nothing {
-    Scalar operator[](Eigen::Index) const { return not_a_number(); }
-  };
   static Scalar not_a_number() {
     return lower::scalar_math<Scalar>::from(std::numeric_limits<double>::quiet_NaN());
   }
@@ -105,6 +117,8 @@ private:
     case symbol_kind::parameter: return &parameters_;
     case symbol_kind::input: return &inputs_;
     case symbol_kind::speed_rate: return &rates_;
+    case symbol_kind::weight: return &weights_;
+    case symbol_kind::direction: return &direction_;
     case symbol_kind::time:
     case symbol_kind::coordinate_rate:
     case symbol_kind::auxiliary_speed:
@@ -129,7 +143,8 @@ private:
 
   checked_code<Scalar> code_;
   int coordinates_;
-  need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"};
+  need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"},
+      weights_{"weight"}, direction_{"direction"};
   mechanics::sentence too_short_{};
   matrix result_;
 };

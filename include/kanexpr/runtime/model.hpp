@@ -3,6 +3,7 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/derive/check_words.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
+#include <kanexpr/derive/sensitivity_request.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
@@ -59,6 +60,12 @@ public:
   symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
   /// The same by another name.
   symbolic::matrix auxiliary_forces() { return noncontributing_forces(); }
+
+  /// The derivatives of [q̇; u̇] by parameters, a column for each: `model.sensitivity<m, l>()`.
+  template <auto... parameters>
+  symbolic::matrix sensitivity() {
+    return get(deriving::requested<deriving::sensitivity_to<parameters...>{}>::value);
+  }
 
   /// The system linearized about an operating point, in up to three sets of values that are merged:
   /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.

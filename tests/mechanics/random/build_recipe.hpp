@@ -219,7 +219,9 @@ inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::sym
         case symbol_kind::speed_rate: return udot.at(at(l.position));
         case symbol_kind::coordinate_rate:
         case symbol_kind::auxiliary_speed:
-        case symbol_kind::multiplier: break;
+        case symbol_kind::multiplier:
+        case symbol_kind::weight:
+        case symbol_kind::direction: break;
         }
         return std::numeric_limits<double>::quiet_NaN(); // nothing may be left in terms of q̇, or of auxiliary
                                                          // speeds

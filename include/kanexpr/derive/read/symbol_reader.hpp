@@ -33,7 +33,9 @@ public:
                        ", which is zero at all times"});
       return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::auxiliary_speed:
-    case symbol_kind::multiplier: break;
+    case symbol_kind::multiplier:
+    case symbol_kind::weight:
+    case symbol_kind::direction: break; // no model has these
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) {

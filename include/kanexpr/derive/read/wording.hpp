@@ -23,6 +23,8 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   case symbol_kind::speed_rate: return "the rate of speed ";
   case symbol_kind::auxiliary_speed: return "auxiliary speed ";
   case symbol_kind::multiplier: return "multiplier ";
+  case symbol_kind::weight: return "weight ";
+  case symbol_kind::direction: return "direction ";
   }
   return "";
 }

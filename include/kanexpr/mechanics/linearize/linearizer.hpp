@@ -37,6 +37,11 @@ public:
   /// What the mass matrix was divided by, perhaps several times the same.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
+  /// Of what else is solved with the mass matrix.
+  constexpr void add_pivots(const sequence<symbolic::pivot>& more) {
+    for (const symbolic::pivot& p : more) pivots_.push(p);
+  }
+
   constexpr const implicit_linearization& implicit_form() {
     if (implicit_.mass.rows != 0) return implicit_;
     sequence<expression> zero = summed(form_.f_0, form_.f_1);
@@ -80,6 +85,25 @@ public:
     sequence<int> rows;
     for (int i = 0; i < form_.q.size() + form_.u.size(); ++i) rows.push(i);
     return rows_of(g_, rates(), rows, form_.inputs());
+  }
+
+  /// δf in M δu̇_i = δf for each direction, without multipliers.
+  constexpr const symbolic::matrix& changes_of_force() {
+    if (force_.rows != 0) return force_;
+    const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
+    sequence<expression> all = force;
+    for (const expression& e : form_.f_a) all.push(e);
+    if (force.size() < felt_directions(all)) // no temporary of a conditional expression: g++ 12
+      force_ = changes_by_reverse(force);
+    else
+      force_ = changes_by_forward(force);
+    return force_;
+  }
+
+  /// δb in δu̇_d = A δu̇_i + δb for each direction.
+  constexpr const symbolic::matrix& changes_of_bias() {
+    if (bias_.rows == 0) bias_ = acceleration_bias();
+    return bias_;
   }
 
   /// C and D of outputs that may hold q, u, r, q̇ and u̇.
@@ -188,16 +212,9 @@ private:
   /// times δu̇_i is the derivative of μᵀ f_a − Φ at constant u̇ and μ: the solution for u̇ is never
   /// differentiated.
   constexpr symbolic::matrix accelerations() {
-    const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
-    symbolic::matrix change;
-    sequence<expression> all = force;
-    for (const expression& e : form_.f_a) all.push(e);
-    if (force.size() < felt_directions(all))
-      change = changes_by_reverse(force);
-    else
-      change = changes_by_forward(force);
+    const symbolic::matrix& change = changes_of_force();
     const symbolic::symmetric_factorization mass(g_, form_.known.mass);
-    symbolic::matrix out(g_, force.size(), variations_.size());
+    symbolic::matrix out(g_, change.rows, variations_.size());
     sequence<int> moved; // the one speed whose equation a direction changes
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
@@ -303,6 +320,7 @@ private:
   implicit_linearization implicit_{};
   explicit_linearization explicit_{};
   symbolic::matrix rates_{};
+  symbolic::matrix force_{}, bias_{}; ///< how they change, which a linearizer that is read forms again
   sequence<symbolic::pivot> pivots_{};
 };
 

@@ -62,7 +62,9 @@ private:
       return find(m_.coordinates, name, is_by_lagrange() ? m_.speeds : m_.coordinate_rates);
     case symbol_kind::speed_rate: return find(m_.speeds, name, m_.speed_rates);
     case symbol_kind::auxiliary_speed:
-    case symbol_kind::multiplier: break; // belong to no point
+    case symbol_kind::multiplier:
+    case symbol_kind::weight:
+    case symbol_kind::direction: break; // belong to no point
     }
     return std::nullopt;
   }

@@ -44,4 +44,12 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
   return values;
 }
 
+/// Whether `outputs` need one of some nodes.
+constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
+  const sequence<char> live = live_nodes(g, outputs);
+  for (int id : some)
+    if (id < live.size() && live[id] != 0) return true;
+  return false;
+}
+
 } // namespace kanexpr::symbolic

@@ -37,6 +37,8 @@ enum class symbol_kind : unsigned char {
   speed_rate,      ///< du/dt
   auxiliary_speed, ///< zero at all times
   multiplier,      ///< Lagrange's, the force of a constraint
+  weight,          ///< of a rate of the state, in a sum of them
+  direction,       ///< a change of the state and the inputs
 };
 
 struct symbol {

@@ -40,4 +40,12 @@ private:
   sequence<int> found_; ///< by node
 };
 
+/// Those of some sums.
+constexpr sequence<expression> terms_of(graph& g, const sequence<expression>& sums) {
+  sizes_of_terms sizes(g);
+  sequence<expression> terms;
+  for (const expression& f : sums) terms.push(sizes.of(f));
+  return terms;
+}
+
 } // namespace kanexpr::symbolic

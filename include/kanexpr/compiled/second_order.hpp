@@ -1,0 +1,51 @@
+#pragma once
+
+#include <kanexpr/compiled/function.hpp>
+#include <kanexpr/derive/sensitivity_request.hpp>
+
+namespace kanexpr {
+
+/// The derivatives of the second order of a weighted sum of the rates, λᵀẋ with ẋ = [q̇; u̇], as compiled
+/// functions: what optimal control asks for. They are taken by z = [q; u; r], the whole state and the inputs,
+/// as if nothing bound the state. λ, here w, has a weight for each rate: zeros for q̇ leave λᵀu̇. A direction v
+/// is a change of z. No derivative is that of an inverse, and all are exact.
+///
+/// Of a quaternion the norm must be 1, and derivatives along the norm mean nothing.
+template <class System>
+struct second_order {
+  using quantity = mechanics::quantity;
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
+
+  /// The entries of z.
+  static constexpr int size = known.coordinates + known.speeds + known.inputs;
+  template <class T = double>
+  using weights = Eigen::Matrix<T, known.coordinates + known.speeds, 1>;
+  template <class T = double>
+  using direction = Eigen::Matrix<T, size, 1>;
+
+  /// ∂²(λᵀẋ)/∂z², symmetric: `second_order<System>::hessian(x, p, r, w)`.
+  static constexpr function<System, quantity::weighted_hessian> hessian{};
+  /// ∂²(λᵀẋ)/∂z² v, without the matrix: f(x, p, r, w, v).
+  static constexpr function<System, quantity::weighted_hessian_product> hessian_product{};
+  /// ∂(λᵀẋ)/∂z = (∂ẋ/∂z)ᵀ λ: f(x, p, r, w).
+  static constexpr function<System, quantity::weighted_gradient> gradient{};
+  /// (∂ẋ/∂z) v: f(x, p, r, v).
+  static constexpr function<System, quantity::directional_derivative> directional_derivative{};
+
+  /// Operations of one call of a function.
+  template <auto... wanted>
+  static constexpr symbolic::cost cost(function<System, wanted...> f) {
+    return f.cost();
+  }
+};
+
+/// The derivatives of the rates ẋ = [q̇; u̇] by parameters of the system, a column for each:
+/// `sensitivity<System, m, l>(x, p, r)`. The rows of u̇ come last.
+template <class System, auto... parameters>
+inline constexpr function<System, deriving::sensitivity_to<parameters...>{}> sensitivity{};
+
+} // namespace kanexpr

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <kanexpr/derive/request.hpp>
+
+namespace kanexpr::deriving {
+
+/// How the rates of the state answer to changes of some parameters.
+template <auto... parameters>
+struct sensitivity_to {
+  constexpr std::string_view result_name() const { return "sensitivity"; }
+};
+
+/// Of what is no expression: one without words, which is refused.
+template <auto wanted>
+constexpr phrase phrase_or_none() {
+  if constexpr (requires { describe::shape_of(wanted); })
+    return describe::phrase_of<wanted>;
+  else
+    return {};
+}
+
+template <auto... parameters, sensitivity_to<parameters...> wanted>
+struct requested<wanted> {
+  static constexpr phrase words[]{phrase_or_none<parameters>()...};
+  static constexpr request value{
+      .what = request::kind::parameters, .phrases = words, .whom = "a sensitivity"};
+};
+
+} // namespace kanexpr::deriving

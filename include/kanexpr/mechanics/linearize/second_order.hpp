@@ -1,0 +1,232 @@
+#pragma once
+
+#include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+
+namespace kanexpr::mechanics {
+
+/// What a weighted sum of the rates, λᵀ[q̇; u̇], makes of changes of z = [q; u; r], to the second order, as if
+/// nothing bound the state.
+///
+/// The rates satisfy inverse dynamics, ρ(z, u̇) = 0 with the constraints f_a = 0 among it, which are linear in
+/// u̇. With the adjoint μ of the weights, (∂ρ/∂u̇)ᵀ μ = λ_u, the sum ψ = λ_qᵀ q̇ − μᵀρ has the gradient ψ_z at
+/// constant μ and u̇, and with u̇_z the derivatives
+///
+///     ∂²(λᵀẋ)/∂z² = ψ_zz + ψ_zu̇ u̇_z + (ψ_zu̇ u̇_z)ᵀ
+///
+/// So no inverse is ever differentiated, and u̇_z is that of the linearization. ρ is of the independent
+/// speeds: with multipliers there would be as many unknowns more, whose derivatives along every direction are
+/// not needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
+class second_order {
+public:
+  /// `first` linearizes in free directions.
+  constexpr second_order(graph& g, linearizer& first)
+      : g_(g), first_(first), form_(first.form()), mass_(g, form_.known.mass),
+        force_(negative(summed(form_.f_2, form_.f_3))) {
+    for (int i = 0; i < form_.q.size() + form_.u.size(); ++i)
+      weights_.push(symbol(symbolic::symbol_kind::weight, "weight", i));
+    for (int j = 0; j < z().size(); ++j)
+      direction_.push(symbol(symbolic::symbol_kind::direction, "direction", j));
+    for (int i = 0; i < force_.size() + form_.f_a.size(); ++i)
+      held_.push(symbol(symbolic::symbol_kind::multiplier, "adjoint", i));
+  }
+  second_order(const second_order&) = delete;
+  second_order& operator=(const second_order&) = delete;
+
+  constexpr symbolic::matrix get(quantity wanted) {
+    if (wanted == quantity::weighted_gradient) return gradient();
+    if (wanted == quantity::directional_derivative) return directional_derivative();
+    if (wanted == quantity::weighted_hessian) return hessian();
+    return product();
+  }
+
+  /// ∂(λᵀẋ)/∂z.
+  constexpr symbolic::matrix gradient() {
+    const sequence<expression>& found = slopes();
+    symbolic::matrix column(g_, z().size(), 1);
+    for (int j = 0; j < column.rows; ++j) column.entries[j] = found[j];
+    return with_adjoint(column);
+  }
+
+  /// (∂ẋ/∂z) v.
+  constexpr symbolic::matrix directional_derivative() {
+    symbolic::differentiation d(g_);
+    for (int j = 0; j < z().size(); ++j) d.set_rate(z().symbol(j), direction_[j]);
+    return rates_along(d);
+  }
+
+  /// u̇_z is not formed: what it is multiplied by is taken through the mass matrix instead, which fewer
+  /// directions of z change. Of two entries that are equal the cheaper one is formed: along a coordinate
+  /// rather than a speed, along the last of two coordinates, which moves the fewest bodies, and the first of
+  /// two speeds.
+  constexpr symbolic::matrix hessian() {
+    const int size = z().size(), n = form_.q.size();
+    const sequence<expression>& slope = slopes();
+    symbolic::matrix all(g_, size, size), through(g_, size, size);
+    for (int j = 0; j < size; ++j) {
+      symbolic::differentiation d(g_);
+      d.set_rate(z().symbol(j), {g_, graph::one});
+      for (int i = j < n ? 0 : j; i < size; ++i)
+        if (i <= j || i >= n) all(i, j) = all(j, i) = d.of(slope[i]);
+      sequence<expression> unbalanced;
+      for (int k = 0; k < form_.u.size(); ++k) unbalanced.push(d.of(slope[size + k]));
+      add_through_rates(through, j, unbalanced);
+    }
+    for (int i = 0; i < size; ++i)
+      for (int j = i; j < size; ++j) all(i, j) = all(j, i) = all(i, j) + (through(i, j) + through(j, i));
+    return with_adjoint(all);
+  }
+
+  /// ∂²(λᵀẋ)/∂z² v: the gradient along v, with u̇ and μ as they follow. Where λ is held, so is ψ_u̇ = −λ_u.
+  constexpr symbolic::matrix product() {
+    const int size = z().size(), n = form_.q.size();
+    const sequence<expression>& slope = slopes();
+    const symbolic::matrix rates = directional_derivative();
+    symbolic::differentiation held(g_), d(g_);
+    for (symbolic::differentiation* each : {&held, &d})
+      for (int j = 0; j < size; ++j) each->set_rate(z().symbol(j), direction_[j]);
+    sequence<expression> unbalanced;
+    for (int k = 0; k < form_.u.size(); ++k) unbalanced.push(held.of(slope[size + k]));
+    const sequence<expression> adjoint = adjoint_of(unbalanced);
+    for (int k = 0; k < form_.u.size(); ++k) d.set_rate(form_.udot[k], rates(n + k, 0));
+    for (int k = 0; k < held_.size(); ++k) d.set_rate(held_[k], adjoint[k]);
+    symbolic::matrix column(g_, size, 1);
+    for (int i = 0; i < size; ++i) column.entries[i] = d.of(slope[i]);
+    return with_adjoint(column);
+  }
+
+  /// ∂ẋ/∂p, a column for each symbol.
+  constexpr symbolic::matrix rates_by(const sequence<expression>& symbols) {
+    symbolic::matrix all(g_, form_.q.size() + form_.u.size(), symbols.size());
+    for (int j = 0; j < symbols.size(); ++j) {
+      symbolic::differentiation d(g_);
+      d.set_rate(symbols[j], {g_, graph::one});
+      const symbolic::matrix column = rates_along(d);
+      for (int i = 0; i < all.rows; ++i) all(i, j) = column(i, 0);
+    }
+    return all;
+  }
+
+  /// How the rates [q̇; u̇] change with the symbols that have a rate in `d`.
+  constexpr symbolic::matrix rates_along(symbolic::differentiation& d) {
+    const int n = form_.q.size();
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    symbolic::matrix change(g_, bound.size(), 1), all(g_, n + form_.u.size(), 1);
+    for (int i = 0; i < bound.size(); ++i) change(i, 0) = -d.of(form_.f_a[i]);
+    const symbolic::matrix bias = symbolic::solve_linear(g_, on_dependent(), change).x;
+    sequence<expression> right;
+    for (int i = 0; i < force_.size(); ++i) {
+      right.push(d.of(force_[i]));
+      for (int k = 0; k < bound.size(); ++k) right[i] -= form_.known.coupling(k, i) * bias(k, 0);
+    }
+    const sequence<expression> moved = solved(right);
+    for (int i = 0; i < n; ++i) all(i, 0) = d.of(form_.known.qdot[i]);
+    for (int i = 0; i < free.size(); ++i) all(n + free[i], 0) = moved[i];
+    for (int k = 0; k < bound.size(); ++k) {
+      all(n + bound[k], 0) = bias(k, 0);
+      for (int i = 0; i < free.size(); ++i) all(n + bound[k], 0) += form_.known.dependency(k, i) * moved[i];
+    }
+    return all;
+  }
+
+private:
+  constexpr const variations& z() const { return first_.variations(); }
+
+  constexpr expression symbol(symbolic::symbol_kind kind, std::string_view what, int place) const {
+    name called(what);
+    called.append(place + 1);
+    return symbolic::variable(g_, {kind, called, place});
+  }
+
+  /// ψ_z, then ψ_u̇, with symbols in the place of μ: it is not to be differentiated.
+  constexpr const sequence<expression>& slopes() {
+    if (!slopes_.empty()) return slopes_;
+    sequence<expression> all = force_;
+    for (const expression& e : form_.f_a) all.push(e);
+    for (const expression& e : form_.known.qdot) all.push(e);
+    symbolic::accumulation back(g_, all);
+    for (int i = 0; i < held_.size(); ++i) back.seed(all[i], held_[i]);
+    for (int i = 0; i < form_.q.size(); ++i) back.seed(form_.known.qdot[i], weights_[i]);
+    back.run();
+    for (int j = 0; j < z().size(); ++j) slopes_.push(back.by(z().symbol(j)));
+    for (const expression& rate : form_.udot) slopes_.push(back.by(rate));
+    return slopes_;
+  }
+
+  /// The adjoint of weights of u̇: of the equations of the independent speeds, then of f_a, these with the
+  /// other sign.
+  constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    sequence<expression> adjoint = solved(reduced(of));
+    symbolic::matrix transposed(g_, bound.size(), bound.size()), left(g_, bound.size(), 1);
+    const symbolic::matrix by_rates = on_dependent();
+    for (int k = 0; k < bound.size(); ++k) {
+      for (int i = 0; i < bound.size(); ++i) transposed(i, k) = by_rates(k, i);
+      left(k, 0) = -of[bound[k]];
+      for (int i = 0; i < free.size(); ++i) left(k, 0) += form_.known.coupling(k, i) * adjoint[i];
+    }
+    for (const expression& e : symbolic::solve_linear(g_, transposed, left).x.entries) adjoint.push(e);
+    return adjoint;
+  }
+
+  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
+  constexpr void add_through_rates(symbolic::matrix& through, int row, const sequence<expression>& of) {
+    bool is_zero = true;
+    for (const expression& e : of) is_zero = is_zero && e.is_zero();
+    if (is_zero) return;
+    const symbolic::matrix &force = first_.changes_of_force(), &bias = first_.changes_of_bias();
+    const sequence<expression> taken = solved(reduced(of));
+    for (int j = 0; j < through.columns; ++j) {
+      for (int i = 0; i < force.rows; ++i) through(row, j) += taken[i] * force(i, j);
+      for (int k = 0; k < bias.rows; ++k) through(row, j) += of[form_.speeds.dependent[k]] * bias(k, j);
+    }
+  }
+
+  /// Tᵀ of what belongs to all speeds, which is that of the independent ones.
+  constexpr sequence<expression> reduced(const sequence<expression>& of) const {
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    sequence<expression> out;
+    for (int i = 0; i < free.size(); ++i) {
+      out.push(of[free[i]]);
+      for (int k = 0; k < bound.size(); ++k) out[i] += form_.known.dependency(k, i) * of[bound[k]];
+    }
+    return out;
+  }
+
+  constexpr symbolic::matrix with_adjoint(symbolic::matrix m) {
+    sequence<expression> of_speeds;
+    for (int k = 0; k < form_.u.size(); ++k) of_speeds.push(weights_[form_.q.size() + k]);
+    const sequence<expression> adjoint = adjoint_of(of_speeds);
+    symbolic::substitution known(g_);
+    for (int i = 0; i < held_.size(); ++i) known.replace(held_[i], adjoint[i]);
+    for (expression& e : m.entries) e = known.in(e);
+    return m;
+  }
+
+  constexpr sequence<expression> solved(const sequence<expression>& right) {
+    const symbolic::symmetric_solution found = mass_.solve(right);
+    first_.add_pivots(found.pivots);
+    return found.x;
+  }
+
+  /// ∂f_a/∂u̇_d.
+  constexpr symbolic::matrix on_dependent() const {
+    const sequence<int>& bound = form_.speeds.dependent;
+    symbolic::matrix m(g_, bound.size(), bound.size());
+    for (int i = 0; i < m.rows; ++i)
+      for (int j = 0; j < m.columns; ++j) m(i, j) = form_.known.on_udot(i, bound[j]);
+    return m;
+  }
+
+  graph& g_;
+  linearizer& first_;
+  const general_form& form_;
+  symbolic::symmetric_factorization mass_;
+  sequence<expression> force_; ///< −(f_2 + f_3)
+  sequence<expression> weights_{}, direction_{};
+  sequence<expression> held_{}; ///< stand for the adjoint
+  sequence<expression> slopes_{};
+};
+
+} // namespace kanexpr::mechanics

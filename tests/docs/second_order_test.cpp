@@ -1,0 +1,52 @@
+// Second order: docs/guide/second-order.md.
+#include "docs/printed.hpp"
+#include "docs/text.hpp"
+#include "models/double_pendulum.hpp"
+#include "models/simple_pendulum.hpp"
+
+#include <kanexpr/symbolic.hpp>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr;
+
+namespace two_bars {
+
+using namespace double_pendulum;
+
+TEST(second_order, by_the_compiler) {
+  const Eigen::Vector4d x(0.3, -0.8, 1.1, 0.2);
+  const parameter_values<System> p = parameter_values<System>::Ones();
+  const input_values<System> r(0.4, -0.1);
+#include <docs/guide/second-order/parameters.cpp>
+  EXPECT_EQ(of_speeds.rows(), 2);
+  {
+#include <docs/guide/second-order/compiled.cpp>
+    EXPECT_TRUE(H.status);
+    EXPECT_EQ(H, H.transpose());
+    EXPECT_LE((H * v - Hv).norm(), 1e-12 * H.norm());
+    EXPECT_NEAR(g.dot(v), dx.dot(w), 1e-12 * g.norm());
+  }
+}
+
+} // namespace two_bars
+
+namespace pendulum {
+
+using namespace simple_pendulum;
+
+TEST(second_order, is_printed) {
+  const Eigen::Vector2d x(0.3, 0.2), w(0, 1);
+  const Eigen::VectorXd p = Eigen::VectorXd::Ones(parameter_values<System>().size()), r;
+  const docs::printed here;
+#include <docs/guide/second-order/run_time.cpp>
+  EXPECT_EQ(here.text(), docs::text("docs/guide/second-order/run_time.text"));
+  EXPECT_NEAR(found(0, 0), std::sin(0.3), 1e-15);
+}
+
+} // namespace pendulum
+} // namespace
