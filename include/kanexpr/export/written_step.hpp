@@ -146,15 +146,16 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   written_vector x;
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
+  written_vector next = x;
   if (wanted.method == step_method::runge_kutta_4)
-    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, h, x));
+    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h, next));
   else
-    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, h, x));
+    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h, next));
   symbolic::sequence<lower::written_value> results;
-  for (const lower::written_value& each : x.entries) results.push(each);
+  for (const lower::written_value& each : next.entries) results.push(each);
   for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);
   exported_function made{.name = std::move(name), .checks = std::move(into.checks), .cost = into.cost};
-  made.results.push_back({"next", x.size(), 1, 0, {}});
+  made.results.push_back({"next", next.size(), 1, 0, {}});
   made.takes_step = true;
   made.code = lower::concluded(into.code, results);
   return made;

@@ -68,7 +68,7 @@ template <class Method, class System, int corrections, class Time, class T, clas
                                               const R& r) {
   state<System, T> next = x;
   const status s =
-      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, h, next);
+      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, x, h, next);
   if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
   t = static_cast<Time>(t + h);
   x = next;

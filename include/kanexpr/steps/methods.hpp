@@ -97,12 +97,12 @@ struct runge_kutta_4 {
   }
 };
 
-/// A step from the state `next` to the one after it, which means nothing where the status is not good.
+/// A step from x to `next`, which is x before and means nothing where the status is not good.
 template <class Method, class Equations, class Time, class X>
-[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, const Time& h, X& next) {
+[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, const X& x, const Time& h,
+                                             X& next) {
   const Time after = static_cast<Time>(t + h);
   if (const status s = of.finite(after, step_not_finite); !s) return s;
-  const X x = next;
   if (const status s = Method::advance(of, t, x, h, next); !s) return s;
   if (const status s = of.corrected(after, next); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i)
