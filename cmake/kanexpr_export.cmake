@@ -1,18 +1,21 @@
 # kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
-#   [BIND <parameter>=<number>...] [RESULTS <results>...]): the target <name> leaves results of a system in a folder, for
-# other languages: of the format c <name>.c and <name>.h, with Python <name>.py too. Each of RESULTS is a function, of one
-# result or of several with spaces between them; without any there are M and f, u̇, ẋ, and A and B:
+#   [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target <name>
+# leaves results of a system in a folder, for other languages: of the format c <name>.c and <name>.h, with Python <name>.py
+# and with C++ <name>.hpp too. Each of RESULTS is a function, of one result or of several with spaces between them, or one
+# of the steps runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without
+# either there are M and f, u̇, ẋ, and A and B:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
-#       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing")
+#       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
 #
 # A program that is compiled here writes them. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs
 # it.
 function(kanexpr_export name)
-  cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS")
+  cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON;WITH_CPP" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS;EXPRESSIONS")
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> "
-      "[SCALAR double|float] [WITH_PYTHON] [BIND <parameter>=<number>...] [RESULTS <results>...])")
+      "[SCALAR double|float] [WITH_PYTHON] [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] "
+      "[EXPRESSIONS <name>=<expression>...])")
   endif()
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   cmake_path(ABSOLUTE_PATH export_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
@@ -36,6 +39,10 @@ function(kanexpr_export name)
     string(APPEND chosen "  chosen.with_python = true;\n")
     list(APPEND files ${export_OUTPUT}/${name}.py)
   endif()
+  if(export_WITH_CPP)
+    string(APPEND chosen "  chosen.with_cpp = true;\n")
+    list(APPEND files ${export_OUTPUT}/${name}.hpp)
+  endif()
   foreach(bound IN LISTS export_BIND)
     if(NOT bound MATCHES "^([^=\"\\\\]+)=([-+]?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$")
       message(FATAL_ERROR "kanexpr_export: BIND ${bound} is not <parameter>=<number>")
@@ -47,14 +54,26 @@ function(kanexpr_export name)
     endif()
     string(APPEND chosen "  chosen.bound.push_back({\"${bound_name}\", ${bound_number}});\n")
   endforeach()
-  if(export_RESULTS)
+  if(export_RESULTS OR export_EXPRESSIONS)
     string(APPEND chosen "  chosen.functions.clear();\n")
   endif()
   foreach(results IN LISTS export_RESULTS)
-    if(NOT results MATCHES "^[a-z_ ]+$")
+    if(NOT results MATCHES "^[a-z0-9_ ]+$")
       message(FATAL_ERROR "kanexpr_export: no result is called ${results}")
     endif()
     string(APPEND chosen "  chosen.functions.push_back(kanexpr::exporting::results(\"${results}\"));\n")
+  endforeach()
+
+  set(words "")
+  foreach(each IN LISTS export_EXPRESSIONS)
+    if(NOT each MATCHES "^([A-Za-z_][A-Za-z0-9_]*)=(.+)$")
+      message(FATAL_ERROR "kanexpr_export: EXPRESSIONS ${each} is not <name>=<expression>")
+    endif()
+    string(APPEND chosen
+      "  chosen.functions.push_back(kanexpr::exporting::expression<(${CMAKE_MATCH_2})>(\"${CMAKE_MATCH_1}\"));\n")
+    if(export_SYSTEM MATCHES "^(.+)::[^:]+$")
+      set(words "  using namespace ${CMAKE_MATCH_1};\n")
+    endif()
   endforeach()
 
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_exported)
@@ -66,7 +85,7 @@ function(kanexpr_export name)
 #include <cstdio>
 
 int main(int, char** arguments) {
-  kanexpr::exporting::c_options chosen;
+@words@  kanexpr::exporting::c_options chosen;
 @chosen@  const kanexpr::outcome written = kanexpr::write_c<@export_SYSTEM@>(arguments[1], "@name@", chosen);
   if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
   return written ? 0 : 1;

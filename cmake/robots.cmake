@@ -24,11 +24,16 @@ else()
   install(EXPORT kanexpr-robots_sdf-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 endif()
 
-# The command is installed for people; projects compile one of their own, kanexpr_add_robot.cmake.
+# The commands are installed for people; projects compile one of their own, kanexpr_add_robot.cmake.
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/engine/kanexpr_robot.cpp)
   target_link_libraries(kanexpr-robot PRIVATE kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
     kanexpr_strict CLI11::CLI11)
-  install(TARGETS kanexpr-robot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  add_executable(kanexpr-export ${PROJECT_SOURCE_DIR}/include/kanexpr/export/engine/kanexpr_export.cpp)
+  target_link_libraries(kanexpr-export PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
+    kanexpr_strict CLI11::CLI11)
+  # what it hands to the compiler of a model
+  target_compile_definitions(kanexpr-export PRIVATE KANEXPR_EIGEN="$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
+  install(TARGETS kanexpr-robot kanexpr-export RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

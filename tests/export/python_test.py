@@ -6,6 +6,7 @@ import sys
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
 
+import bead
 import four_bar
 import iiwa
 import pendulum
@@ -39,6 +40,9 @@ rates = iiwa.udot(state, r=torques)
 # What must act beside the torques for the rates that these bring about is nothing.
 left = iiwa.inverse_dynamics(state, r=torques, a=rates)
 assert max(map(abs, left)) < 1e-11 * max(map(abs, iiwa.inverse_dynamics(state, r=torques, a=[0.0] * 7)))
+
+[s, v] = bead.runge_kutta_4({"s": 1, "v": 0}, 0.5, {"m": 1, "w": 0, "g": 0}, {"push": 2})
+assert abs(s - 1.25) < 1e-15 and abs(v - 1) < 1e-15
 
 rate = pendulum.udot({"q": 0.3, "u": 0}, {"m": 2, "l": 0.5, "c": 0.1}, {"T": 0})
 assert abs(rate[0] - -9.81 / 0.5 * math.sin(0.3)) < 1e-12

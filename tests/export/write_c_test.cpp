@@ -45,6 +45,10 @@ c_options with(std::vector<wanted_function> functions) { return {{.functions = s
 TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "no result is called velocity");
   EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "no result is called speeds");
+  EXPECT_EQ(cause_of("arm", with({results("udot runge_kutta_4")})),
+            "runge_kutta_4 is a function of its own, without other results");
+  EXPECT_EQ(cause_of("arm", with({fixed_step("step", {step_method::runge_kutta_4, -1})})),
+            "a step cannot have fewer corrections than none");
   EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
   EXPECT_EQ(cause_of("arm", {{.bound = {{"k", 1}}}}),

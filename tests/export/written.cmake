@@ -2,27 +2,36 @@
 find_program(KANEXPR_C_COMPILER NAMES cc gcc clang-19 REQUIRED)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
 add_executable(export_models_in_c export/models_in_c.cpp)
-target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples)
+target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(export_models_in_c PRIVATE kanexpr::engine kanexpr_strict kanexpr_snippets)
 set(names iiwa iiwa_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
-list(TRANSFORM names REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
+set(names_of_steps sliding sliding_in_float bead bead_in_float)
+set(names_of_all ${names} ${names_of_steps})
+list(TRANSFORM names_of_all REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
 add_custom_command(OUTPUT ${files} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)
-foreach(name IN LISTS names)
+foreach(name IN LISTS names_of_all)
   add_custom_command(OUTPUT ${folder}/${name}.o COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O1 -ffp-contract=off -fPIE -pedantic
     -Wall -Wextra -Wconversion -Wshadow -Werror -c ${folder}/${name}.c -o ${folder}/${name}.o
     DEPENDS ${folder}/${name}.c VERBATIM)
-  target_sources(export_c PRIVATE ${folder}/${name}.o)
+  if(name IN_LIST names)
+    target_sources(export_c PRIVATE ${folder}/${name}.o)
+  else()
+    target_sources(export_c_steps PRIVATE ${folder}/${name}.o)
+  endif()
 endforeach()
 target_link_libraries(export_c PRIVATE kanexpr_snippets)
-target_include_directories(export_c SYSTEM PRIVATE ${folder})
-set_source_files_properties(export/c_test.cpp PROPERTIES OBJECT_DEPENDS "${files}")
+foreach(test IN ITEMS export_c export_c_steps)
+  target_include_directories(${test} SYSTEM PRIVATE ${folder})
+endforeach()
+set_source_files_properties(export/c_test.cpp export/c_steps_test.cpp PROPERTIES OBJECT_DEPENDS "${files}")
 
 # Every compiler takes it.
 add_test(NAME export_c_compilers COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/export/compilers ${folder})
 
 # The same in CMake, to the byte
 kanexpr_export(bound_pendulum HEADER ${PROJECT_SOURCE_DIR}/examples/models/simple_pendulum.hpp SYSTEM simple_pendulum::System
-  FORMATS c OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/by_cmake SCALAR float BIND g=9.81 m=2 RESULTS udot "mass_matrix forcing")
+  FORMATS c OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/by_cmake SCALAR float BIND g=9.81 m=2 RESULTS udot "mass_matrix forcing"
+  EXPRESSIONS "tip=position_of<P, O>")
 target_include_directories(bound_pendulum_export PRIVATE ${PROJECT_SOURCE_DIR}/examples)
 foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h)
   add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
@@ -30,7 +39,13 @@ endforeach()
 
 # In Python
 add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
-  for name in four_bar iiwa pendulum; do
+  for name in bead four_bar iiwa pendulum; do
     '${KANEXPR_C_COMPILER}' -std=c99 -O1 -fno-math-errno -shared -fPIC $name.c -o lib$name.so -lm
   done
   python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/python_test.py' '${folder}'")
+
+# From C++11 on
+add_test(NAME export_cpp COMMAND sh -eu -c "
+  '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets'
+    '${CMAKE_CURRENT_SOURCE_DIR}/export/cpp.cpp' '${folder}/pendulum.o' '${folder}/four_bar.o' '${folder}/bead_in_float.o' -lm -o '${folder}/cpp'
+  '${folder}/cpp'")

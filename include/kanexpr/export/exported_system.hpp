@@ -3,6 +3,7 @@
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct exported_result {
 struct exported_check {
   std::string cause{};
   bool of_finiteness = false;
+  bool of_order = false; ///< it fails unless the measure is more than the scale
 };
 
 /// What one call computes.
@@ -35,6 +37,15 @@ struct exported_function {
   lower::statements code{};
   symbolic::cost cost{};
   bool takes_rates = false; ///< of the speeds, as an argument
+  bool takes_step = false;  ///< its length, as an argument: the time of position 1
+
+  /// What checks say, each once: a bit of the status.
+  std::vector<std::string> causes() const {
+    std::vector<std::string> all;
+    for (const exported_check& each : checks)
+      if (std::find(all.begin(), all.end(), each.cause) == all.end()) all.push_back(each.cause);
+    return all;
+  }
 
   int entries() const { return results.empty() ? 0 : results.back().first + results.back().entries(); }
 };

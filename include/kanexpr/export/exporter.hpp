@@ -2,6 +2,7 @@
 
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/wanted.hpp>
+#include <kanexpr/export/written_step.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -89,41 +90,63 @@ private:
 
   void add(const wanted_function& wanted) {
     if (!wanted.mistake.empty()) return refuse(wanted.mistake);
-    model from = derive_();
     exported_function made{.name = wanted.name};
+    if (wanted.step) {
+      made = written_step(wanted.name, *known_, *wanted.step, [&](mechanics::quantity of) {
+        return form({{"", {.what = deriving::request::kind::result, .wanted = of}}});
+      });
+      if (!made_.mistake.empty()) return;
+    } else {
+      for (const wanted_result& each : wanted.results)
+        if (each.request.is_weighted())
+          return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
+      std::optional<formed> found = form(wanted.results);
+      if (!found) return;
+      if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
+      made.cost = lower::cost_of(found->code);
+      made.code = lower::statements_of(found->code);
+      made.results = std::move(found->results), made.checks = std::move(found->checks);
+      for (const wanted_result& each : wanted.results)
+        made.takes_rates = made.takes_rates || holds_rates(each.request);
+    }
+    finish(std::move(made));
+  }
+
+  /// Results of one derivation, together.
+  std::optional<formed> form(const std::vector<wanted_result>& wanted) {
+    model from = derive_();
+    formed made;
     symbolic::sequence<int> nodes;
-    for (const wanted_result& each : wanted.results) {
-      if (each.request.is_weighted())
-        return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
+    for (const wanted_result& each : wanted) {
       const symbolic::matrix found = from.get(each.request);
-      if (!from.mistake().empty()) return refuse(from.mistake());
+      if (!from.mistake().empty()) return refuse(from.mistake()), std::nullopt;
       if (found.entries.empty()) continue; // without inputs there is no B
       made.results.push_back(
           {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
       for (const symbolic::expression& e : found.entries) nodes.push(e.node());
-      made.takes_rates = made.takes_rates || holds_rates(each.request);
     }
-    if (made.results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
       nodes.push(c.measure.node());
       nodes.push(c.scale.node());
     }
+    made.code = lower::tape_of(from.graph(), bound(from, nodes));
+    return made;
+  }
+
+  /// Takes what a file can hold.
+  void finish(exported_function made) {
     constexpr std::size_t most_checks = 64; // a bit of the status each
-    if (made.checks.size() > most_checks)
-      return refuse("what function " + wanted.name + " computes may be singular in " +
-                    std::to_string(made.checks.size()) + " ways, and a status has 64 bits");
-    const lower::tape code = lower::tape_of(from.graph(), bound(from, nodes));
-    made.code = lower::statements_of(code);
-    made.cost = lower::cost_of(code);
+    if (const std::size_t checks = made.causes().size(); checks > most_checks)
+      return refuse("what function " + made.name + " computes may be singular in " + std::to_string(checks) +
+                    " ways, and a status has 64 bits");
     if (!made.code.externals.empty())
-      return refuse("function " + wanted.name + " calls " +
-                    std::string(made.code.externals[0]->called.view()) +
+      return refuse("function " + made.name + " calls " + std::string(made.code.externals[0]->called.view()) +
                     ", a function of the program, which other languages do not have");
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
       if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
-        return refuse("function " + wanted.name + " holds a " + (is_parameter ? "parameter" : "input") +
+        return refuse("function " + made.name + " holds a " + (is_parameter ? "parameter" : "input") +
                       " that the system does not have");
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }

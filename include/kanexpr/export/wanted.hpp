@@ -3,6 +3,7 @@
 #include <kanexpr/derive/request.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,10 +17,19 @@ struct wanted_result {
   deriving::request request{};
 };
 
+enum class step_method : unsigned char { runge_kutta_4, semi_implicit_euler };
+
+/// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
+struct wanted_step {
+  step_method method = step_method::runge_kutta_4;
+  int corrections = 1;
+};
+
 /// The results of one call.
 struct wanted_function {
   std::string name{};
   std::vector<wanted_result> results{};
+  std::optional<wanted_step> step{}; ///< in place of results
   std::string mistake{};
 };
 
@@ -35,8 +45,19 @@ inline std::string_view name_of(mechanics::quantity of) {
 
 } // namespace detail
 
-/// Results by their names, with spaces between them, for one call: "udot", "mass_matrix forcing".
+/// A step by a method, under a name of its own: `fixed_step("step", {step_method::runge_kutta_4, 2})`.
+inline wanted_function fixed_step(std::string name, const wanted_step& how) {
+  wanted_function wanted{.name = std::move(name), .step = how};
+  if (how.corrections < 0) wanted.mistake = "a step cannot have fewer corrections than none";
+  return wanted;
+}
+
+/// Results by their names, with spaces between them, for one call: "udot", "mass_matrix forcing", or one of
+/// the steps "runge_kutta_4" and "semi_implicit_euler".
 inline wanted_function results(std::string_view names) {
+  if (names == "runge_kutta_4") return fixed_step("runge_kutta_4", {step_method::runge_kutta_4});
+  if (names == "semi_implicit_euler")
+    return fixed_step("semi_implicit_euler", {step_method::semi_implicit_euler});
   wanted_function wanted;
   while (!names.empty()) {
     const std::size_t end = (std::min)(names.find(' '), names.size());
@@ -48,7 +69,10 @@ inline wanted_function results(std::string_view names) {
       if (row.called == name)
         wanted.results.push_back({std::string(detail::name_of(row.is)),
                                   {.what = deriving::request::kind::result, .wanted = row.is}});
-    if (wanted.results.size() == before) wanted.mistake = "no result is called " + std::string(name);
+    if (wanted.results.size() == before)
+      wanted.mistake = name == "runge_kutta_4" || name == "semi_implicit_euler"
+                           ? std::string(name) + " is a function of its own, without other results"
+                           : "no result is called " + std::string(name);
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
   }
   if (wanted.results.empty() && wanted.mistake.empty()) wanted.mistake = "a function without a result";

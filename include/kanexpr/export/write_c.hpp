@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/export/c/c_file.hpp>
+#include <kanexpr/export/c/cpp_file.hpp>
 #include <kanexpr/export/c/python_file.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/files.hpp>
@@ -13,6 +14,7 @@ namespace exporting {
 struct c_options : options {
   precision number = precision::double_precision;
   bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
+  bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
 };
 
 namespace detail {
@@ -37,6 +39,8 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
                                {folder / (of.system.name + ".c"), file.source()}};
   if (chosen.with_python)
     files.push_back({folder / (of.system.name + ".py"), python_file(of.system, chosen.number).text()});
+  if (chosen.with_cpp)
+    files.push_back({folder / (of.system.name + ".hpp"), cpp_file(of.system, chosen.number).text()});
   return write_files(files);
 }
 

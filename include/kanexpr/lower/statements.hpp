@@ -36,12 +36,16 @@ struct written_value {
   statements* code = nullptr;
   int place = 0;
   double number = 0;
+
+  constexpr written_value() = default;
+  constexpr written_value(double plain) : number(plain) {}
+  constexpr written_value(statements& in, int line) : code(&in), place(line) {}
 };
 
 namespace detail {
 
 constexpr written_value write(statements& code, const statement& line) {
-  return {&code, code.lines.push(line)};
+  return {code, code.lines.push(line)};
 }
 
 constexpr int place_in(statements& code, const written_value& v) {
@@ -77,12 +81,13 @@ constexpr written_value operator*(const written_value& a, const written_value& b
   return detail::write(operation::multiply, a, b);
 }
 constexpr written_value operator/(const written_value& a, const written_value& b) {
+  if (a.code == nullptr && b.code == nullptr) return a.number / b.number; // a weight such as 1/3
   return detail::write(operation::divide, a, b);
 }
 
 template <>
 struct scalar_math<written_value> {
-  static constexpr written_value from(double number) { return {nullptr, 0, number}; }
+  static constexpr written_value from(const written_value& x) { return x; }
   static constexpr void sincos(const written_value& angle, written_value& sine, written_value& cosine) {
     sine = detail::write(operation::sin, angle);
     cosine = detail::write(operation::cos, angle);
@@ -157,16 +162,36 @@ constexpr statements without_unused(const statements& all) {
 
 } // namespace detail
 
-/// The code of a tape, with the operations of every other evaluation in their order.
-inline statements statements_of(const tape& code) {
-  statements all{code.numbers, code.loads, {}, {}, {}, {}};
-  sequence<written_value> values(code.slot_count()), aside(aside_of(code));
-  for (int i = 0; i < code.numbers.size(); ++i) values[i] = detail::write(all, {.a = i});
-  for (int i = 0; i < code.loads.size(); ++i)
-    values[code.numbers.size() + i] = detail::write(all, {.is = statement::kind::argument, .a = i});
+/// Writes the code of a tape behind what there is, with the operations of every other evaluation in their
+/// order; `argument` gives what it loads. Its results.
+template <class Argument>
+sequence<written_value> write(statements& all, const tape& code, const Argument& argument) {
+  sequence<written_value> values(code.slot_count()), aside(aside_of(code)), results;
+  for (int i = 0; i < code.numbers.size(); ++i)
+    values[i] = detail::write(all, {.a = all.numbers.push(code.numbers[i])});
+  for (int i = 0; i < code.loads.size(); ++i) values[code.numbers.size() + i] = argument(code.loads[i]);
   evaluate_steps(code, values.begin(), aside.begin());
-  for (int slot : code.results) all.results.push(values[slot].place);
+  for (int slot : code.results) results.push(values[slot]);
+  return results;
+}
+
+/// An argument of code that is written.
+inline written_value argument_of(statements& all, const load& from) {
+  return detail::write(all, {.is = statement::kind::argument, .a = all.arguments.push(from)});
+}
+
+/// Ends code: what gives its results, without what they do not need.
+inline statements concluded(statements& all, const sequence<written_value>& results) {
+  for (const written_value& each : results) all.results.push(detail::place_in(all, each));
   return detail::without_unused(all);
+}
+
+/// The code of a tape.
+inline statements statements_of(const tape& code) {
+  statements all;
+  const sequence<written_value> results =
+      write(all, code, [&](const load& from) { return argument_of(all, from); });
+  return concluded(all, results);
 }
 
 } // namespace kanexpr::lower

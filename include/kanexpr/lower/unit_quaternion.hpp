@@ -22,16 +22,26 @@ struct norm_range {
   double least = 0, most = std::numeric_limits<double>::infinity();
 };
 
+/// Divides a quaternion by the root of the square of its norm.
+template <class X, class Places>
+[[gnu::always_inline]] inline void divide_by_norm(X& x, const Places& places,
+                                                  const typename X::Scalar& square) {
+  using T = typename X::Scalar;
+  using math = scalar_math<T>;
+  const T scale = T(math::from(1) / math::template by_name<symbolic::operation::sqrt>(square));
+  for (const int place : places) x(place) = T(x(place) * scale);
+}
+
 /// Gives a quaternion norm 1; false where its norm is out of the range.
 template <class X, class Places>
 [[gnu::always_inline]] inline bool normalize(X& x, const Places& places, const norm_range& from) {
   using T = typename X::Scalar;
   using math = scalar_math<T>;
   const T square = squared_norm(x, places);
-  if (!math::exceeds(square, from.least * from.least) || !math::exceeds(T(-square), -(from.most * from.most)))
+  if (!math::exceeds(square, math::from(from.least * from.least)) ||
+      !math::exceeds(T(-square), math::from(-(from.most * from.most))))
     return false;
-  const T scale = T(math::from(1) / math::template by_name<symbolic::operation::sqrt>(square));
-  for (const int place : places) x(place) = T(x(place) * scale);
+  divide_by_norm(x, places, square);
   return true;
 }
 

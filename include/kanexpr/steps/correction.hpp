@@ -2,22 +2,14 @@
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <array>
 
 namespace kanexpr::compiled {
 
-/// One cost after another, so many times.
-constexpr symbolic::cost added(symbolic::cost total, const symbolic::cost& c, int times = 1) {
-  total.multiplications += times * c.multiplications;
-  total.additions += times * c.additions;
-  total.divisions += times * c.divisions;
-  total.trigonometric += times * c.trigonometric;
-  total.other += times * c.other;
-  total.nodes += times * c.nodes;
-  return total;
-}
+using symbolic::added;
 
 /// Brings a state that nearly satisfies its constraints back to them, in an amount of work that is known
 /// beforehand: quaternions get norm 1, then come some steps of Newton's method for the dependent coordinates,
@@ -35,23 +27,8 @@ public:
 
   template <class Time, class T, class P, class R>
   static kanexpr::status apply(const Time& t, state<System, T>& x, const P& p, const R& r) {
-    if (const kanexpr::status s = quaternions::normalize(x, near_one); !s) return s;
-    if constexpr (unknowns > 0)
-      for (int done = 0; done < newton_steps; ++done) {
-        if (const kanexpr::status s = step(t, x, p, r); !s) return s;
-        if constexpr (quaternions::are_bound)
-          if (const kanexpr::status s = quaternions::normalize(x, near_one); !s) return s;
-      }
-    if constexpr (known.constraints > 0) {
-      const auto u = out_of_line<function<System, quantity::dependent_speeds>>{}(t, x, p, r);
-      for (int i = 0; i < known.constraints; ++i) x(place(unknowns + i)) = u(i);
-      return status_of(u);
-    }
-    return {};
+    return stepping::correct(at_inputs<P, R>{p, r}, newton_steps, t, x);
   }
-
-  /// A norm beyond this is no trace that a step leaves.
-  static constexpr lower::norm_range near_one{0.5, 2};
 
   /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
   static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
@@ -70,13 +47,27 @@ public:
   }
 
 private:
-  template <class Time, class T, class P, class R>
-  static kanexpr::status step(const Time& t, state<System, T>& x, const P& p, const R& r) {
-    const auto change = out_of_line<function<System, quantity::configuration_step>>{}(t, x, p, r);
-    if (status_of(change))
-      for (int i = 0; i < unknowns; ++i) x(place(i)) = T(x(place(i)) + change(i));
-    return status_of(change);
-  }
+  /// What the correction asks of a system, at inputs that hold.
+  template <class P, class R>
+  struct at_inputs {
+    const P& p;
+    const R& r;
+
+    template <quantity wanted, class Time, class T>
+    [[gnu::always_inline]] auto get(const Time& t, const state<System, T>& x) const {
+      constexpr auto rows = mechanics::row_of(wanted).rows;
+      if constexpr (known.count(rows) == 0)
+        return Eigen::Matrix<T, 0, 1>();
+      else
+        return out_of_line<function<System, wanted>>{}(t, x, p, r);
+    }
+    template <class T>
+    [[gnu::always_inline]] kanexpr::status normalize(state<System, T>& x) const {
+      return quaternions::normalize(x, stepping::near_one);
+    }
+    static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }
+    static constexpr int dependent(int i) { return place(i); }
+  };
 
   static constexpr auto places = [] {
     std::array<int, static_cast<std::size_t>(unknowns + known.constraints + 1)> found{};

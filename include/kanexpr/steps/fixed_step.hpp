@@ -21,10 +21,6 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// Two sentences of which the one ends like the other, so that a controller keeps one.
-inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
-                                  step_not_finite = state_not_finite.substr(16);
-
 /// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
 template <class R>
 inline constexpr bool inputs_hold = requires { R::SizeAtCompileTime; } || std::is_same_v<R, not_given>;
@@ -38,25 +34,45 @@ template <class R, class Time, class X>
     return r(t, x);
 }
 
-/// Sets the entries of `to` from `first` on to those of x + h ẋ.
-template <int first, int count, class X, class Rate>
-[[gnu::always_inline]] inline void advance(X& to, const X& x, const typename X::Scalar& h, const Rate& rate) {
-  using T = typename X::Scalar;
-  for (int i = 0; i < count; ++i) to(first + i) = T(x(first + i) + T(h * rate(i)));
-}
-
-/// Ends a step: `next` is corrected and looked at, and becomes the state.
-template <class System, int corrections, class Time, class T, class P, class R>
-status conclude(Time& t, state<System, T>& x, const Time& after, state<System, T>& next, const P& p,
-                const R& r) {
+/// The functions of a system with its parameters and inputs, as the methods of steps ask for them.
+template <class System, int corrections, class P, class R>
+struct compiled_equations {
   using correct = correction<System, corrections>;
-  if constexpr (correct::is_needed)
-    if (const status s = correct::apply(after, next, p, inputs_at(r, after, next)); !s) return s;
-  for (int i = 0; i < static_cast<int>(next.size()); ++i)
-    if (!lower::scalar_math<T>::is_finite(next(i))) return status(state_not_finite);
-  t = after;
+  const P& p;
+  R r; ///< a reference, or the inputs of an instant
+
+  template <mechanics::quantity wanted, class Time, class X>
+  [[gnu::always_inline]] auto get(const Time& t, const X& x) const {
+    return function<System, wanted>{}(t, x, p, inputs_at(r, t, x));
+  }
+  template <class Time, class X>
+  [[gnu::always_inline]] auto held(const Time& t, const X& x) const {
+    return compiled_equations<System, corrections, P, decltype(inputs_at(r, t, x))>{p, inputs_at(r, t, x)};
+  }
+  template <class T>
+  [[gnu::always_inline]] static status finite(const T& value, std::string_view cause) {
+    return lower::scalar_math<T>::is_finite(value) ? status() : status(cause);
+  }
+  template <class Time, class X>
+  [[gnu::always_inline]] status corrected(const Time& t, X& x) const {
+    if constexpr (correct::is_needed)
+      return correct::apply(t, x, p, inputs_at(r, t, x));
+    else
+      return {};
+  }
+};
+
+/// A step by a method; where it cannot be made, t and x stay, and the status may name what was given wrongly.
+template <class Method, class System, int corrections, class Time, class T, class P, class R>
+[[gnu::always_inline]] inline status advanced(Time& t, state<System, T>& x, const Time& h, const P& p,
+                                              const R& r) {
+  state<System, T> next = x;
+  const status s =
+      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, x, h, next);
+  if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
+  t = static_cast<Time>(t + h);
   x = next;
-  return {};
+  return s;
 }
 
 } // namespace compiled
@@ -71,30 +87,13 @@ struct semi_implicit_euler {
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
-    const status s = attempted(t, x, h, p, r);
-    return s ? s : compiled::not_finite<System>::cause_of(s, x, p, compiled::inputs_at(r, t, x));
+    return compiled::advanced<stepping::semi_implicit_euler, System, corrections>(t, x, h, p, r);
   }
 
   /// Operations of one step, beside the sums of the method itself.
   static constexpr symbolic::cost cost() {
     return compiled::added(compiled::added(eom::udot.cost(), eom::qdot.cost()),
                            compiled::correction<System, corrections>::cost());
-  }
-
-private:
-  template <class Time, class T, class P, class R>
-  static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
-    if (!lower::scalar_math<Time>::is_finite(Time(t + h))) return status(compiled::step_not_finite);
-    const T length = lower::scalar_math<T>::from(h);
-    const auto& given = compiled::inputs_at(r, t, x);
-    state<System, T> next = x;
-    const auto udot = eom::udot(t, x, p, given);
-    if (const status s = compiled::status_of(udot); !s) return s;
-    compiled::advance<eom::coordinates, eom::speeds>(next, x, length, udot);
-    const auto qdot = eom::qdot(t, next, p, given); // at the coordinates before
-    if (const status s = compiled::status_of(qdot); !s) return s;
-    compiled::advance<0, eom::coordinates>(next, x, length, qdot);
-    return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
   }
 };
 
@@ -103,36 +102,17 @@ private:
 template <class System, int corrections = 1>
 struct runge_kutta_4 {
   using eom = equations_of_motion<System>;
-  static constexpr int stages = 4;
+  static constexpr int stages = stepping::runge_kutta_4::stages;
 
   template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
   status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
                     const R& r = {}) const {
-    const status s = attempted(t, x, h, p, r);
-    return s ? s : compiled::not_finite<System>::cause_of(s, x, p, compiled::inputs_at(r, t, x));
+    return compiled::advanced<stepping::runge_kutta_4, System, corrections>(t, x, h, p, r);
   }
 
   /// Operations of one step, beside the sums of the method itself.
   static constexpr symbolic::cost cost() {
     return compiled::added(compiled::correction<System, corrections>::cost(), eom::rhs.cost(), stages);
-  }
-
-private:
-  template <class Time, class T, class P, class R>
-  static status attempted(Time& t, state<System, T>& x, Time h, const P& p, const R& r) {
-    if (!lower::scalar_math<Time>::is_finite(Time(t + h))) return status(compiled::step_not_finite);
-    constexpr int size = eom::coordinates + eom::speeds;
-    constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
-    constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};
-    state<System, T> at = x, next = x;
-    for (int stage = 0; stage < stages; ++stage) {
-      const Time when = static_cast<Time>(t + reach[stage] * h);
-      const auto rate = eom::rhs(when, at, p, compiled::inputs_at(r, when, at));
-      if (const status s = compiled::status_of(rate); !s) return s;
-      compiled::advance<0, size>(at, x, lower::scalar_math<T>::from(reach[stage + 1] * h), rate);
-      compiled::advance<0, size>(next, next, lower::scalar_math<T>::from(weight[stage] * h), rate);
-    }
-    return compiled::conclude<System, corrections>(t, x, static_cast<Time>(t + h), next, p, r);
   }
 };
 

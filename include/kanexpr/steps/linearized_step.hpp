@@ -146,7 +146,7 @@ private:
     using quaternions = unit_quaternions<System>;
     if constexpr (quaternions::count == 0) return {};
     const state<System, T> before = next.x;
-    if (const status s = quaternions::normalize(next.x, correct::near_one); !s) return s;
+    if (const status s = quaternions::normalize(next.x, stepping::near_one); !s) return s;
     quaternions::each([&](int, const auto& places) {
       T along_square = lower::scalar_math<T>::from(0);
       for (const int place : places) along_square = T(along_square + T(before(place) * next.x(place)));
@@ -166,7 +166,7 @@ linearized_state<System, T> concluded(const Time& after, varied_state<System, T>
   using result = linearized_state<System, T>;
   status s = varied_correction<System, corrections>::apply(after, next, p, r);
   for (int i = 0; s && i < result::size; ++i)
-    if (!lower::scalar_math<T>::is_finite(next.x(i))) s = status(state_not_finite);
+    if (!lower::scalar_math<T>::is_finite(next.x(i))) s = status(stepping::state_not_finite);
   return {next.x, next.by_all.template leftCols<result::size>(),
           next.by_all.template rightCols<varied_state<System, T>::inputs>(), s};
 }
@@ -196,7 +196,7 @@ struct varied_step<runge_kutta_4<System, corrections>> {
                                                const R& r) {
     using rates = rates_with_derivatives<System>;
     using varied = varied_state<System, T>;
-    constexpr int size = varied::size, inputs = varied::inputs;
+    constexpr int inputs = varied::inputs;
     const T reach[]{T(0), T(h / 2), T(h / 2), h}, weight[]{T(h / 6), T(h / 3), T(h / 3), T(h / 6)};
     varied at(x), next(x);
     const varied before(x);
@@ -211,10 +211,10 @@ struct varied_step<runge_kutta_4<System, corrections>> {
         by_all.template rightCols<inputs>() += by_inputs;
       }
       if (stage < 3) {
-        advance<0, size>(at.x, x, reach[stage + 1], rate);
+        stepping::advance(at.x, 0, x, reach[stage + 1], rate);
         at.by_all = before.by_all + reach[stage + 1] * by_all;
       }
-      advance<0, size>(next.x, next.x, weight[stage], rate);
+      stepping::advance(next.x, 0, next.x, weight[stage], rate);
       next.by_all += weight[stage] * by_all;
     }
     return concluded<System, corrections>(T(t + h), next, p, r);
@@ -249,12 +249,12 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
     state_type next(x);
     const auto [udot, u_by_state, u_by_inputs] = varied<quantity::udot>{}(t, x, p, r);
     if (const status s = status_of(udot); !s) return {x, {}, {}, s};
-    advance<n, speeds>(next.x, x, h, udot);
+    stepping::advance(next.x, n, x, h, udot);
     next.by_all.template bottomLeftCorner<speeds, size>() += h * u_by_state;
     next.by_all.template bottomRightCorner<speeds, inputs>() += h * u_by_inputs;
     const auto [qdot, q_by_state, q_by_inputs] = varied<quantity::qdot>{}(t, next.x, p, r);
     if (const status s = status_of(qdot); !s) return {x, {}, {}, s};
-    advance<0, n>(next.x, x, h, qdot);
+    stepping::advance(next.x, 0, x, h, qdot);
     const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
@@ -291,7 +291,7 @@ private:
   template <class System, class T, class P, class R>
   static linearized_state<System, T> stepped(const T& t, const state<System, T>& x, const T& h, const P& p,
                                              const R& r) {
-    if (!lower::scalar_math<T>::is_finite(T(t + h))) return {x, {}, {}, status(compiled::step_not_finite)};
+    if (!lower::scalar_math<T>::is_finite(T(t + h))) return {x, {}, {}, status(stepping::step_not_finite)};
     linearized_state<System, T> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
     return next;

@@ -25,6 +25,11 @@ constexpr mechanics::sentence quaternion_called(const deriving::survey& known, i
   return p;
 }
 
+/// Why one cannot be given norm 1.
+constexpr mechanics::sentence far_from_norm_1(const deriving::survey& known, int k) {
+  return mechanics::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
+}
+
 /// The quaternions of a system whose norm 1 its motion keeps.
 template <class System>
 class unit_quaternions {
@@ -121,8 +126,7 @@ private:
   }();
 
   template <int k>
-  static constexpr auto far_from_one = deriving::only_cause(
-      [] { return mechanics::sentence({"the norm of ", called(k).view(), " is far from 1"}); });
+  static constexpr auto far_from_one = deriving::only_cause([] { return far_from_norm_1(known, k); });
 
   template <class X, int... k>
   [[gnu::always_inline]] static kanexpr::status for_each(X& x, const lower::norm_range& from,

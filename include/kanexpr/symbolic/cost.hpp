@@ -94,4 +94,15 @@ constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
   return detail::cost_of_written_out(copy, expanded);
 }
 
+/// One cost after another, so many times.
+constexpr cost added(cost total, const cost& c, int times = 1) {
+  total.multiplications += times * c.multiplications;
+  total.additions += times * c.additions;
+  total.divisions += times * c.divisions;
+  total.trigonometric += times * c.trigonometric;
+  total.other += times * c.other;
+  total.nodes += times * c.nodes;
+  return total;
+}
+
 } // namespace kanexpr::symbolic

@@ -8,6 +8,7 @@
 #include <kanexpr/export/c/sine_and_cosine.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -139,16 +140,19 @@ private:
         text += (i == 0 ? each.columns > 1 ? "; the rows are of " : ", of " : ", ") + each.of_rows[i];
       text += '.';
     }
-    for (std::size_t i = 0; i < f.checks.size(); ++i)
-      text += "\n   Bit " + std::to_string(i) + " of what is returned: " + f.checks[i].cause + '.';
-    if (f.checks.empty()) text += "\n   It returns 0: nothing can be singular.";
+    const std::vector<std::string> causes = f.causes();
+    for (std::size_t i = 0; i < causes.size(); ++i)
+      text += "\n   Bit " + std::to_string(i) + " of what is returned: " + causes[i] + '.';
+    if (causes.empty()) text += "\n   It returns 0: nothing can be singular.";
     return text + " */\n";
   }
 
   std::string signature(const exported_function& f) const {
     const std::string given = std::string("const ") + number_.type() + " *";
     std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(' +
-                       number_.type() + " t, " + given + "x, " + given + "p, " + given + 'r';
+                       number_.type() + " t, " + given + "x, " +
+                       (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
+                       'r';
     if (f.takes_rates) text += ", " + given + 'a';
     for (const exported_result& each : f.results)
       text += std::string(", ") + number_.type() + " *" + each.name;
@@ -163,11 +167,11 @@ private:
       text += begin + "rows = " + std::to_string(each.rows) + ",\n";
       text += begin + "columns = " + std::to_string(each.columns) + ",\n";
     }
-    text += "  " + name() + '_' + f.name + "_checks = " + std::to_string(f.checks.size()) + "\n};\n";
+    text += "  " + name() + '_' + f.name + "_checks = " + std::to_string(f.causes().size()) + "\n};\n";
     text += signature(f) + ";\n";
     if (!f.checks.empty())
       text += "extern const char *const " + name() + '_' + f.name + "_causes[" +
-              std::to_string(f.checks.size()) + "];\n";
+              std::to_string(f.causes().size()) + "];\n";
     return text;
   }
 
@@ -175,35 +179,46 @@ private:
     code_writer writer(f, system(), name(), number_);
     std::string text = '\n' + signature(f) + " {\n" + writer.lines();
     for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
+    if (f.takes_step) text += "  (void)h;\n";
     if (f.takes_rates) text += "  (void)a;\n";
     for (const exported_result& each : f.results)
       for (int i = 0; i < each.entries(); ++i)
         text += "  " + each.name + '[' + std::to_string(i) +
                 "] = " + writer.value(f.code.results[each.first + i]) + ";\n";
     text += "  return " + checked(f, writer) + ";\n}\n";
-    if (!f.checks.empty()) {
-      text += "const char *const " + name() + '_' + f.name + "_causes[" + std::to_string(f.checks.size()) +
+    const std::vector<std::string> causes = f.causes();
+    if (!causes.empty()) {
+      text += "const char *const " + name() + '_' + f.name + "_causes[" + std::to_string(causes.size()) +
               "] = {\n";
-      for (std::size_t i = 0; i < f.checks.size(); ++i)
-        text += "  \"" + f.checks[i].cause + (i + 1 < f.checks.size() ? "\",\n" : "\"\n};\n");
+      for (std::size_t i = 0; i < causes.size(); ++i)
+        text += "  \"" + causes[i] + (i + 1 < causes.size() ? "\",\n" : "\"\n};\n");
     }
     return text;
   }
 
   std::string checked(const exported_function& f, const code_writer& writer) const {
-    std::string bits;
+    std::vector<std::string> bits;
+    const std::vector<std::string> causes = f.causes();
     for (std::size_t i = 0; i < f.checks.size(); ++i) {
+      const exported_check& one = f.checks[i];
+      const auto bit = std::find(causes.begin(), causes.end(), one.cause) - causes.begin();
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
-      bits += i == 0 ? "" : " | ";
-      bits += name();
-      bits += f.checks[i].of_finiteness ? "_is_infinite(" : "_is_singular(";
-      bits += measure;
-      if (!f.checks[i].of_finiteness) bits.append(", ").append(scale);
-      bits += i == 0 ? ")" : ") << " + std::to_string(i);
+      std::string asked = name();
+      if (one.of_finiteness)
+        asked.append("_is_infinite(").append(measure);
+      else
+        asked.append(one.of_order ? "_is_not_above(" : "_is_singular(")
+            .append(measure)
+            .append(", ")
+            .append(scale);
+      asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
+      if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
     }
-    return bits.empty() ? "0" : bits;
+    std::string all;
+    for (const std::string& each : bits) all += (all.empty() ? "" : " | ") + each;
+    return all.empty() ? "0" : all;
   }
 
   /// The functions that the bodies call.
@@ -254,6 +269,12 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
       text += in_text(R"(
 @name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {
   return (unsigned long long)(@fabs@(measure) - @least@ * @fabs@(scale) <= @zero@);
+}
+)");
+    if (calls("is_not_above"))
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_not_above(@number@ value, @number@ bound) {
+  return (unsigned long long)!(value > bound);
 }
 )");
     if (ends)

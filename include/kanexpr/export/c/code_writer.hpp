@@ -18,6 +18,7 @@ public:
     names_.reserve_words();
     names_.reserve_words_of_mathematics();
     for (const char* taken : {"t", "x", "p", "r", "a"}) names_.reserve(taken);
+    if (of.takes_step) names_.reserve("h");
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
@@ -66,7 +67,7 @@ private:
   std::string argument(std::string& own, const lower::load& from) {
     using symbolic::symbol_kind;
     if (from.from == symbol_kind::time) {
-      own = "t";
+      own = from.position == 0 ? "t" : "h";
       return {};
     }
     const auto place = static_cast<std::size_t>(from.position);

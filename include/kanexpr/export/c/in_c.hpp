@@ -21,7 +21,7 @@ inline system_in_c in_c(exported_system s) {
   identifiers taken;
   for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
                           "INLINE", "H", "SINES_OF_THE_LIBRARY", "has_bits_of_that_size", "sine_and_cosine",
-                          "choose", "sign", "is_singular", "is_infinite"})
+                          "choose", "sign", "is_singular", "is_infinite", "is_not_above"})
     taken.reserve(own);
   identifiers functions = taken;
   functions.reserve_words_of_python();
@@ -40,6 +40,7 @@ inline system_in_c in_c(exported_system s) {
     arguments.reserve_words();
     arguments.reserve_words_of_mathematics();
     for (const char* own : {"t", "x", "p", "r", "a"}) arguments.reserve(own);
+    if (f.takes_step) arguments.reserve("h");
     for (exported_result& each : f.results) {
       map(each.name, arguments);
       for (const char* size : {"_rows", "_columns"})

@@ -92,7 +92,7 @@ private:
       sizes += "(" + std::to_string(each.rows) + ", " + std::to_string(each.columns) + "), ";
       called += (called.empty() ? "" : ", ") + each.name;
     }
-    for (const exported_check& each : f.checks) causes += "\n    \"" + each.cause + "\",";
+    for (const std::string& each : f.causes()) causes += "\n    \"" + each + "\",";
     return filled(
         R"(
 
@@ -101,7 +101,7 @@ _@function@.restype = ctypes.c_ulonglong
 _@function@_causes = (@causes@)
 
 
-def @function@(x, p=(), r=()@a@, t=0.0):
+def @function@(x@h@, p=(), r=()@a@, t=0.0):
     """Returns @called@."""
     vectors = [_vector(x, states, "states"), _vector(p, parameters, "parameters"), _vector(r, inputs, "inputs")]
 @more@    return _call(_@function@, t, vectors, [@sizes@], _@function@_causes)
@@ -109,10 +109,17 @@ def @function@(x, p=(), r=()@a@, t=0.0):
         {{"function", f.name},
          {"name", mapped_.system.name},
          {"causes", causes + (causes.empty() ? "" : "\n")},
+         {"h", f.takes_step ? ", h" : ""},
          {"a", f.takes_rates ? ", a=()" : ""},
-         {"more", f.takes_rates ? "    vectors.append(_vector(a, speeds, \"rates of the speeds\"))\n" : ""},
+         {"more", more_vectors(f)},
          {"called", called},
          {"sizes", sizes.substr(0, sizes.size() - 2)}});
+  }
+
+  /// What a function takes beside states, parameters and inputs.
+  std::string more_vectors(const exported_function& f) const {
+    if (f.takes_step) return std::string("    vectors.insert(1, ctypes.c_") + number_.type() + "(h))\n";
+    return f.takes_rates ? "    vectors.append(_vector(a, speeds, \"rates of the speeds\"))\n" : "";
   }
 
   system_in_c mapped_;

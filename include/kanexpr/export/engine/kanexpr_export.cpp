@@ -1,0 +1,212 @@
+// kanexpr-export: writes a robot of a file, or a model of a header, for other languages.
+#include <kanexpr/export/by_words.hpp>
+#include <kanexpr/robots/read_urdf.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
+#ifdef KANEXPR_ROBOTS_READ_SDF
+#include <kanexpr/robots/read_sdf.hpp>
+#endif
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace kanexpr;
+namespace files = std::filesystem;
+
+struct request {
+  std::string file{}, system{}, name{}, folder{}, format = "c", scalar = "double", base = "fixed",
+                                                  bind_robot = "numbers";
+  std::vector<std::string> bound{}, results{}, expressions{}, include{};
+  bool with_python = false, with_cpp = false, quiet = false;
+
+  bool is_of(const char* ending) const { return file.ends_with(ending); }
+  bool is_robot() const { return is_of(".urdf") || is_of(".sdf") || is_of(".world"); }
+
+  std::vector<std::string> words() const {
+    std::vector<std::string> all{folder, name, "scalar=" + scalar};
+    for (const std::string& each : bound) all.push_back("bind=" + each);
+    for (const std::string& each : results) all.push_back("results=" + each);
+    if (with_python) all.emplace_back("python");
+    if (with_cpp) all.emplace_back("cpp");
+    return all;
+  }
+};
+
+int refuse(const std::string& cause) {
+  std::cerr << "kanexpr-export: " << cause << '\n';
+  return 1;
+}
+
+robots::read_robot robot_of(const std::string& file) {
+  if (file.ends_with(".urdf")) return robots::read_urdf(file, {});
+#ifdef KANEXPR_ROBOTS_READ_SDF
+  return robots::read_sdf(file, {});
+#else
+  return robots::read_robot(file + " is an SDF file, and kanexpr-export was compiled without libsdformat 12, "
+                                   "which reads these; Debian has it in libsdformat-dev");
+#endif
+}
+
+int write_robot(const request& r) {
+  if (!r.expressions.empty()) return refuse("the file of a robot has no words for an expression");
+  robots::model_options model;
+  model.base = r.base == "floating" ? robots::base_kind::floating : robots::base_kind::fixed;
+  model.bind = r.bind_robot == "parameters" ? robots::binding::parameters : robots::binding::numbers;
+  const robots::read_robot read = robot_of(r.file);
+  if (!r.quiet)
+    for (const std::string& note : read.notes) std::cerr << "kanexpr-export: note: " << note << '\n';
+  if (!read) return refuse(read.cause());
+  const robots::robot_builder of(read.robot, model);
+  if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
+  const exporting::by_words given(r.words());
+  if (!given.mistake.empty()) return refuse(given.mistake);
+  const outcome written = write_c(of, given.folder, given.name, given.chosen);
+  return written ? 0 : refuse(written.cause());
+}
+
+/// A folder that is gone with it.
+class temporary_folder {
+public:
+  temporary_folder() {
+    std::string name = (files::temp_directory_path() / "kanexpr-export-XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~temporary_folder() {
+    std::error_code ignored;
+    if (!path_.empty()) files::remove_all(path_, ignored);
+  }
+  temporary_folder(const temporary_folder&) = delete;
+  temporary_folder& operator=(const temporary_folder&) = delete;
+  const files::path& path() const { return path_; }
+
+private:
+  files::path path_{};
+};
+
+/// Whether an expression has a name, and what behind it.
+bool is_named(const std::string& expression) {
+  const std::size_t end =
+      expression.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+  return end != 0 && end != std::string::npos && expression[end] == '=' && end + 1 < expression.size();
+}
+
+/// As a word of the shell.
+std::string quoted(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return all + "'";
+}
+
+std::string compiler() {
+  const char* const chosen = std::getenv("CXX");
+  return chosen != nullptr && *chosen != '\0' ? chosen : "c++";
+}
+
+bool is_clang() {
+  return std::system((compiler() + " -dM -E -x c++ /dev/null 2>/dev/null | grep -q __clang__").c_str()) == 0;
+}
+
+/// Options for the compiler: those of kanexpr's target, and where headers are.
+std::string options(const request& r) {
+  std::string all = is_clang() ? " -fconstexpr-steps=1000000000 -fbracket-depth=1024"
+                               : " -fconstexpr-ops-limit=1000000000 -fconstexpr-loop-limit=10000000";
+  all += " -std=c++20 -fconstexpr-depth=2000";
+  for (const std::string& each : r.include) all += " -I" + quoted(each);
+  std::error_code unknown;
+  const files::path here = files::read_symlink("/proc/self/exe", unknown).parent_path();
+  const files::path beside = here.parent_path() / "include";
+  if (files::exists(beside / "kanexpr" / "export.hpp", unknown)) all += " -I" + quoted(beside.string());
+  return all + " -isystem " + quoted(KANEXPR_EIGEN);
+}
+
+/// The program that writes a model; it finds the words of expressions where the system is.
+std::string program_for(const request& r) {
+  std::string text = "#include <kanexpr/export/by_words.hpp>\n\n#include \"" +
+                     files::absolute(r.file).string() + "\"\n\nint main(int count, char** words) {\n";
+  const std::size_t end = r.system.substr(0, r.system.find('<')).rfind("::");
+  if (end != std::string::npos && end > 0 && !r.expressions.empty())
+    text += "  using namespace " + r.system.substr(0, end) + ";\n";
+  text += "  return kanexpr::exporting::write_by_words<" + r.system + ">(count, words, {";
+  for (const std::string& each : r.expressions) {
+    const std::size_t equals = each.find('=');
+    text += "kanexpr::exporting::expression<(" + each.substr(equals + 1) + ")>(\"" + each.substr(0, equals) +
+            "\"), ";
+  }
+  return text + "});\n}\n";
+}
+
+int write_model(const request& r) {
+  if (r.system.empty())
+    return refuse("which system of " + r.file + " is to be exported? --system arm::System says so");
+  std::error_code unknown;
+  if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
+  if (const exporting::by_words given(r.words()); !given.mistake.empty()) return refuse(given.mistake);
+  for (const std::string& each : r.expressions)
+    if (!is_named(each)) return refuse(each + " is not name=expression");
+  const temporary_folder with;
+  if (with.path().empty()) return refuse("no folder can be made for the program that writes");
+  const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
+  std::ofstream(source) << program_for(r);
+  if (std::system((compiler() + options(r) + ' ' + quoted(source) + " -o " + quoted(program)).c_str()) != 0)
+    return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() + " says why");
+  std::string call = quoted(program);
+  for (const std::string& each : r.words()) call += ' ' + quoted(each);
+  return std::system(call.c_str()) == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+  request r;
+  CLI::App app("Writes the equations of motion of a robot or of a model for other languages.");
+  app.add_option(
+         "file", r.file,
+         "a robot, which ends with .urdf, .sdf or .world, or the header of a model, which $CXX compiles")
+      ->required();
+  app.add_option("-s,--system", r.system, "the system of a header, as in arm::System");
+  app.add_option("-n,--name", r.name, "what is written begins with it; without this the name of the file");
+  app.add_option("-o,--output", r.folder, "the folder")->required();
+  app.add_option("--format", r.format, "what is written: c")->check(CLI::IsMember({"c"}))->option_text("c");
+  app.add_option("--scalar", r.scalar, "the type of numbers; double without this")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->option_text("double|float");
+  app.add_option("--bind", r.bound, "a parameter that becomes a number; for each anew")
+      ->option_text("PARAMETER=NUMBER")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--results", r.results,
+                 "a function of one result, or of several with spaces between them; for each anew")
+      ->option_text("RESULTS")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--expression", r.expressions,
+                 "a function of an expression in the words of a header's model; for each anew")
+      ->option_text("NAME=EXPRESSION")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--with-python", r.with_python, "also a module of Python");
+  app.add_flag("--with-cpp", r.with_cpp, "also a header for C++ with the names of the model");
+  app.add_option("-I,--include", r.include, "a folder of headers that the header includes")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--base", r.base,
+                 "what becomes of the root of a robot: it is fixed, as without this, or moves")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->option_text("fixed|floating");
+  app.add_option("--values", r.bind_robot,
+                 "what the masses and lengths of a robot are: numbers, as without this, or parameters")
+      ->check(CLI::IsMember({"numbers", "parameters"}))
+      ->option_text("numbers|parameters");
+  app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file of a robot");
+  CLI11_PARSE(app, count, arguments);
+  if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
+  return r.is_robot() ? write_robot(r) : write_model(r);
+}

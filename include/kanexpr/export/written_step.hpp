@@ -1,0 +1,164 @@
+#pragma once
+
+#include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/steps/methods.hpp>
+#include <kanexpr/steps/unit_quaternions.hpp>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Results as code, with what may be singular on the way to them: their measures and scales by pairs, behind
+/// all entries.
+struct formed {
+  std::vector<exported_result> results{};
+  std::vector<exported_check> checks{};
+  lower::tape code{};
+};
+
+/// A vector of values that are written.
+struct written_vector {
+  using Scalar = lower::written_value;
+  std::vector<Scalar> entries{};
+
+  static written_vector of(const symbolic::sequence<Scalar>& values, int count) {
+    return {{values.begin(), values.begin() + count}};
+  }
+  int size() const { return static_cast<int>(entries.size()); }
+  Scalar& operator()(int i) { return entries[static_cast<std::size_t>(i)]; }
+  const Scalar& operator()(int i) const { return entries[static_cast<std::size_t>(i)]; }
+};
+
+/// A step on its way.
+struct step_in_code {
+  lower::statements code{};
+  std::vector<exported_check> checks{};
+  std::vector<std::pair<lower::written_value, lower::written_value>> measures{}; ///< with their scales
+  symbolic::cost cost{};
+  std::map<std::pair<symbolic::symbol_kind, int>, lower::written_value> arguments{};
+  std::map<mechanics::quantity, std::optional<formed>> known{};
+};
+
+/// Forms one result of a system; nothing where it cannot be formed.
+using forming = std::function<std::optional<formed>(mechanics::quantity)>;
+
+/// Equations for `stepping` of which every value is a line of code, and every status a check.
+class written_equations {
+public:
+  using value = lower::written_value;
+
+  written_equations(const deriving::survey& known, const wanted_step& wanted, const forming& form,
+                    step_in_code& into)
+      : known_(known), wanted_(wanted), form_(form), into_(into) {}
+
+  template <mechanics::quantity wanted>
+  written_vector get(const value& t, const written_vector& x) const {
+    const auto known = into_.known.try_emplace(wanted).first;
+    if (!known->second) known->second = form_(wanted);
+    if (!known->second) return written_vector();
+    const formed& result = *known->second;
+    const auto values = lower::write(into_.code, result.code, [&](const lower::load& from) {
+      using symbolic::symbol_kind;
+      if (from.from == symbol_kind::time) return t;
+      if (from.from == symbol_kind::coordinate) return x(from.position);
+      if (from.from == symbol_kind::speed) return x(known_.coordinates + from.position);
+      return argument(from);
+    });
+    const int entries = result.results.empty() ? 0 : result.results[0].entries();
+    for (std::size_t i = 0; i < result.checks.size(); ++i) {
+      const int place = entries + 2 * static_cast<int>(i);
+      check(result.checks[i], values[place], values[place + 1]);
+    }
+    into_.cost = symbolic::added(into_.cost, lower::cost_of(result.code));
+    return written_vector::of(values, entries);
+  }
+
+  const written_equations& held(const value&, const written_vector&) const { return *this; }
+
+  status finite(const value& asked, std::string_view cause) const {
+    check({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
+    return {};
+  }
+
+  status corrected(const value& t, written_vector& x) const {
+    if (wanted_.corrections == 0 || (known_.constraints == 0 && known_.quaternions == 0)) return {};
+    return stepping::correct(*this, wanted_.corrections, t, x);
+  }
+
+  status normalize(written_vector& x) const {
+    const auto [least, most] = stepping::near_one;
+    for (int k = 0; k < known_.quaternions; ++k) {
+      std::vector<int> places;
+      for (int i = 0; i < known_.coordinates; ++i)
+        if (known_.quaternion_of[i] == k + 1) places.push_back(i);
+      const value square = lower::squared_norm(x, places);
+      const exported_check range{.cause = std::string(compiled::far_from_norm_1(known_, k).view()),
+                                 .of_order = true};
+      check(range, square, least * least);
+      check(range, -square, -(most * most));
+      lower::divide_by_norm(x, places, square);
+    }
+    return {};
+  }
+
+  bool quaternions_are_bound() const {
+    for (int i = 0; i < known_.coordinates; ++i)
+      if (known_.quaternion_of[i] != 0 && known_.dependent[i]) return true;
+    return false;
+  }
+
+  int dependent(int i) const {
+    for (int at = 0; at < known_.coordinates + known_.speeds; ++at)
+      if (known_.dependent[at] && i-- == 0) return at;
+    return 0;
+  }
+
+  value argument(const lower::load& from) const {
+    const auto [place, is_new] = into_.arguments.try_emplace({from.from, from.position});
+    if (is_new) place->second = lower::argument_of(into_.code, from);
+    return place->second;
+  }
+
+private:
+  void check(exported_check one, const value& measure, const value& scale) const {
+    into_.checks.push_back(std::move(one));
+    into_.measures.emplace_back(measure, scale);
+  }
+
+  const deriving::survey& known_;
+  const wanted_step& wanted_;
+  const forming& form_;
+  step_in_code& into_;
+};
+
+/// A step as a function; it means nothing where a result could not be formed.
+inline exported_function written_step(std::string name, const deriving::survey& known,
+                                      const wanted_step& wanted, const forming& form) {
+  step_in_code into;
+  const written_equations of(known, wanted, form, into);
+  using symbolic::symbol_kind;
+  const lower::written_value t = of.argument({symbol_kind::time, 0}), h = of.argument({symbol_kind::time, 1});
+  written_vector x;
+  for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
+  for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
+  written_vector next = x;
+  if (wanted.method == step_method::runge_kutta_4)
+    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h, next));
+  else
+    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h, next));
+  symbolic::sequence<lower::written_value> results;
+  for (const lower::written_value& each : next.entries) results.push(each);
+  for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);
+  exported_function made{.name = std::move(name), .checks = std::move(into.checks), .cost = into.cost};
+  made.results.push_back({"next", next.size(), 1, 0, {}});
+  made.takes_step = true;
+  made.code = lower::concluded(into.code, results);
+  return made;
+}
+
+} // namespace kanexpr::exporting

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/lower/unit_quaternion.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+
+/// Methods of fixed steps, whatever evaluates the equations: the functions of a compiled system, or code that
+/// is written. Equations have
+///
+///     get<quantity>(t, x)        a result with its status
+///     held(t, x)                 the same equations, whose inputs stay those of that instant
+///     finite(value, cause)       a status: whether it is
+///     corrected(t, x)            brings x back to the constraints
+///
+/// and where something is corrected
+///
+///     normalize(x)               gives quaternions norm 1, or says of which the norm is out of `near_one`
+///     quaternions_are_bound()    whether a constraint is solved for a coordinate of one
+///     dependent(i)               the place in the state of what is dependent, the coordinates first
+///
+/// A status that is written is always a good one: what it asks for is noted.
+namespace kanexpr::stepping {
+
+/// Two sentences of which the one ends like the other, so that a controller keeps one.
+inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
+                                  step_not_finite = state_not_finite.substr(16);
+
+/// A norm beyond this is no trace that a step leaves.
+inline constexpr lower::norm_range near_one{0.5, 2};
+
+/// Sets the entries of `to` from `first` on to those of x + h ẋ.
+template <class X, class Rate>
+[[gnu::always_inline]] inline void advance(X& to, int first, const X& x, const typename X::Scalar& h,
+                                           const Rate& rate) {
+  using T = typename X::Scalar;
+  for (int i = 0; i < static_cast<int>(rate.size()); ++i) to(first + i) = T(x(first + i) + T(h * rate(i)));
+}
+
+/// Newton's method for the dependent coordinates, then the dependent speeds.
+template <class Equations, class Time, class X>
+[[gnu::always_inline]] inline status correct(const Equations& of, int newton_steps, const Time& t, X& x) {
+  using T = typename X::Scalar;
+  using mechanics::quantity;
+  if (const status s = of.normalize(x); !s) return s;
+  int first = 0;
+  for (int done = 0; done < newton_steps; ++done) {
+    const auto change = of.template get<quantity::configuration_step>(t, x);
+    if (const status s = compiled::status_of(change); !s) return s;
+    first = static_cast<int>(change.size());
+    for (int i = 0; i < first; ++i) x(of.dependent(i)) = T(x(of.dependent(i)) + change(i));
+    if (of.quaternions_are_bound())
+      if (const status s = of.normalize(x); !s) return s;
+  }
+  const auto u = of.template get<quantity::dependent_speeds>(t, x);
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) x(of.dependent(first + i)) = u(i);
+  return compiled::status_of(u);
+}
+
+/// u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds.
+struct semi_implicit_euler {
+  template <class Equations, class Time, class X>
+  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const X& x, const Time& h,
+                                               X& next) {
+    using mechanics::quantity;
+    const typename X::Scalar length = lower::scalar_math<typename X::Scalar>::from(h);
+    const auto& held = of.held(t, x);
+    const auto udot = held.template get<quantity::udot>(t, x);
+    if (const status s = compiled::status_of(udot); !s) return s;
+    const int coordinates = static_cast<int>(x.size()) - static_cast<int>(udot.size());
+    stepping::advance(next, coordinates, x, length, udot);
+    const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before
+    if (const status s = compiled::status_of(qdot); !s) return s;
+    stepping::advance(next, 0, x, length, qdot);
+    return {};
+  }
+};
+
+/// The classic Runge-Kutta method.
+struct runge_kutta_4 {
+  static constexpr int stages = 4;
+
+  template <class Equations, class Time, class X>
+  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const X& x, const Time& h,
+                                               X& next) {
+    using math = lower::scalar_math<typename X::Scalar>;
+    constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
+    constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};
+    X at = x;
+    for (int stage = 0; stage < stages; ++stage) {
+      const Time when = static_cast<Time>(t + reach[stage] * h);
+      const auto rate = of.template get<mechanics::quantity::rhs>(when, at);
+      if (const status s = compiled::status_of(rate); !s) return s;
+      stepping::advance(at, 0, x, math::from(reach[stage + 1] * h), rate);
+      stepping::advance(next, 0, next, math::from(weight[stage] * h), rate);
+    }
+    return {};
+  }
+};
+
+/// A step from x to `next`, which is x before and means nothing where the status is not good.
+template <class Method, class Equations, class Time, class X>
+[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, const X& x, const Time& h,
+                                             X& next) {
+  const Time after = static_cast<Time>(t + h);
+  if (const status s = of.finite(after, step_not_finite); !s) return s;
+  if (const status s = Method::advance(of, t, x, h, next); !s) return s;
+  if (const status s = of.corrected(after, next); !s) return s;
+  for (int i = 0; i < static_cast<int>(next.size()); ++i)
+    if (const status s = of.finite(next(i), state_not_finite); !s) return s;
+  return {};
+}
+
+} // namespace kanexpr::stepping
