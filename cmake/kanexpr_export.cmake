@@ -1,6 +1,7 @@
-# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
+# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
 #   [BIND <parameter>=<number>...] [RESULTS <results>...]): the target <name> leaves results of a system in a folder, for
-# other languages: of the format c <name>.c and <name>.h, with Python <name>.py too. Each of RESULTS is a function, of one
+# other languages: of the format c <name>.c and <name>.h, with Python <name>.py too; of casadi the rates of the state and
+# their derivatives, <name>_casadi.c and .h, and compiled <name>.so. Of C each of RESULTS is a function, of one
 # result or of several with spaces between them; without any there are M and f, u̇, ẋ, and A and B:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
@@ -11,7 +12,7 @@
 function(kanexpr_export name)
   cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS")
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> "
+    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> "
       "[SCALAR double|float] [WITH_PYTHON] [BIND <parameter>=<number>...] [RESULTS <results>...])")
   endif()
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
@@ -20,10 +21,13 @@ function(kanexpr_export name)
     message(FATAL_ERROR "kanexpr_export: there is no ${export_HEADER}")
   endif()
   foreach(format IN LISTS export_FORMATS)
-    if(NOT format STREQUAL "c")
-      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there is c")
+    if(NOT format MATCHES "^(c|casadi)$")
+      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there are c and casadi")
     endif()
   endforeach()
+  if(NOT "c" IN_LIST export_FORMATS AND (export_SCALAR OR export_RESULTS OR export_WITH_PYTHON))
+    message(FATAL_ERROR "kanexpr_export: SCALAR, RESULTS and WITH_PYTHON are of the format c")
+  endif()
 
   set(chosen "")
   if(export_SCALAR STREQUAL "float")
@@ -31,7 +35,17 @@ function(kanexpr_export name)
   elseif(export_SCALAR AND NOT export_SCALAR STREQUAL "double")
     message(FATAL_ERROR "kanexpr_export: SCALAR is double or float, not ${export_SCALAR}")
   endif()
-  set(files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+  set(files "")
+  set(writes "")
+  if("c" IN_LIST export_FORMATS)
+    list(APPEND files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+    string(APPEND writes "  written = kanexpr::write_c<${export_SYSTEM}>(arguments[1], \"${name}\", chosen);\n")
+  endif()
+  if("casadi" IN_LIST export_FORMATS)
+    list(APPEND files ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h)
+    string(APPEND writes "  if (written)\n    written = kanexpr::write_casadi<${export_SYSTEM}>(arguments[1], "
+      "\"${name}\", {chosen.bound});\n")
+  endif()
   if(export_WITH_PYTHON)
     string(APPEND chosen "  chosen.with_python = true;\n")
     list(APPEND files ${export_OUTPUT}/${name}.py)
@@ -67,8 +81,8 @@ function(kanexpr_export name)
 
 int main(int, char** arguments) {
   kanexpr::exporting::c_options chosen;
-@chosen@  const kanexpr::outcome written = kanexpr::write_c<@export_SYSTEM@>(arguments[1], "@name@", chosen);
-  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
+@chosen@  kanexpr::outcome written;
+@writes@  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
   return written ? 0 : 1;
 }
 ]])
@@ -80,5 +94,14 @@ int main(int, char** arguments) {
   endif()
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
     COMMENT "Writing ${name} in C" VERBATIM)
+  if("casadi" IN_LIST export_FORMATS)
+    find_program(KANEXPR_C_COMPILER NAMES cc gcc clang clang-19 REQUIRED)
+    add_custom_command(OUTPUT ${export_OUTPUT}/${name}.so
+      COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O2 -fno-math-errno -ffp-contract=fast -shared -fPIC
+        ${export_OUTPUT}/${name}_casadi.c -o ${export_OUTPUT}/${name}.so -lm
+      DEPENDS ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h
+      COMMENT "Compiling ${name}.so for CasADi" VERBATIM)
+    list(APPEND files ${export_OUTPUT}/${name}.so)
+  endif()
   add_custom_target(${name} ALL DEPENDS ${files})
 endfunction()
