@@ -49,7 +49,7 @@ def sleigh():
     """Newton's and Euler's equations with a blade that does not slip; the speeds are u1, u3 and u2."""
     x, r, p = ca.SX.sym("x", 6), ca.SX.sym("r", 2), ca.SX.sym("p", 3)
     _, _, heading, forward, turning, sideways = ca.vertsplit(x)
-    m, I, a = ca.vertsplit(p)
+    m, a, I = ca.vertsplit(p)
     F, T = ca.vertsplit(r)
     return ca.Function("by_hand", [x, r, p], [ca.vertcat(
         forward * ca.cos(heading) - sideways * ca.sin(heading),

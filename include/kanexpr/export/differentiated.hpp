@@ -36,7 +36,9 @@ public:
     switch (wanted.is) {
     case none: break;
     case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
-    case along: return along_direction(wanted.along);
+    case along: return column(along_direction(wanted.along));
+    case along_jacobian:
+      return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
     case weighted: return column(gradient_by(wanted.by));
     case weighted_jacobian:
       // One order for both, so that the matrix of second derivatives is symmetric to the last bit.
@@ -50,7 +52,7 @@ public:
   int weights_for(const wanted_derivative& wanted) const {
     using enum wanted_derivative::kind;
     int count = 0;
-    if (wanted.is == along)
+    if (wanted.is == along || wanted.is == along_jacobian)
       for (symbols each : wanted.along) count += symbols_.of(each).size();
     if (wanted.is == weighted || wanted.is == weighted_jacobian) count = y_.size();
     return count;
@@ -65,14 +67,14 @@ private:
                                        symbolic::name("weight " + std::to_string(place)), place});
   }
 
-  symbolic::matrix along_direction(const std::vector<symbols>& which) {
+  expressions along_direction(const std::vector<symbols>& which) {
     symbolic::differentiation d(graph_);
     int place = 0;
     for (symbols each : which)
       for (const expression& s : symbols_.of(each)) d.set_rate(s, weight(place++));
     expressions rates;
     for (const expression& each : y_) rates.push(d.of(each));
-    return column(rates);
+    return rates;
   }
 
   expressions gradient_by(symbols which) {

@@ -20,6 +20,7 @@ struct wanted_derivative {
     none,             ///< y itself
     jacobian,         ///< ∂y/∂z, z of `by`
     along,            ///< (∂y/∂z) w for a direction w
+    along_jacobian,   ///< ∂((∂y/∂z) w)/∂z', z' of `by`
     weighted,         ///< ∂(wᵀy)/∂z for weights w, z of `by`
     weighted_jacobian ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
   };

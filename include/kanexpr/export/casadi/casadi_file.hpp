@@ -34,8 +34,8 @@ static const double *@name@_given(const double *argument) { return argument ? ar
 static double *@name@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
 )",
                   {{"name", name_}, {"most", std::to_string(most)}}) +
-           rates().text() + jacobian().text() + forward().text() + adjoint().text() +
-           jacobian_of_adjoint().text();
+           rates().text() + jacobian().text() + forward().text() + jacobian_of_forward().text() +
+           adjoint().text() + jacobian_of_adjoint().text();
   }
 
 private:
@@ -95,12 +95,11 @@ private:
     return text + ") != 0";
   }
 
-  /// Calls the function of the basic arguments alone where that is enough. What is not wanted goes to `w`.
-  std::string call_for(const std::string& function, const std::string& weights,
-                       const std::vector<asked>& all) const {
+  /// Calls the function of the basic arguments alone where that is enough: where nothing else is wanted and
+  /// `needs_more` is zero. What is not wanted goes to `w`, from `scratch` on.
+  std::string call_for(const std::string& function, const std::string& weights, const std::vector<asked>& all,
+                       int scratch = 0, std::string needs_more = {}) const {
     std::vector<std::string> basic, more;
-    std::string needs_more;
-    int scratch = 0;
     for (const asked& each : all) {
       const std::string to = name_ + "_or(" + res(each.place) + ", w + " + std::to_string(scratch) + ')';
       scratch += each.entries;
@@ -110,10 +109,15 @@ private:
       else
         needs_more += (needs_more.empty() ? "" : " || ") + res(each.place);
     }
+    const std::string least = call(function, weights, basic);
+    if (!has_more()) return least;
+    return '(' + needs_more + ")\n    ? " + call(function + "_by_all", weights, more) + "\n    : " + least;
+  }
+
+  static std::string any_of(const std::vector<asked>& all) {
     std::string text;
-    if (has_more())
-      text = "  if (" + needs_more + ")\n    return " + call(function + "_by_all", weights, more) + ";\n";
-    return text + "  return " + call(function, weights, basic) + ";\n";
+    for (const asked& each : all) text += (text.empty() ? "" : " || ") + res(each.place);
+    return text;
   }
 
   static int entries_of(const std::vector<asked>& all) {
@@ -139,8 +143,28 @@ private:
       all.push_back({i, jacobian_[i].entries(), i < casadi_kernels::basic});
     }
     f.scratch = entries_of(all);
-    f.body = call_for("jacobian", "", all);
+    f.body = "  return " + call_for("jacobian", "", all) + ";\n";
     return f;
+  }
+
+  /// Declares `i`, and `more` where there are arguments that are not basic: whether the direction has entries
+  /// of these. The direction fills the first numbers of `w`.
+  std::string take_direction(int& size_of_all) const {
+    std::string text = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
+    for (std::size_t k = 0; k < arguments_.size(); ++k) {
+      const int size = arguments_[k].size;
+      if (size == 0) continue;
+      const auto for_each = [&](std::string_view what) {
+        text += filled(what, {{"size", std::to_string(size)},
+                              {"begin", std::to_string(size_of_all)},
+                              {"from", arg(arguments_.size() + 1 + k)}});
+      };
+      for_each("  for (i = 0; i < @size@; ++i) w[@begin@ + i] = @from@ ? @from@[i] : 0;\n");
+      if (k >= casadi_kernels::basic)
+        for_each("  for (i = 0; i < @size@; ++i) more |= w[@begin@ + i] != 0;\n");
+      size_of_all += size;
+    }
+    return text;
   }
 
   casadi_function forward() const {
@@ -148,22 +172,37 @@ private:
     f.in.push_back(of_rates("out_"));
     add_arguments(f.in, "fwd_");
     f.out.push_back(of_rates("fwd_"));
-    f.body = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
-    for (std::size_t k = 0; k < arguments_.size(); ++k) {
-      const int size = arguments_[k].size;
-      if (size == 0) continue;
-      f.body += filled("  for (i = 0; i < @size@; ++i) w[@begin@ + i] = @from@ ? @from@[i] : 0;\n",
-                       {{"size", std::to_string(size)},
-                        {"begin", std::to_string(f.scratch)},
-                        {"from", arg(arguments_.size() + 1 + k)}});
-      if (k >= casadi_kernels::basic)
-        f.body += filled("  for (i = 0; i < @size@; ++i) more |= w[@begin@ + i] != 0;\n",
-                         {{"size", std::to_string(size)}, {"begin", std::to_string(f.scratch)}});
-      f.scratch += size;
-    }
-    f.body += "  if (!res[0]) return 0;\n";
+    f.body = take_direction(f.scratch) + "  if (!res[0]) return 0;\n";
     if (has_more()) f.body += "  if (more) return " + call("directional_by_all", "w", {"res[0]"}) + ";\n";
     f.body += "  return " + call("directional", "w", {"res[0]"}) + ";\n";
+    return f;
+  }
+
+  /// The derivatives of a directional one by each argument, by the rates, on which nothing depends, and by
+  /// the direction, which are the first derivatives.
+  casadi_function jacobian_of_forward() const {
+    casadi_function f{.name = "jac_fwd1_" + name_, .in = given()};
+    f.in.push_back(of_rates("out_"));
+    add_arguments(f.in, "fwd_");
+    f.in.push_back(of_rates("out_fwd_"));
+    int direction = 0;
+    f.body = take_direction(direction);
+    std::vector<asked> first, second;
+    for (std::size_t i = 0; i < arguments_.size(); ++i) {
+      const casadi_sparsity shape =
+          shape_of("directional_jacobian", "by_" + arguments_[i].name, states(), arguments_[i].size);
+      second.push_back({f.out.size(), shape.entries(), i < casadi_kernels::basic});
+      f.out.push_back({"jac_fwd_rate_" + arguments_[i].name, shape});
+    }
+    f.out.push_back({"jac_fwd_rate_out_rate", casadi_sparsity::empty(states(), states())});
+    for (std::size_t i = 0; i < arguments_.size(); ++i) {
+      first.push_back({f.out.size(), jacobian_[i].entries(), i < casadi_kernels::basic});
+      f.out.push_back({"jac_fwd_rate_fwd_" + arguments_[i].name, jacobian_[i]});
+    }
+    f.scratch = direction + (std::max)(entries_of(first), entries_of(second));
+    f.body += "  if ((" + any_of(first) + ") && (" + call_for("jacobian", "", first, direction) +
+              ")) return 1;\n  if (!(" + any_of(second) + ")) return 0;\n  return " +
+              call_for("directional_jacobian", "w", second, direction, "more") + ";\n";
     return f;
   }
 
@@ -176,7 +215,7 @@ private:
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       if (arguments_[i].size > 0) all.push_back({i, arguments_[i].size, i < casadi_kernels::basic});
     f.scratch = entries_of(all);
-    f.body = call_for("gradient", weights(), all);
+    f.body = "  return " + call_for("gradient", weights(), all) + ";\n";
     return f;
   }
 
@@ -188,7 +227,6 @@ private:
     f.in.push_back(of_rates("adj_"));
     add_arguments(f.in, "out_adj_");
     std::vector<asked> second;
-    ports first;
     for (std::size_t o = 0; o < arguments_.size(); ++o) {
       const std::string begin = "jac_adj_" + arguments_[o].name + '_';
       for (std::size_t i = 0; i < arguments_.size(); ++i) {
@@ -202,11 +240,9 @@ private:
       f.out.push_back({begin + "out_rate", casadi_sparsity::empty(arguments_[o].size, states())});
       f.out.push_back({begin + "adj_rate", jacobian_[o].transposed().first});
     }
-    std::string any;
-    for (const asked& each : second) any += (any.empty() ? "" : " || ") + res(each.place);
     f.scratch = (std::max)(entries_of(second), entries_of_jacobian());
-    f.body =
-        transposed_jacobian() + "  if (!(" + any + ")) return 0;\n" + call_for("hessian", weights(), second);
+    f.body = transposed_jacobian() + "  if (!(" + any_of(second) + ")) return 0;\n  return " +
+             call_for("hessian", weights(), second) + ";\n";
     return f;
   }
 

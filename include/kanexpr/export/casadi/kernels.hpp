@@ -45,25 +45,28 @@ private:
   using kind = wanted_derivative::kind;
 
   void add(std::vector<wanted_function>& wanted, std::size_t count, const std::string& end) const {
-    wanted.push_back({.name = "jacobian" + end});
-    wanted.push_back({.name = "directional" + end});
-    wanted.push_back({.name = "gradient" + end});
-    wanted.push_back({.name = "hessian" + end});
-    wanted_function* const f = &wanted[wanted.size() - 4];
+    wanted_function jacobian{.name = "jacobian" + end}, directional{.name = "directional" + end},
+        directional_jacobian{.name = "directional_jacobian" + end}, gradient{.name = "gradient" + end},
+        hessian{.name = "hessian" + end};
     wanted_result along = derived("rate", {.is = kind::along});
     along.is_sparse = false;
+    for (std::size_t i = 0; i < count; ++i) along.derivative.along.push_back(by_all_[i].are);
+    directional.results.push_back(along);
     for (std::size_t i = 0; i < count; ++i) {
-      const casadi_argument& by = by_all_[i];
-      f[0].results.push_back(jacobian_by(by));
-      along.derivative.along.push_back(by.are);
-      f[2].results.push_back(derived("by_" + by.name, {.is = kind::weighted, .by = by.are}));
-      f[2].results.back().is_sparse = false;
+      const symbols by = by_all_[i].are;
+      const std::string called = "by_" + by_all_[i].name;
+      jacobian.results.push_back(jacobian_by(by_all_[i]));
+      directional_jacobian.results.push_back(
+          derived(called, {.is = kind::along_jacobian, .along = along.derivative.along, .by = by}));
+      gradient.results.push_back(derived(called, {.is = kind::weighted, .by = by}));
+      gradient.results.back().is_sparse = false;
       for (std::size_t k = 0; k < count; ++k)
-        f[3].results.push_back(
-            derived("by_" + by.name + '_' + by_all_[k].name,
-                    {.is = kind::weighted_jacobian, .by = by.are, .and_by = by_all_[k].are}));
+        hessian.results.push_back(
+            derived(called + '_' + by_all_[k].name,
+                    {.is = kind::weighted_jacobian, .by = by, .and_by = by_all_[k].are}));
     }
-    f[1].results.push_back(along);
+    for (const wanted_function& each : {jacobian, directional, directional_jacobian, gradient, hessian})
+      wanted.push_back(each);
   }
 
   /// That of the linearized equations, where these have it: it costs less than the chain rule.
