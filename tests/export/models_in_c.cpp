@@ -27,7 +27,7 @@ bool write(const char* folder, const char* name, c_options chosen) {
 }
 
 /// A pendulum that a force drives in time; nothing of it is bound.
-kanexpr::runtime::builder driven() {
+bool write_driven(const char* folder) {
   kanexpr::runtime::builder b("N");
   const auto q = b.coordinate("q"), u = b.speed("u"), g = b.parameter("g"),
              amplitude = b.parameter("amplitude");
@@ -38,14 +38,14 @@ kanexpr::runtime::builder driven() {
   b.particle("Bob", P, b.number(3));
   b.gravity(b.along(N, g, 0, 0));
   b.force(P, b.along(N, 0, amplitude * sin(2 * b.time()), 0));
-  return b;
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "driven"));
 }
 
 bool write_for_casadi(const char* folder, const casadi_options& bound) {
   using namespace kanexpr;
   using System = n_pendulum_cart::System<1>;
 #include <docs/export/casadi/write.cpp>
-  return written && write_casadi(driven(), folder, "driven") &&
+  return written && write_driven(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
          write_casadi<rolling_disc::System>(folder, "disc");
 }
