@@ -1,9 +1,10 @@
-# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
+# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
 #   [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target <name>
 # leaves results of a system in a folder, for other languages: of the format c <name>.c and <name>.h, with Python <name>.py
-# and with C++ <name>.hpp too. Each of RESULTS is a function, of one result or of several with spaces between them, or one
-# of the steps runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without
-# either there are M and f, u̇, ẋ, and A and B:
+# and with C++ <name>.hpp too; of casadi the rates of the state and their derivatives, <name>_casadi.c and .h, and compiled
+# <name>.so. Of C each of RESULTS is a function, of one result or of several with spaces between them, or one of the steps
+# runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without either there are M
+# and f, u̇, ẋ, and A and B:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
@@ -13,7 +14,7 @@
 function(kanexpr_export name)
   cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON;WITH_CPP" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS;EXPRESSIONS")
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c OUTPUT <folder> "
+    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> "
       "[SCALAR double|float] [WITH_PYTHON] [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] "
       "[EXPRESSIONS <name>=<expression>...])")
   endif()
@@ -23,10 +24,13 @@ function(kanexpr_export name)
     message(FATAL_ERROR "kanexpr_export: there is no ${export_HEADER}")
   endif()
   foreach(format IN LISTS export_FORMATS)
-    if(NOT format STREQUAL "c")
-      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there is c")
+    if(NOT format MATCHES "^(c|casadi)$")
+      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there are c and casadi")
     endif()
   endforeach()
+  if(NOT "c" IN_LIST export_FORMATS AND (export_SCALAR OR export_RESULTS OR export_EXPRESSIONS OR export_WITH_PYTHON OR export_WITH_CPP))
+    message(FATAL_ERROR "kanexpr_export: SCALAR, RESULTS, EXPRESSIONS, WITH_PYTHON and WITH_CPP are of the format c")
+  endif()
 
   set(chosen "")
   if(export_SCALAR STREQUAL "float")
@@ -34,7 +38,17 @@ function(kanexpr_export name)
   elseif(export_SCALAR AND NOT export_SCALAR STREQUAL "double")
     message(FATAL_ERROR "kanexpr_export: SCALAR is double or float, not ${export_SCALAR}")
   endif()
-  set(files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+  set(files "")
+  set(writes "")
+  if("c" IN_LIST export_FORMATS)
+    list(APPEND files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
+    string(APPEND writes "  written = kanexpr::write_c<${export_SYSTEM}>(arguments[1], \"${name}\", chosen);\n")
+  endif()
+  if("casadi" IN_LIST export_FORMATS)
+    list(APPEND files ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h)
+    string(APPEND writes "  if (written)\n    written = kanexpr::write_casadi<${export_SYSTEM}>(arguments[1], "
+      "\"${name}\", {chosen.bound});\n")
+  endif()
   if(export_WITH_PYTHON)
     string(APPEND chosen "  chosen.with_python = true;\n")
     list(APPEND files ${export_OUTPUT}/${name}.py)
@@ -86,8 +100,8 @@ function(kanexpr_export name)
 
 int main(int, char** arguments) {
 @words@  kanexpr::exporting::c_options chosen;
-@chosen@  const kanexpr::outcome written = kanexpr::write_c<@export_SYSTEM@>(arguments[1], "@name@", chosen);
-  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
+@chosen@  kanexpr::outcome written;
+@writes@  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
   return written ? 0 : 1;
 }
 ]])
@@ -99,5 +113,14 @@ int main(int, char** arguments) {
   endif()
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
     COMMENT "Writing ${name} in C" VERBATIM)
+  if("casadi" IN_LIST export_FORMATS)
+    find_program(KANEXPR_C_COMPILER NAMES cc gcc clang clang-19 REQUIRED)
+    add_custom_command(OUTPUT ${export_OUTPUT}/${name}.so
+      COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O2 -fno-math-errno -ffp-contract=fast -shared -fPIC
+        ${export_OUTPUT}/${name}_casadi.c -o ${export_OUTPUT}/${name}.so -lm
+      DEPENDS ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h
+      COMMENT "Compiling ${name}.so for CasADi" VERBATIM)
+    list(APPEND files ${export_OUTPUT}/${name}.so)
+  endif()
   add_custom_target(${name} ALL DEPENDS ${files})
 endfunction()

@@ -6,6 +6,7 @@
 
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
+#include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
 #include <steps/quaternions.hpp>
@@ -26,6 +27,30 @@ bool write(const char* folder, const char* name, c_options chosen) {
   }
   if (!written) std::cerr << written.cause() << '\n';
   return static_cast<bool>(written);
+}
+
+/// A pendulum that a force drives in time; nothing of it is bound.
+bool write_driven(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), g = b.parameter("g"),
+             amplitude = b.parameter("amplitude");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, 2, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.gravity(b.along(N, g, 0, 0));
+  b.force(P, b.along(N, 0, amplitude * sin(2 * b.time()), 0));
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "driven"));
+}
+
+bool write_for_casadi(const char* folder, const casadi_options& bound) {
+  using namespace kanexpr;
+  using System = n_pendulum_cart::System<1>;
+#include <docs/export/casadi/write.cpp>
+  return written && write_driven(folder) &&
+         write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
+         write_casadi<rolling_disc::System>(folder, "disc");
 }
 
 } // namespace
@@ -50,7 +75,8 @@ int main(int, char** arguments) {
   c_options steps;
   steps.with_python = steps.with_cpp = true;
   steps.functions = {results("runge_kutta_4"), fixed_step("euler", {step_method::semi_implicit_euler, 2})};
-  return is_bound_written && write<quaternions::Sliding>(folder, "sliding", steps) &&
+  return is_bound_written && write_for_casadi(folder, {bound.bound}) &&
+                 write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&

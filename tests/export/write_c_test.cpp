@@ -147,4 +147,42 @@ TEST(WriteC, TellsTheMistakeOfAModel) {
   EXPECT_NE(derive(b).mistake(), "");
 }
 
+std::string cause_for_casadi(const std::string& name, const casadi_options& chosen = {}) {
+  const folder to;
+  const outcome written = write_casadi<simple_pendulum::System>(to.path, name, chosen);
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(std::filesystem::exists(to.path)) << "something is left";
+  return written.cause();
+}
+
+TEST(WriteCasadi, NamesWhatCannotBeExported) {
+  for (const char* const name : {"_arm", "arm__1", "7arms", "", "jac", "sin", "while"})
+    EXPECT_EQ(cause_for_casadi(name),
+              std::string("a function of CasADi needs a name that begins with a letter, "
+                          "has no two underscores in a row and is none of C's or "
+                          "CasADi's words; \"") +
+                  name + "\" is none");
+  EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k that could be bound to a number");
+  EXPECT_EQ(cause_for_casadi("arm", {{{"m", 1e300}, {"l", 1e300}}}),
+            "function rates holds a number that double has no room for");
+}
+
+TEST(WriteCasadi, TellsTheMistakeOfAModel) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u");
+  b.inertial_frame();
+  b.kinematic_equation(b.dot(q) - 2 * u);
+  const folder to;
+  EXPECT_EQ(write_casadi(b, to.path, "arm").cause(), derive(b).mistake());
+}
+
+TEST(WriteCasadi, LeavesNothingHalfWritten) {
+  const folder to;
+  std::filesystem::create_directories(to.path / "arm_casadi.c"); // where a file should be
+  const outcome written = write_casadi<simple_pendulum::System>(to.path, "arm");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.cause(), (to.path / "arm_casadi.c").string() + " cannot be written");
+  EXPECT_FALSE(std::filesystem::exists(to.path / "arm_casadi.h"));
+}
+
 } // namespace

@@ -10,15 +10,18 @@
 /// A system as a backend writes it: names, and straight-line code. Nothing of how it was derived.
 namespace kanexpr::exporting {
 
-/// One result of a function. Its entries stand by rows among those of the function, from `first` on.
+/// One result of a function. Its entries stand by rows among those of the function, from `first` on; of a
+/// sparse one those that are not zero at all states, by columns.
 struct exported_result {
   std::string name{};
   int rows = 0;
   int columns = 0;
   int first = 0;
   std::vector<std::string> of_rows{}; ///< the symbols that rows belong to, where they do
+  bool is_sparse = false;
+  std::vector<int> row_of{}, column_of{}; ///< each entry of a sparse one
 
-  int entries() const { return rows * columns; }
+  int entries() const { return is_sparse ? static_cast<int>(row_of.size()) : rows * columns; }
 };
 
 /// What may be singular on the way to the results. Its measure and its scale stand behind all results, by
@@ -38,6 +41,7 @@ struct exported_function {
   symbolic::cost cost{};
   bool takes_rates = false; ///< of the speeds, as an argument
   bool takes_step = false;  ///< its length, as an argument: the time of position 1
+  int weights = 0;          ///< how many numbers its derivatives are given: weights, or a direction
 
   /// What checks say, each once: a bit of the status.
   std::vector<std::string> causes() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/export/differentiated.hpp>
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
@@ -106,6 +107,7 @@ private:
       made.cost = lower::cost_of(found->code);
       made.code = lower::statements_of(found->code);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
+      made.weights = found->weights;
       for (const wanted_result& each : wanted.results)
         made.takes_rates = made.takes_rates || holds_rates(each.request);
     }
@@ -117,13 +119,23 @@ private:
     model from = derive_();
     formed made;
     symbolic::sequence<int> nodes;
+    const differentiable_symbols known_symbols = symbols_of(from);
+    std::optional<differentiated> derivatives;
     for (const wanted_result& each : wanted) {
-      const symbolic::matrix found = from.get(each.request);
+      symbolic::matrix found = from.get(each.request);
       if (!from.mistake().empty()) return refuse(from.mistake()), std::nullopt;
-      if (found.entries.empty()) continue; // without inputs there is no B
-      made.results.push_back(
-          {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
-      for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+      if (each.derivative.is != wanted_derivative::kind::none) {
+        if (!derivatives) derivatives.emplace(from.graph(), found.entries, known_symbols);
+        found = derivatives->get(each.derivative);
+        made.weights = (std::max)(made.weights, derivatives->weights_for(each.derivative));
+      }
+      if (each.is_sparse) {
+        made.results.push_back(sparse(each.name, from, found, nodes));
+      } else if (!found.entries.empty()) { // without inputs there is no B
+        made.results.push_back(
+            {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
+        for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+      }
     }
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
@@ -151,6 +163,34 @@ private:
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }
     made_.system.functions.push_back(std::move(made));
+  }
+
+  /// Takes up the nodes of the entries that are not zero at all states.
+  exported_result sparse(const std::string& name, model& from, const symbolic::matrix& found,
+                         symbolic::sequence<int>& nodes) const {
+    exported_result made{.name = name, .rows = found.rows, .columns = found.columns, .first = nodes.size()};
+    made.is_sparse = true;
+    const symbolic::sequence<int> with_numbers = bound(from, symbolic::nodes_of(found.entries));
+    for (int j = 0; j < found.columns; ++j)
+      for (int i = 0; i < found.rows; ++i) {
+        if (with_numbers[i * found.columns + j] == symbolic::graph::zero) continue;
+        made.row_of.push_back(i);
+        made.column_of.push_back(j);
+        nodes.push(found(i, j).node());
+      }
+    return made;
+  }
+
+  differentiable_symbols symbols_of(const model& of) const {
+    const mechanics::mechanism& m = of.mechanism();
+    differentiable_symbols all;
+    for (const symbolic::expression& q : m.coordinates) all.state.push(q);
+    for (const symbolic::expression& u : m.speeds) all.state.push(u);
+    all.inputs = m.inputs;
+    for (int i = 0; i < m.parameters.size(); ++i)
+      if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
+    all.time.push(m.time);
+    return all;
   }
 
   static bool holds_rates(const deriving::request& r) {

@@ -12,9 +12,29 @@
 /// What is to be exported.
 namespace kanexpr::exporting {
 
+/// Symbols by which one differentiates; those of parameters that are bound are not among them.
+enum class symbols : unsigned char { state, inputs, parameters, time };
+
+/// A derivative of a column y by symbols z.
+struct wanted_derivative {
+  enum class kind : unsigned char {
+    none,             ///< y itself
+    jacobian,         ///< ∂y/∂z, z of `by`
+    along,            ///< (∂y/∂z) w for a direction w
+    along_jacobian,   ///< ∂((∂y/∂z) w)/∂z', z' of `by`
+    weighted,         ///< ∂(wᵀy)/∂z for weights w, z of `by`
+    weighted_jacobian ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
+  };
+  kind is = kind::none;
+  std::vector<symbols> along{}; ///< all that a direction has entries of
+  symbols by{}, and_by{};
+};
+
 struct wanted_result {
   std::string name{};
   deriving::request request{};
+  wanted_derivative derivative{};
+  bool is_sparse = false; ///< without the entries that are zero at all states
 };
 
 enum class step_method : unsigned char { runge_kutta_4, semi_implicit_euler };

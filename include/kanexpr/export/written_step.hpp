@@ -19,6 +19,7 @@ struct formed {
   std::vector<exported_result> results{};
   std::vector<exported_check> checks{};
   lower::tape code{};
+  int weights = 0; ///< how many numbers the derivatives are given
 };
 
 /// A vector of values that are written.

@@ -132,7 +132,10 @@ private:
                        counted(c.other, "other function", "other functions") + '.';
     for (const exported_result& each : f.results) {
       text += "\n   " + each.name;
-      if (each.columns > 1)
+      if (each.is_sparse)
+        text += ": " + std::to_string(each.entries()) + " of " + std::to_string(each.rows) + " by " +
+                std::to_string(each.columns) + ", by columns, and the others are zero";
+      else if (each.columns > 1)
         text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", by rows";
       else
         text += ": " + std::to_string(each.rows);
@@ -154,6 +157,7 @@ private:
                        (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
                        'r';
     if (f.takes_rates) text += ", " + given + 'a';
+    if (f.weights > 0) text += ", " + given + 'w';
     for (const exported_result& each : f.results)
       text += std::string(", ") + number_.type() + " *" + each.name;
     return text + ')';
@@ -166,6 +170,7 @@ private:
           "  " + name() + '_' + (each.name == f.name ? "" : f.name + '_') + each.name + '_';
       text += begin + "rows = " + std::to_string(each.rows) + ",\n";
       text += begin + "columns = " + std::to_string(each.columns) + ",\n";
+      if (each.is_sparse) text += begin + "entries = " + std::to_string(each.entries()) + ",\n";
     }
     text += "  " + name() + '_' + f.name + "_checks = " + std::to_string(f.causes().size()) + "\n};\n";
     text += signature(f) + ";\n";
@@ -181,6 +186,9 @@ private:
     for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
     if (f.takes_step) text += "  (void)h;\n";
     if (f.takes_rates) text += "  (void)a;\n";
+    if (f.weights > 0) text += "  (void)w;\n";
+    for (const exported_result& each : f.results)
+      if (each.entries() == 0) text += "  (void)" + each.name + ";\n";
     for (const exported_result& each : f.results)
       for (int i = 0; i < each.entries(); ++i)
         text += "  " + each.name + '[' + std::to_string(i) +

@@ -17,7 +17,7 @@ public:
       : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
     names_.reserve_words();
     names_.reserve_words_of_mathematics();
-    for (const char* taken : {"t", "x", "p", "r", "a"}) names_.reserve(taken);
+    for (const char* taken : {"t", "x", "p", "r", "a", "w"}) names_.reserve(taken);
     if (of.takes_step) names_.reserve("h");
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
@@ -71,6 +71,10 @@ private:
       return {};
     }
     const auto place = static_cast<std::size_t>(from.position);
+    if (from.from == symbol_kind::multiplier) { // a weight
+      own = names_.of("w" + std::to_string(place));
+      return declared(own) + "w[" + std::to_string(place) + "];\n";
+    }
     const char* vector = "x";
     const std::string* symbol = nullptr;
     if (from.from == symbol_kind::coordinate)

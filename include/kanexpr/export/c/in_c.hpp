@@ -39,11 +39,11 @@ inline system_in_c in_c(exported_system s) {
     identifiers arguments; // of that function
     arguments.reserve_words();
     arguments.reserve_words_of_mathematics();
-    for (const char* own : {"t", "x", "p", "r", "a"}) arguments.reserve(own);
+    for (const char* own : {"t", "x", "p", "r", "a", "w"}) arguments.reserve(own);
     if (f.takes_step) arguments.reserve("h");
     for (exported_result& each : f.results) {
       map(each.name, arguments);
-      for (const char* size : {"_rows", "_columns"})
+      for (const char* size : {"_rows", "_columns", "_entries"})
         taken.reserve((each.name == f.name ? f.name : f.name + '_' + each.name) + size);
     }
   }

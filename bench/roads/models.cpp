@@ -1,0 +1,31 @@
+// Writes the models that with_casadi.py uses into the folder that it is given.
+#include "vehicle.hpp"
+
+#include <kanexpr/export.hpp>
+#include <models/chaplygin_sleigh.hpp>
+#include <models/double_pendulum.hpp>
+#include <models/iiwa.hpp>
+#include <models/n_pendulum_cart.hpp>
+
+#include <iostream>
+
+namespace {
+
+template <class System>
+bool write(const char* folder, const char* name, const kanexpr::exporting::casadi_options& chosen = {}) {
+  const kanexpr::outcome written = kanexpr::write_casadi<System>(folder, name, chosen);
+  if (!written) std::cerr << written.cause() << '\n';
+  return static_cast<bool>(written);
+}
+
+} // namespace
+
+int main(int, char** arguments) {
+  const char* const folder = arguments[1];
+  return write<n_pendulum_cart::System<1>>(folder, "cart", {{{"g", 9.81}}}) &&
+                 write<double_pendulum::System>(folder, "double_pendulum") &&
+                 write<chaplygin_sleigh::System>(folder, "sleigh") &&
+                 write<vehicle::System>(folder, "vehicle") && write<iiwa::System>(folder, "iiwa")
+             ? 0
+             : 1;
+}

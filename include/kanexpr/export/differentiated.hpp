@@ -1,0 +1,125 @@
+#pragma once
+
+#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
+
+#include <optional>
+#include <string>
+
+namespace kanexpr::exporting {
+
+/// The symbols of a system by which its results are differentiated.
+struct differentiable_symbols {
+  symbolic::sequence<symbolic::expression> state{}, inputs{}, parameters{}, time{};
+
+  const symbolic::sequence<symbolic::expression>& of(symbols which) const {
+    switch (which) {
+    case symbols::state: return state;
+    case symbols::inputs: return inputs;
+    case symbols::parameters: return parameters;
+    case symbols::time: break;
+    }
+    return time;
+  }
+};
+
+/// Derivatives of a column of expressions, whatever it is, by the chain rule through its graph. They share
+/// what they have in common.
+class differentiated {
+public:
+  differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
+                 const differentiable_symbols& of)
+      : graph_(g), y_(y), symbols_(of) {}
+
+  symbolic::matrix get(const wanted_derivative& wanted) {
+    using enum wanted_derivative::kind;
+    switch (wanted.is) {
+    case none: break;
+    case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
+    case along: return column(along_direction(wanted.along));
+    case along_jacobian:
+      return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
+    case weighted: return column(gradient_by(wanted.by));
+    case weighted_jacobian:
+      // One order for both, so that the matrix of second derivatives is symmetric to the last bit.
+      if (wanted.by < wanted.and_by) return transposed(second(wanted.and_by, wanted.by));
+      return second(wanted.by, wanted.and_by);
+    }
+    return column(y_);
+  }
+
+  /// How many numbers a derivative is given.
+  int weights_for(const wanted_derivative& wanted) const {
+    using enum wanted_derivative::kind;
+    int count = 0;
+    if (wanted.is == along || wanted.is == along_jacobian)
+      for (symbols each : wanted.along) count += symbols_.of(each).size();
+    if (wanted.is == weighted || wanted.is == weighted_jacobian) count = y_.size();
+    return count;
+  }
+
+private:
+  using expression = symbolic::expression;
+  using expressions = symbolic::sequence<expression>;
+
+  expression weight(int place) {
+    return symbolic::variable(graph_, {symbolic::symbol_kind::multiplier,
+                                       symbolic::name("weight " + std::to_string(place)), place});
+  }
+
+  expressions along_direction(const std::vector<symbols>& which) {
+    symbolic::differentiation d(graph_);
+    int place = 0;
+    for (symbols each : which)
+      for (const expression& s : symbols_.of(each)) d.set_rate(s, weight(place++));
+    expressions rates;
+    for (const expression& each : y_) rates.push(d.of(each));
+    return rates;
+  }
+
+  expressions gradient_by(symbols which) {
+    if (!back_) {
+      back_.emplace(graph_, y_);
+      for (int i = 0; i < y_.size(); ++i) back_->seed(y_[i], weight(i));
+      back_->run();
+    }
+    expressions slopes;
+    for (const expression& s : symbols_.of(which)) slopes.push(back_->by(s));
+    return slopes;
+  }
+
+  symbolic::matrix second(symbols by, symbols and_by) {
+    const expressions slopes = gradient_by(by), &columns = symbols_.of(and_by);
+    symbolic::matrix all(graph_, slopes.size(), columns.size());
+    symbolic::differentiation d(graph_);
+    for (int j = 0; j < all.columns; ++j) {
+      d.set_rate(columns[j], {graph_, symbolic::graph::one});
+      for (int i = by == and_by ? j : 0; i < all.rows; ++i) all(i, j) = d.of(slopes[i]);
+      d.restart();
+    }
+    if (by == and_by)
+      for (int j = 0; j < all.columns; ++j)
+        for (int i = 0; i < j; ++i) all(i, j) = all(j, i);
+    return all;
+  }
+
+  symbolic::matrix transposed(const symbolic::matrix& m) const {
+    symbolic::matrix exchanged(graph_, m.columns, m.rows);
+    for (int i = 0; i < m.rows; ++i)
+      for (int j = 0; j < m.columns; ++j) exchanged(j, i) = m(i, j);
+    return exchanged;
+  }
+
+  symbolic::matrix column(const expressions& entries) const {
+    symbolic::matrix m(graph_, entries.size(), 1);
+    for (int i = 0; i < m.rows; ++i) m.entries[i] = entries[i];
+    return m;
+  }
+
+  symbolic::graph& graph_;
+  expressions y_;
+  const differentiable_symbols& symbols_;
+  std::optional<symbolic::accumulation> back_{};
+};
+
+} // namespace kanexpr::exporting
