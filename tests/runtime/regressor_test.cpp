@@ -8,7 +8,6 @@
 #include <models/double_pendulum.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
-#include <models/n_pendulum_cart.hpp>
 #include <models/puma.hpp>
 #include <models/rolling_disc_constrained.hpp>
 
@@ -71,9 +70,7 @@ void expect_linear(kanexpr::model of) {
 }
 
 TEST(regressor, by_lagrange) { expect_linear(kanexpr::derive<double_pendulum::LagrangeSystem>()); }
-TEST(regressor, particles) { expect_linear(kanexpr::derive<n_pendulum_cart::System<3>>()); }
 TEST(regressor, iiwa) { expect_linear(kanexpr::derive<iiwa::System>()); }
-TEST(regressor, puma) { expect_linear(kanexpr::derive<puma::System>()); }
 TEST(regressor, four_bar) { expect_linear(kanexpr::derive<four_bar::System>()); }
 TEST(regressor, rolling_disc) { expect_linear(kanexpr::derive<rolling_disc_constrained::System>()); }
 
@@ -205,7 +202,8 @@ TEST(regressor, is_the_same_in_the_compiler) {
 
 namespace chain {
 
-struct Leaking : particle<Leaking, Ac, m<1> * (2 - kanexpr::t)> {};
+constexpr time_variable t;
+struct Leaking : particle<Leaking, Ac, m<1> * (2 - t)> {};
 struct LeakingSystem : kane_system<inertial<N>, coordinates<q<1>, q<2>>, speeds<u<1>, u<2>>,
                                    kinematics<dot(q<1>) == u<1>, dot(q<2>) == u<2>>,
                                    parameters<m<1>, c<1, 1>, c<1, 2>, c<1, 3>>, bodies<Leaking>> {};
@@ -248,14 +246,14 @@ void expect_count(kanexpr::model m, std::size_t count, const VectorXd& p = {}) {
   expect_same_forces(m, base, p);
 }
 
-// Mayeda, Yoshida & Osuka (1990): 7 n − 4 − 2 for revolute joints of which the first turns about the vertical
-// and the second is not parallel to it.
+// Mayeda, Yoshida & Osuka, Base Parameters of Manipulator Dynamic Models (1990): 7 n − 4 β − 2 of n revolute
+// joints, the first about the vertical and parallel to β − 1 of those that follow it at once.
 TEST(base_parameters, puma) { expect_count(kanexpr::derive<puma::System>(), 36); }
 TEST(base_parameters, iiwa) { expect_count(kanexpr::derive<iiwa::System>(), 43); }
+// Three bars in a row have nine; a particle at the bearing that the last bar ends at takes no force.
 TEST(base_parameters, four_bar) {
   auto m = kanexpr::derive<four_bar::System>();
-  VectorXd p = VectorXd::Ones(m.mechanism().parameters.size());
-  expect_count(m, 99, p);
+  expect_count(m, 8, VectorXd::LinSpaced(m.mechanism().parameters.size(), 1, 1.6));
 }
 
 TEST(base_parameters, of_two_bars) {
