@@ -24,7 +24,7 @@ struct independent_columns {
 inline independent_columns independent_columns_of(const Eigen::MatrixXd& a, double least) {
   const Eigen::Index columns = a.cols();
   Eigen::VectorXd length = a.colwise().norm();
-  const double longest = columns == 0 ? 0.0 : static_cast<double>(length.maxCoeff());
+  const double longest = columns == 0 ? 0 : length.maxCoeff();
   Eigen::MatrixXd q(a.rows(), columns), r = Eigen::MatrixXd::Zero(columns, columns),
                                         by_kept = Eigen::MatrixXd::Zero(columns, columns);
   independent_columns found;
