@@ -1,7 +1,8 @@
 #pragma once
 
-/// Models for other languages and tools, written by a program: `write_c`.
+/// Models for other languages and tools, written by a program: `write_c`, `write_fmu`.
 
 #include <kanexpr/symbolic.hpp>
 
 #include <kanexpr/export/write_c.hpp>
+#include <kanexpr/export/write_fmu.hpp>

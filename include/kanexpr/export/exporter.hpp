@@ -2,8 +2,10 @@
 
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/wanted.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <cmath>
@@ -92,14 +94,27 @@ private:
     model from = derive_();
     exported_function made{.name = wanted.name};
     symbolic::sequence<int> nodes;
-    for (const wanted_result& each : wanted.results) {
-      const symbolic::matrix found = from.get(each.request);
-      if (!from.mistake().empty()) return refuse(from.mistake());
-      if (found.entries.empty()) continue; // without inputs there is no B
-      made.results.push_back(
-          {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
+    symbolic::sequence<symbolic::expression> all;
+    const auto take = [&](const std::string& name, const symbolic::matrix& found,
+                          std::vector<std::string> of_rows) {
+      if (found.entries.empty()) return; // without inputs there is no B
+      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(of_rows)});
       for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+    };
+    for (const wanted_result& each : wanted.results) {
+      const symbolic::matrix found = formed(from, each);
+      if (!made_.mistake.empty()) return;
+      if (!from.mistake().empty()) return refuse(from.mistake());
+      if (wanted.derivatives.empty()) take(each.name, found, symbols_of_rows(each.request));
+      for (const symbolic::expression& e : found.entries) all.push(e);
       made.takes_rates = made.takes_rates || holds_rates(each.request);
+    }
+    for (const differentiated_by each : wanted.derivatives) {
+      const symbolic::matrix found =
+          symbolic::jacobian(from.graph(), all, symbols_for(from.mechanism(), each));
+      if (const mechanics::sentence lacking = mechanics::check_derivatives(found))
+        return refuse(std::string(lacking.view()));
+      take(name_of(each), found, {});
     }
     if (made.results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
@@ -126,6 +141,39 @@ private:
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }
     made_.system.functions.push_back(std::move(made));
+  }
+
+  symbolic::matrix formed(model& from, const wanted_result& each) {
+    if (!each.written.is_given()) return from.get(each.request);
+    symbolic::matrix one(from.graph(), 1, 1);
+    if (each.written.lives_in(from.graph()))
+      one(0, 0) = from.in_motion(each.written);
+    else
+      refuse(each.name + " is no expression of what is exported");
+    return one;
+  }
+
+  static const char* name_of(differentiated_by what) {
+    switch (what) {
+    case differentiated_by::states: return "by_state";
+    case differentiated_by::inputs: return "by_inputs";
+    case differentiated_by::time: break;
+    }
+    return "by_time";
+  }
+
+  static symbolic::sequence<symbolic::expression> symbols_for(const mechanics::mechanism& m,
+                                                              differentiated_by what) {
+    symbolic::sequence<symbolic::expression> symbols;
+    switch (what) {
+    case differentiated_by::states:
+      symbols = m.coordinates;
+      for (const symbolic::expression& u : m.speeds) symbols.push(u);
+      break;
+    case differentiated_by::inputs: symbols = m.inputs; break;
+    case differentiated_by::time: symbols.push(m.time); break;
+    }
+    return symbols;
   }
 
   static bool holds_rates(const deriving::request& r) {

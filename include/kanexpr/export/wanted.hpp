@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <algorithm>
 #include <string>
@@ -14,13 +15,18 @@ namespace kanexpr::exporting {
 struct wanted_result {
   std::string name{};
   deriving::request request{};
+  symbolic::expression written{}; ///< in its place, of what a builder builds
 };
+
+/// What the results of a function may be differentiated by.
+enum class differentiated_by : unsigned char { states, inputs, time };
 
 /// The results of one call.
 struct wanted_function {
   std::string name{};
   std::vector<wanted_result> results{};
   std::string mistake{};
+  std::vector<differentiated_by> derivatives{}; ///< of all entries of the results, in their place
 };
 
 namespace detail {
@@ -61,6 +67,14 @@ wanted_function expression(std::string name) {
   wanted_function one;
   one.name = name;
   one.results.push_back({std::move(name), deriving::requested<wanted>::value});
+  return one;
+}
+
+/// The same of what a builder builds.
+inline wanted_function expression(std::string name, symbolic::expression written) {
+  wanted_function one;
+  one.name = name;
+  one.results.push_back({std::move(name), {}, written});
   return one;
 }
 
