@@ -49,19 +49,22 @@ static fmi3Status say(const instance *of, fmi3Status status, const char *message
   return status;
 }
 
+static fmi3Status finite(const instance *of, const double *values, int count) {
+  int i;
+  for (i = 0; i < count; ++i)
+    if (!isfinite(values[i])) return say(of, fmi3Discard, "the results are not finite at this state");
+  return fmi3OK;
+}
+)";
+
+/// For functions that have something to check.
+inline constexpr std::string_view failure = R"(
 /* Says which of the checks failed. */
 static fmi3Status failed(const instance *of, unsigned long long status, const char *const *causes, int count) {
   int i;
   for (i = 0; i < count; ++i)
     if (status >> i & 1) say(of, fmi3Discard, causes[i]);
   return fmi3Discard;
-}
-
-static fmi3Status finite(const instance *of, const double *values, int count) {
-  int i;
-  for (i = 0; i < count; ++i)
-    if (!isfinite(values[i])) return say(of, fmi3Discard, "the results are not finite at this state");
-  return fmi3OK;
 }
 )";
 

@@ -20,7 +20,9 @@ public:
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
     text += in_c_of_fmu::declarations;
-    text += evaluations();
+    const std::string evaluated = evaluations();
+    if (evaluated.find(" failed(") != evaluated.npos) text += in_c_of_fmu::failure;
+    text += evaluated;
     text += in_c_of_fmu::motion;
     text += in_c_of_fmu::life;
     text += in_c_of_fmu::values;
