@@ -105,8 +105,7 @@ private:
     return text;
   }
 
-  /// Each unknown with what it depends on. At the start parameters count too, and what depends on one of the
-  /// coordinates or speeds that the constraints give depends on all that these do.
+  /// Each unknown with what it depends on.
   std::string structure() const {
     std::string text;
     for (int i = 0; i < of_.count_of_states(); ++i)
@@ -130,9 +129,14 @@ private:
     return std::string("    <") + kind + " valueReference=\"" + std::to_string(reference) +
            "\" dependencies=\"" + (on.empty() ? on : on.substr(1)) + "\"/>\n";
   }
-  /// Of all that is known, where nothing is said.
-  static std::string initial_unknown(int reference) {
-    return "    <InitialUnknown valueReference=\"" + std::to_string(reference) + "\"/>\n";
+  /// At the start parameters count too, and what the constraints give depends on all states: so on whatever
+  /// is known then, which CasADi wants to read in full.
+  std::string initial_unknown(int reference) const {
+    std::string on;
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      if (!of_.is_dependent(i)) on += ' ' + std::to_string(fmu::first_state + i);
+    for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on += ' ' + std::to_string(i);
+    return unknown("InitialUnknown", reference, " 0" + on);
   }
 
   std::string rate_depends_on(int i) const {
