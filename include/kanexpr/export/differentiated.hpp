@@ -3,6 +3,7 @@
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,11 @@ public:
   differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
+
+  bool is_of(const symbolic::sequence<symbolic::expression>& y) const {
+    return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
+                      [](const auto& a, const auto& b) { return a.node() == b.node(); });
+  }
 
   symbolic::matrix get(const wanted_derivative& wanted) {
     using enum wanted_derivative::kind;

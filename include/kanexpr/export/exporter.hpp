@@ -4,6 +4,7 @@
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -94,14 +95,14 @@ private:
     exported_function made{.name = wanted.name};
     if (wanted.step) {
       made = written_step(wanted.name, *known_, *wanted.step, [&](mechanics::quantity of) {
-        return form({{"", {.what = deriving::request::kind::result, .wanted = of}}});
+        return form({.results = {{"", {.what = deriving::request::kind::result, .wanted = of}}}});
       });
       if (!made_.mistake.empty()) return;
     } else {
       for (const wanted_result& each : wanted.results)
         if (each.request.is_weighted())
           return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
-      std::optional<formed> found = form(wanted.results);
+      std::optional<formed> found = form(wanted);
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
       made.cost = lower::cost_of(found->code);
@@ -115,28 +116,43 @@ private:
   }
 
   /// Results of one derivation, together.
-  std::optional<formed> form(const std::vector<wanted_result>& wanted) {
+  std::optional<formed> form(const wanted_function& wanted) {
     model from = derive_();
     formed made;
     symbolic::sequence<int> nodes;
+    const auto take = [&](const std::string& name, const symbolic::matrix& found,
+                          std::vector<std::string> of_rows) {
+      if (found.entries.empty()) return; // without inputs there is no B
+      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(of_rows)});
+      for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+    };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
-    for (const wanted_result& each : wanted) {
-      symbolic::matrix found = from.get(each.request);
-      if (!from.mistake().empty()) return refuse(from.mistake()), std::nullopt;
-      if (each.derivative.is != wanted_derivative::kind::none) {
-        if (!derivatives) derivatives.emplace(from.graph(), found.entries, known_symbols);
-        found = derivatives->get(each.derivative);
-        made.weights = (std::max)(made.weights, derivatives->weights_for(each.derivative));
-      }
-      if (each.is_sparse) {
+    const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
+                             const wanted_derivative& by) {
+      if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
+      made.weights = (std::max)(made.weights, derivatives->weights_for(by));
+      symbolic::matrix found = derivatives->get(by);
+      if (const mechanics::sentence lacking = mechanics::check_derivatives(found))
+        refuse(std::string(lacking.view()));
+      return found;
+    };
+    symbolic::sequence<symbolic::expression> all;
+    for (const wanted_result& each : wanted.results) {
+      symbolic::matrix found = got(from, each);
+      if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
+      if (!made_.mistake.empty()) return std::nullopt;
+      if (each.derivative.is != wanted_derivative::kind::none)
+        found = derived(found.entries, each.derivative);
+      if (each.is_sparse)
         made.results.push_back(sparse(each.name, from, found, nodes));
-      } else if (!found.entries.empty()) { // without inputs there is no B
-        made.results.push_back(
-            {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
-        for (const symbolic::expression& e : found.entries) nodes.push(e.node());
-      }
+      else if (wanted.derivatives.empty())
+        take(each.name, found, symbols_of_rows(each.request));
+      for (const symbolic::expression& e : found.entries) all.push(e);
     }
+    for (const symbols each : wanted.derivatives)
+      take(name_of(each), derived(all, {.is = wanted_derivative::kind::jacobian, .by = each}), {});
+    if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
       nodes.push(c.measure.node());
@@ -191,6 +207,26 @@ private:
       if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
     all.time.push(m.time);
     return all;
+  }
+
+  symbolic::matrix got(model& from, const wanted_result& each) {
+    if (!each.written.is_given()) return from.get(each.request);
+    symbolic::matrix one(from.graph(), 1, 1);
+    if (each.written.lives_in(from.graph()))
+      one(0, 0) = from.in_motion(each.written);
+    else
+      refuse(each.name + " is no expression of what is exported");
+    return one;
+  }
+
+  static const char* name_of(symbols which) {
+    switch (which) {
+    case symbols::state: return "by_state";
+    case symbols::inputs: return "by_inputs";
+    case symbols::parameters: return "by_parameters";
+    case symbols::time: break;
+    }
+    return "by_time";
   }
 
   static bool holds_rates(const deriving::request& r) {

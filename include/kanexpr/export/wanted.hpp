@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -33,6 +34,7 @@ struct wanted_derivative {
 struct wanted_result {
   std::string name{};
   deriving::request request{};
+  symbolic::expression written{}; ///< in place of the request, of what a builder builds
   wanted_derivative derivative{};
   bool is_sparse = false; ///< without the entries that are zero at all states
 };
@@ -51,6 +53,7 @@ struct wanted_function {
   std::vector<wanted_result> results{};
   std::optional<wanted_step> step{}; ///< in place of results
   std::string mistake{};
+  std::vector<symbols> derivatives{}; ///< of all entries of the results, in their place
 };
 
 namespace detail {
@@ -105,6 +108,14 @@ wanted_function expression(std::string name) {
   wanted_function one;
   one.name = name;
   one.results.push_back({std::move(name), deriving::requested<wanted>::value});
+  return one;
+}
+
+/// The same of what a builder builds.
+inline wanted_function expression(std::string name, symbolic::expression written) {
+  wanted_function one;
+  one.name = name;
+  one.results.push_back({std::move(name), {}, written});
   return one;
 }
 
