@@ -48,7 +48,7 @@ add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
 
 # From C++11 on
 add_test(NAME export_cpp COMMAND sh -eu -c "
-  '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets'
+  '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets' \
     '${CMAKE_CURRENT_SOURCE_DIR}/export/cpp.cpp' '${folder}/pendulum.o' '${folder}/four_bar.o' '${folder}/bead_in_float.o' -lm -o '${folder}/cpp'
   '${folder}/cpp'")
 
