@@ -109,7 +109,7 @@ private:
       else
         needs_more += (needs_more.empty() ? "" : " || ") + res(each.place);
     }
-    const std::string least = call(function, weights, basic);
+    std::string least = call(function, weights, basic);
     if (!has_more()) return least;
     return '(' + needs_more + ")\n    ? " + call(function + "_by_all", weights, more) + "\n    : " + least;
   }

@@ -77,6 +77,7 @@ enum {
 
   static std::string starts(const char* called, const std::vector<fmu_variable>& variables) {
     std::vector<std::string> entries;
+    entries.reserve(variables.size());
     for (const fmu_variable& v : variables) entries.push_back(number(v.start));
     return array("double", called, entries);
   }
