@@ -209,7 +209,7 @@ KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
     inspect_.fail({unknown.view()});
     return {};
   }
-  return mechanics::position_from_origin(m_, place(point)) - mechanics::position_from_origin(m_, place(from));
+  return mechanics::position_from(m_, place(from), place(point));
 }
 
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
