@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/engine/derived_from_builder.hpp>
+#include <kanexpr/runtime/engine/in_own_graph.hpp>
 
 namespace kanexpr::runtime {
 
@@ -314,6 +315,12 @@ namespace kanexpr {
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
   return model(
       std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.mistake()));
+}
+
+KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
+  const auto own = std::make_shared<symbolic::graph>();
+  return model(
+      std::make_shared<derived_from_builder>(own, in_own_graph(built.system(), *own), built.mistake()));
 }
 
 } // namespace kanexpr
