@@ -12,7 +12,7 @@
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/engine/derived_from_builder.hpp>
-#include <kanexpr/runtime/engine/in_own_graph.hpp>
+#include <kanexpr/runtime/engine/own_graph.hpp>
 
 namespace kanexpr::runtime {
 
@@ -319,8 +319,9 @@ KANEXPR_ENGINE model derive(const runtime::builder& built) {
 
 KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
   const auto own = std::make_shared<symbolic::graph>();
-  return model(
-      std::make_shared<derived_from_builder>(own, in_own_graph(built.system(), *own), built.mistake()));
+  mechanics::multibody_system system(built.system());
+  move_to(*own, system);
+  return model(std::make_shared<derived_from_builder>(own, system, built.mistake()));
 }
 
 } // namespace kanexpr

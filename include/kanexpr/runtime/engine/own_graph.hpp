@@ -60,12 +60,10 @@ inline symbolic::sequence<int> copied(const symbolic::graph& from, const symboli
   return place;
 }
 
-/// A system with a graph of its own. What users write numbers its nodes in the order in which their compiler
+/// Gives a system a graph of its own. What users write numbers its nodes in the order in which their compiler
 /// evaluates operands, and models of one builder share a graph; here neither matters.
-inline mechanics::multibody_system in_own_graph(const mechanics::multibody_system& given,
-                                                symbolic::graph& own) {
-  mechanics::multibody_system system(given);
-  const symbolic::graph& shared = *given.mechanism.g;
+inline void move_to(symbolic::graph& own, mechanics::multibody_system& system) {
+  const symbolic::graph& shared = *system.mechanism.g;
   symbolic::sequence<int> nodes;
   const auto collect = [&](const symbolic::expression& e) {
     if (e.lives_in(shared)) nodes.push(e.node());
@@ -77,7 +75,6 @@ inline mechanics::multibody_system in_own_graph(const mechanics::multibody_syste
   };
   each_expression{move}(system);
   system.mechanism.g = &own;
-  return system;
 }
 
 } // namespace kanexpr::runtime
