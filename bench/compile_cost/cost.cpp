@@ -67,6 +67,11 @@ void second_order_lines(const char* system) {
   line<System>(system, "hessian_product", {quantity::weighted_hessian_product});
 }
 
+template <class System>
+void regressor_line(const char* system) {
+  line<System>(system, "regressor", {quantity::regressor});
+}
+
 } // namespace
 
 int main() {
@@ -103,4 +108,6 @@ int main() {
   second_order_lines<bicycle::System>("bicycle");
   second_order_lines<iiwa::System>("iiwa");
   second_order_lines<quadruped::System>("quadruped");
+  regressor_line<double_pendulum::System>("double_pendulum");
+  regressor_line<iiwa::System>("iiwa");
 }

@@ -7,6 +7,7 @@
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/compiled/regressor.hpp>
 #include <kanexpr/compiled/second_order.hpp>
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>

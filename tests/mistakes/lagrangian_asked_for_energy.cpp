@@ -1,4 +1,5 @@
-// expect: energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place
+// expect: energies, momenta, the mass centre and the regressor are those of bodies, and a Lagrangian takes
+// their place
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>> {};

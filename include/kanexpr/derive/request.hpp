@@ -210,7 +210,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
   case request::kind::jacobian: return detail::derivatives_of(wanted, r, m);
   case request::kind::sensitivity: {
     const mechanics::explicit_linearization l =
-        e.linearized().outputs(detail::values_of(wanted, r, m).entries);
+        e.linearized().reduced().outputs(detail::values_of(wanted, r, m).entries);
     return wanted.is_to_inputs ? l.input : l.state;
   }
   case request::kind::parameters: return detail::sensitivity_to_parameters(wanted, r, e);

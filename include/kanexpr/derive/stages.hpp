@@ -14,7 +14,7 @@ constexpr void go_on(mechanics::equations& e, stage to) {
   switch (to) {
   case stage::constrained: e.constrain(); break;
   case stage::equations: e.get(mechanics::quantity::udot); break;
-  case stage::linearized: e.linearized().explicit_form(); break;
+  case stage::linearized: e.linearized().reduced().explicit_form(); break;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/derived_system.hpp>
 #include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 
 namespace kanexpr::deriving {
@@ -17,6 +18,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   parameters = m.parameters.size();
   inputs = m.inputs.size();
   auxiliary_speeds = m.auxiliary_speeds.size();
+  for (const mechanics::body& b : m.bodies) inertial_parameters += mechanics::inertial_parameters_of(b);
   if (symbols() > room) return;
   int next = 0;
   for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})

@@ -273,7 +273,8 @@ private:
     case extent_by::all_constraints:
     case extent_by::auxiliary_speeds:
     case extent_by::unknowns:
-    case extent_by::state_and_inputs: break;
+    case extent_by::state_and_inputs:
+    case extent_by::inertial_parameters: break;
     }
     return {};
   }

@@ -11,11 +11,10 @@
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/full_form.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
+#include <kanexpr/mechanics/dynamics/regressor.hpp>
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
-#include <kanexpr/mechanics/linearize/linearizer.hpp>
-#include <kanexpr/mechanics/linearize/second_order.hpp>
-#include <kanexpr/mechanics/linearize/system_form.hpp>
+#include <kanexpr/mechanics/linearize/linearized_equations.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -56,7 +55,7 @@ public:
     visit(self.is_constrained_);
     visit(self.is_mass_checked_);
     visit(self.is_mass_regular_);
-    visit(self.linearizer_);
+    visit(self.linearized_);
   }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
@@ -93,8 +92,8 @@ public:
   /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
   constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
-    return sentence(
-        {"energies, momenta and the mass centre are those of bodies, and a Lagrangian takes their place"});
+    return sentence({"energies, momenta, the mass centre and the regressor are those of bodies, and a "
+                     "Lagrangian takes their place"});
   }
 
   /// A mistake that only the derivation could find.
@@ -123,6 +122,10 @@ public:
     case quantity::inverse_dynamics: return column(negative(dynamics_.reduce(dynamics_.unreduced_forces())));
     case quantity::required_inputs: return inputs_of_motion();
     case quantity::gravity_compensation: return column(negative(dynamics_.reduce(forces_of_gravity())));
+    case quantity::load_compensation:
+      return column(negative(dynamics_.reduce(forces_of_loads(s_, system_->loads))));
+    case quantity::regressor: return regressor();
+    case quantity::inertial_parameters: return column(inertial_values(s_));
     case quantity::coriolis: return coriolis();
     case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
     case quantity::potential_energy: return column({mechanics::potential_energy(s_, system_->loads)});
@@ -164,58 +167,20 @@ public:
   /// A result with the symbols u̇, for a caller who knows the rates of the speeds.
   constexpr symbolic::matrix at_given_rates(quantity wanted) {
     if (!is_sound()) return {};
-    using enum quantity;
-    if (wanted == state_matrix) return linearized().explicit_form().state;
-    if (wanted == input_matrix) return linearized().explicit_form().input;
-    if (wanted == state_jacobian) return linearized_freely().of_all_rates().state;
-    if (wanted == input_jacobian) return linearized_freely().of_all_rates().input;
-    if (wanted == implicit_mass_matrix) return imposed_forces(linearized_in_full().implicit_form().mass);
-    if (wanted == implicit_state_matrix) return imposed_forces(linearized_in_full().implicit_form().state);
-    if (wanted == implicit_input_matrix) return imposed_forces(linearized_in_full().implicit_form().input);
-    if (is_to_second_order(wanted)) return to_second_order().get(wanted);
+    if (is_of_linearization(wanted) || is_to_second_order(wanted)) return linearized().get(wanted);
     return get(wanted);
   }
 
-  /// The equations of the independent speeds, linearized.
-  constexpr mechanics::linearizer& linearized() {
+  /// The same equations, linearized.
+  constexpr linearized_equations& linearized() {
     if (!is_constrained_) constrain();
-    if (!linearizer_.has_value()) linearizer_.emplace(*m_->g, form().reduced());
-    return *linearizer_;
-  }
-
-  /// The same, but by Lagrange's method the equations of all speeds with their multipliers.
-  constexpr mechanics::linearizer& linearized_in_full() {
-    if (!is_constrained_) constrain();
-    if (m_->derived_by == method::kane || constraints_.size() == 0) return linearized();
-    if (!full_linearizer_.has_value()) full_linearizer_.emplace(*m_->g, form().with_multipliers());
-    return *full_linearizer_;
-  }
-
-  /// The rates of all coordinates and speeds as functions of the whole state, whether it satisfies the
-  /// constraints or not, linearized.
-  constexpr mechanics::linearizer& linearized_freely() {
-    if (!is_constrained_) constrain();
-    if (free_linearizer_) return *free_linearizer_;
-    return free_linearizer_.emplace(*m_->g, form().reduced(), directions::free);
+    return linearized_;
   }
 
   /// The derivatives of the rates q̇ and u̇ by some parameters, a column for each, with the symbols u̇.
   constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
     if (!is_sound()) return {};
-    return to_second_order().rates_by(parameters);
-  }
-
-  constexpr second_order& to_second_order() {
-    return second_order_ ? *second_order_ : second_order_.emplace(*m_->g, linearized_freely());
-  }
-
-  /// λ with the symbols u̇, of a system by Lagrange's method with constraints.
-  constexpr symbolic::matrix multipliers_at_given_rates() {
-    const general_form& full = linearized_in_full().form();
-    const sequence<expression> force = summed(full.f_2, full.f_3);
-    sequence<expression> of_dependent;
-    for (int d : speeds_.dependent) of_dependent.push(-force[d]);
-    return multipliers(*m_->g, constraints_, speeds_, of_dependent).x;
+    return linearized_.to_second_order().rates_by(parameters);
   }
 
   /// An expression with the rates q̇ and u̇ as the equations of motion give them.
@@ -247,11 +212,9 @@ public:
         all.push(g);
     for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
     for (const singularity_check& g : checks_of_inputs(*m_, input_blocks_)) all.push(g);
-    const std::optional<mechanics::linearizer>& any = full_linearizer_ ? full_linearizer_ : linearizer_;
-    if (any)
-      for (const singularity_check& g :
-           checks_of_coordinates(*m_, coordinates_, any->variations().coordinate_blocks()))
-        all.push(g);
+    for (const singularity_check& g :
+         checks_of_coordinates(*m_, coordinates_, linearized_.coordinate_blocks()))
+      all.push(g);
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
@@ -271,21 +234,6 @@ private:
     if (!is_constrained_) constrain();
     if (!mistake_) mass(); // which may be a mistake
     return !mistake_;
-  }
-
-  constexpr system_form form() {
-    return {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_};
-  }
-
-  /// A matrix with the multipliers that go with the rates q̇ and u̇ in it.
-  constexpr symbolic::matrix imposed_forces(symbolic::matrix m) {
-    const general_form& full = linearized_in_full().form();
-    if (full.lambda.empty()) return m;
-    const symbolic::matrix lambda = multipliers_at_given_rates();
-    symbolic::substitution imposed(*m_->g);
-    for (int i = 0; i < lambda.rows; ++i) imposed.replace(full.lambda[i], lambda(i, 0));
-    for (expression& e : m.entries) e = imposed.in(e);
-    return m;
   }
 
   /// Speeds that are the rate of a dependent coordinate are dependent themselves if that serves.
@@ -311,9 +259,7 @@ private:
   }
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all = dynamics_.pivots();
-    for (const auto* any : {&linearizer_, &free_linearizer_})
-      if (*any)
-        for (const symbolic::pivot& p : (*any)->pivots()) all.push(p);
+    for (const symbolic::pivot& p : linearized_.pivots()) all.push(p);
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
@@ -333,6 +279,21 @@ private:
     mistake_ = found.mistake;
     input_blocks_ = found.solved.blocks;
     return found.solved.x;
+  }
+
+  constexpr symbolic::matrix regressor() {
+    motion k = motion_on_rising_ground(s_, system_->loads, m_->speed_rates);
+    if (!mistake_) mistake_ = check_regressor(s_, k);
+    if (mistake_) return {};
+    const symbolic::matrix of_all = regressor_of_all(s_, k);
+    symbolic::matrix of_independent(*m_->g, speeds_.independent.size(), of_all.columns);
+    for (int j = 0; j < of_all.columns; ++j) {
+      sequence<expression> force;
+      for (int i = 0; i < of_all.rows; ++i) force.push(of_all(i, j));
+      const sequence<expression> reduced = dynamics_.reduce(force);
+      for (int i = 0; i < reduced.size(); ++i) of_independent(i, j) = reduced[i];
+    }
+    return of_independent;
   }
 
   constexpr symbolic::matrix coriolis() {
@@ -393,8 +354,8 @@ private:
   sequence<symbolic::solved_block> input_blocks_{}; ///< of the inputs that bring about accelerations
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
-  std::optional<mechanics::linearizer> linearizer_{}, full_linearizer_{}, free_linearizer_{};
-  std::optional<second_order> second_order_{};
+  linearized_equations linearized_{s_,           system_->loads, constraints_, configuration_,
+                                   coordinates_, speeds_,        dynamics_};
 };
 
 } // namespace kanexpr::mechanics

@@ -20,6 +20,9 @@ enum class quantity : unsigned char {
   inverse_dynamics,     ///< what must act on the independent speeds beside the loads, p−m, with the symbols u̇
   required_inputs,      ///< the inputs that bring about u̇, s = p−m, with the symbols u̇
   gravity_compensation, ///< what balances gravity on the independent speeds, p−m
+  load_compensation,    ///< what balances all loads but gravity on the independent speeds, p−m
+  regressor,            ///< Y in τ = Y π + τ_0, the inverse dynamics, by the b inertial parameters, (p−m)×b
+  inertial_parameters,  ///< π as the model gives them, b
   coriolis,             ///< C with Ṁ − 2C skew-symmetric, of speeds that are rates of coordinates, p×p
   kinetic_energy,
   potential_energy,                    ///< of gravity, of springs and what the model gives as one
@@ -68,10 +71,11 @@ enum class extent_by : unsigned char {
   speed_constraints,         ///< m
   all_constraints,           ///< l+m
   auxiliary_speeds,
-  inputs,             ///< s
-  independent_states, ///< n−l+p−m
-  unknowns,           ///< n+p+k
-  state_and_inputs,   ///< n+p+s
+  inputs,              ///< s
+  independent_states,  ///< n−l+p−m
+  unknowns,            ///< n+p+k
+  state_and_inputs,    ///< n+p+s
+  inertial_parameters, ///< b: a mass for each particle, ten for each rigid body
 };
 
 /// How far a derivation has to go for a result.
@@ -115,6 +119,12 @@ inline constexpr result_row results[]{
     {quantity::required_inputs, "required_inputs", extent_by::inputs, extent_by::one, stage::constrained,
      false, true},
     {quantity::gravity_compensation, "gravity_compensation", extent_by::independent_speeds, extent_by::one,
+     stage::constrained, true},
+    {quantity::load_compensation, "load_compensation", extent_by::independent_speeds, extent_by::one,
+     stage::constrained},
+    {quantity::regressor, "regressor", extent_by::independent_speeds, extent_by::inertial_parameters,
+     stage::constrained, true, true},
+    {quantity::inertial_parameters, "inertial_parameters", extent_by::inertial_parameters, extent_by::one,
      stage::constrained, true},
     {quantity::coriolis, "coriolis", extent_by::speeds, extent_by::speeds, stage::constrained},
     {quantity::kinetic_energy, "kinetic_energy", extent_by::scalar, extent_by::scalar, stage::constrained,

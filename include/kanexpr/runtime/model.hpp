@@ -15,6 +15,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace kanexpr {
 
@@ -39,6 +40,9 @@ public:
   /// u6".
   std::string names_of_dependent_coordinates();
   std::string names_of_dependent_speeds();
+
+  /// What the columns of the regressor belong to: "m of Link", "m*x of Link", … "izx of Link", body by body.
+  std::vector<std::string> names_of_inertial_parameters() const;
 
   /// A result as a matrix of expressions; without entries where the system has a mistake.
   symbolic::matrix get(mechanics::quantity wanted);

@@ -197,7 +197,8 @@ struct varied_step<runge_kutta_4<System, corrections>> {
     using rates = rates_with_derivatives<System>;
     using varied = varied_state<System, T>;
     constexpr int inputs = varied::inputs;
-    const T reach[]{T(0), T(h / 2), T(h / 2), h}, weight[]{T(h / 6), T(h / 3), T(h / 3), T(h / 6)};
+    const T reach[]{T(0), T(h / T(2)), T(h / T(2)), h},
+        weight[]{T(h / T(6)), T(h / T(3)), T(h / T(3)), T(h / T(6))};
     varied at(x), next(x);
     const varied before(x);
     for (int stage = 0; stage < 4; ++stage) {

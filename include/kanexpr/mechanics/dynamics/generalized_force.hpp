@@ -7,6 +7,23 @@
 
 namespace kanexpr::mechanics {
 
+/// I·α + ω×(I·ω) about a point, from the matrix U that its forces use as well: with the products of inertia
+/// as weights of U's entries it takes half the products of the two-step form.
+constexpr components inertia_demand(const symmetric& i, const components& w, const components& alpha,
+                                    const matrix3& u) {
+  components moment;
+  for (int x = 0; x < 3; ++x) {
+    const int y = (x + 1) % 3, z = (x + 2) % 3;
+    moment[x] = i(x, x) * alpha[x];
+    const expression difference = i(z, z) - i(y, y);
+    moment[x] += difference * (w[y] * w[z]);
+    moment[x] += i(y, z) * difference_of_products(w[y], w[y], w[z], w[z]);
+    moment[x] += i(z, x) * u(y, x);
+    moment[x] -= i(x, y) * u(z, x);
+  }
+  return moment;
+}
+
 /// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces run down the
 /// tree of points, moments down the tree of frames, and each speed picks up its share where it enters. Kane &
 /// Levinson (1985), section 4.4, in time proportional to the number of links.
@@ -47,17 +64,20 @@ public:
 
   /// What the change of masses and inertias asks for, F = d(mv)/dt: −ṁ v at the mass centre and −İ·ω.
   constexpr void add_changes_of_mass(motion& k) {
-    for (const body& b : m_.bodies) {
-      const int n = s_.station_of_point[b.center];
-      const expression rate = k.rate(known_.in(b.mass));
-      if (!rate.is_zero()) force_[n] -= rate * k.velocity(n);
-      if (b.frame == none || (rate.is_zero() && has_fixed_inertia(k, b))) continue;
-      const int f = s_.rigid_with[b.frame], axes = s_.body_axes[f];
-      const components w = express(m_, k.angular_velocity(f), s_.working_axes[f], axes);
-      const symmetric change = rate_in_body(k, central_inertia(m_, b, axes), axes, f, w);
-      if (change.is_zero()) continue;
-      moment_[f] -= express(m_, change * w, axes, s_.working_axes[f]);
-    }
+    for (const body& b : m_.bodies) add_change_of_mass(k, b);
+  }
+  /// Of one body; whether it asks for anything.
+  constexpr bool add_change_of_mass(motion& k, const body& b) {
+    const int n = s_.station_of_point[b.center];
+    const expression rate = k.rate(known_.in(b.mass));
+    if (!rate.is_zero()) force_[n] -= rate * k.velocity(n);
+    if (b.frame == none || (rate.is_zero() && has_fixed_inertia(k, b))) return !rate.is_zero();
+    const int f = s_.rigid_with[b.frame], axes = s_.body_axes[f];
+    const components w = express(m_, k.angular_velocity(f), s_.working_axes[f], axes);
+    const symmetric change = rate_in_body(k, central_inertia(m_, b, axes), axes, f, w);
+    if (change.is_zero()) return !rate.is_zero();
+    moment_[f] -= express(m_, change * w, axes, s_.working_axes[f]);
+    return true;
   }
 
   /// The generalized force of each speed, then of each auxiliary speed.
@@ -117,23 +137,11 @@ private:
     return change;
   }
 
-  /// I·α + ω×(I·ω) about the link's station, from the matrix U that its forces use as well: with the products
-  /// of inertia as weights of U's entries it takes half the products of the two-step form.
+  /// About the link's station.
   constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
-    components moment(*m_.g);
-    if (i.is_zero()) return moment;
+    if (i.is_zero()) return components(*m_.g);
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);
-    for (int x = 0; x < 3; ++x) {
-      const int y = (x + 1) % 3, z = (x + 2) % 3;
-      const matrix3& u = k.acceleration_matrix(f);
-      moment[x] = i(x, x) * alpha[x];
-      const expression difference = i(z, z) - i(y, y);
-      moment[x] += difference * (w[y] * w[z]);
-      moment[x] += i(y, z) * difference_of_products(w[y], w[y], w[z], w[z]);
-      moment[x] += i(z, x) * u(y, x);
-      moment[x] -= i(x, y) * u(z, x);
-    }
-    return moment;
+    return mechanics::inertia_demand(i, w, alpha, k.acceleration_matrix(f));
   }
 
   const skeleton& s_;

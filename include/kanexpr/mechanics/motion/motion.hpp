@@ -18,6 +18,17 @@ struct remembered {
   }
 };
 
+/// U = [α]× + [ω]×[ω]×: the acceleration of a point at r in a frame is a + U r.
+constexpr matrix3 acceleration_matrix(const components& w, const components& alpha) {
+  const expression xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  const expression xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;
+  matrix3 u;
+  u.row[0] = {-(yy + zz), xy - alpha.z, zx + alpha.y};
+  u.row[1] = {xy + alpha.z, -(zz + xx), yz - alpha.x};
+  u.row[2] = {zx - alpha.y, yz + alpha.x, -(xx + yy)};
+  return u;
+}
+
 /// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's stations,
 /// all in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
 /// ground, and kept.
@@ -79,20 +90,11 @@ public:
     return alpha_[f].keep(a);
   }
 
-  /// U = [α]× + [ω]×[ω]×: the acceleration of a point at r in the frame is a + U r.
   constexpr const matrix3& acceleration_matrix(int f) {
     f = s_->rigid_with[f];
-    if (!carry_[f].known) {
-      const components w = angular_velocity(f), a = angular_acceleration(f);
-      const expression xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
-      const expression xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;
-      matrix3 u;
-      u.row[0] = {-(yy + zz), xy - a.z, zx + a.y};
-      u.row[1] = {xy + a.z, -(zz + xx), yz - a.x};
-      u.row[2] = {zx - a.y, yz + a.x, -(xx + yy)};
-      carry_[f].keep(u);
-    }
-    return carry_[f].value;
+    if (carry_[f].known) return carry_[f].value;
+    const components w = angular_velocity(f), a = angular_acceleration(f);
+    return carry_[f].keep(mechanics::acceleration_matrix(w, a));
   }
 
   /// Velocity of a station, in the working axes of its own frame.

@@ -18,7 +18,7 @@ namespace kanexpr::runtime {
 class consistent_point {
 public:
   consistent_point(mechanics::equations& e, const std::vector<symbolic::replacement>& given)
-      : form_(e.linearized_in_full().form()), g_(*e.skeleton_used().model->g), is_empty_(given.empty()),
+      : form_(e.linearized().in_full().form()), g_(*e.skeleton_used().model->g), is_empty_(given.empty()),
         all_(given) {
     const bool knows_rates = names_any(form_.qdot),
                knows_accelerations = names_any(form_.udot) || names_any(form_.lambda);
@@ -26,7 +26,7 @@ public:
     must_vanish(form_.f_v, "velocity constraint ");
     complete(form_.qdot, form_.known.qdot);
     if (!names_all(form_.udot)) complete(form_.udot, e.get(mechanics::quantity::udot).entries);
-    if (!form_.lambda.empty()) complete(form_.lambda, e.multipliers_at_given_rates().entries);
+    if (!form_.lambda.empty()) complete(form_.lambda, e.linearized().multipliers().entries);
     if (knows_rates) must_vanish(mechanics::summed(form_.f_0, form_.f_1), "kinematic differential equation ");
     if (!knows_accelerations) return;
     must_vanish(form_.f_a, "the rate of velocity constraint ");

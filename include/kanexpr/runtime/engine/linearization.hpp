@@ -34,7 +34,7 @@ public:
 
   const implicit_matrices& implicit_form() {
     if (implicit_.M.rows != 0 || !point_) return implicit_;
-    const mechanics::implicit_linearization& l = equations().linearized_in_full().implicit_form();
+    const mechanics::implicit_linearization& l = equations().linearized().in_full().implicit_form();
     implicit_ = {values(l.mass, "M"), values(l.state, "A"), values(l.input, "B")};
     return implicit_;
   }
@@ -54,19 +54,19 @@ public:
 
   output_matrices outputs(const symbolic::matrix& y) {
     if (!point_) return {};
-    const mechanics::explicit_linearization l = equations().linearized().outputs(y.entries);
+    const mechanics::explicit_linearization l = equations().linearized().reduced().outputs(y.entries);
     return {values(l.state, "C"), values(l.input, "D")};
   }
 
   symbolic::matrix permutation() {
     if (!point_) return {};
-    return mechanics::permutation_of(graph(), equations().linearized_in_full().form());
+    return mechanics::permutation_of(graph(), equations().linearized().in_full().form());
   }
 
   std::vector<std::string> states() {
     std::vector<std::string> names;
     if (!point_) return names;
-    const mechanics::general_form& form = equations().linearized().form();
+    const mechanics::general_form& form = equations().linearized().reduced().form();
     for (int i : form.coordinates.independent) names.push_back(symbolic::print(form.q[i]));
     for (int i : form.speeds.independent) names.push_back(symbolic::print(form.u[i]));
     return names;
@@ -74,7 +74,7 @@ public:
   std::vector<std::string> inputs() {
     std::vector<std::string> names;
     if (!point_) return names;
-    for (const symbolic::expression& r : equations().linearized().form().r)
+    for (const symbolic::expression& r : equations().linearized().reduced().form().r)
       names.push_back(symbolic::print(r));
     return names;
   }
@@ -95,14 +95,14 @@ private:
   }
 
   explicit_matrices from_derivation() {
-    const mechanics::explicit_linearization& l = equations().linearized().explicit_form();
+    const mechanics::explicit_linearization& l = equations().linearized().reduced().explicit_form();
     return {values(l.state, "A"), values(l.input, "B")};
   }
 
   /// Solved after the values are in their places: as numbers where all are numbers.
   explicit_matrices from_implicit() {
     const implicit_matrices& given = implicit_form();
-    const mechanics::linearizer& full = equations().linearized_in_full();
+    const mechanics::linearizer& full = equations().linearized().in_full();
     const symbolic::matrix rates = rates_of({given.M, given.A, given.B});
     const mechanics::explicit_linearization rows = mechanics::rows_of_states(graph(), full.form(), rates);
     return {rows.state, rows.input};

@@ -62,6 +62,13 @@ KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
   return runtime::enumerated(*system_, mechanism().speeds, &mechanics::equations::speeds);
 }
 
+KANEXPR_ENGINE std::vector<std::string> model::names_of_inertial_parameters() const {
+  std::vector<std::string> all;
+  for (const symbolic::name& each : mechanics::names_of_inertial_parameters(mechanism()))
+    all.emplace_back(each.view());
+  return all;
+}
+
 KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
   return get({.what = deriving::request::kind::result, .wanted = wanted});
 }

@@ -1,0 +1,1 @@
+#include <kanexpr/runtime/engine/base_parameters.hpp>

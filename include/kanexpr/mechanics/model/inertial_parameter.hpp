@@ -1,0 +1,33 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+#include <string_view>
+
+/// The full inertial parameters of bodies, in which forces of inertia and gravity are linear: of a rigid body
+/// its mass, its first moments m·x, m·y and m·z, and the moments and products of inertia with the sign of
+/// I = Σ m (r·r E − r r), all about one point of the body and in the axes of its frame; of a particle its
+/// mass. Khalil & Dombre, Modeling, Identification and Control of Robots (2002), section 9.2.
+namespace kanexpr::mechanics {
+
+/// How they are called, in their order.
+inline constexpr std::string_view inertial_parameter_names[]{"m",   "m*x", "m*y", "m*z", "ixx",
+                                                             "iyy", "izz", "ixy", "iyz", "izx"};
+
+/// How many of them a body has.
+constexpr int inertial_parameters_of(const body& b) { return b.frame == none ? 1 : 10; }
+
+/// "m of Bob", "izz of Link": those of all bodies, in the order of the bodies.
+constexpr sequence<name> names_of_inertial_parameters(const mechanism& m) {
+  sequence<name> all;
+  for (const body& b : m.bodies)
+    for (int i = 0; i < inertial_parameters_of(b); ++i) {
+      name called = inertial_parameter_names[i];
+      called.append(" of ");
+      called.append(b.called.view());
+      all.push(called);
+    }
+  return all;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace kanexpr::numeric {
+
+/// The columns of a matrix that do not follow from those before them, and how the others do.
+struct independent_columns {
+  std::vector<Eigen::Index> kept{};
+  Eigen::MatrixXd combination{}; ///< K in A = A_kept K
+  /// Beside the length of a column: the shortest remainder that counts, and the longest that does not. Far
+  /// apart they tell that the choice is sure.
+  double shortest_kept = 1, longest_left = 0;
+};
+
+/// By the Gram-Schmidt process in the order of the columns, every vector made orthogonal twice (Golub & Van
+/// Loan, Matrix Computations, section 5.2). Of columns of length 1, a remainder no longer than `least` counts
+/// as nothing, and so does a coefficient.
+inline independent_columns independent_columns_of(const Eigen::MatrixXd& a, double least) {
+  const Eigen::Index columns = a.cols();
+  Eigen::VectorXd length = a.colwise().norm();
+  const double longest = columns == 0 ? 0.0 : static_cast<double>(length.maxCoeff());
+  Eigen::MatrixXd q(a.rows(), columns), r = Eigen::MatrixXd::Zero(columns, columns),
+                                        by_kept = Eigen::MatrixXd::Zero(columns, columns);
+  independent_columns found;
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    if (length(j) <= least * longest) continue;
+    const Eigen::Index rank = static_cast<Eigen::Index>(found.kept.size());
+    Eigen::VectorXd left = a.col(j) / length(j), along = Eigen::VectorXd::Zero(rank);
+    for (int twice = 0; twice < 2; ++twice)
+      for (Eigen::Index i = 0; i < rank; ++i) {
+        const double part = q.col(i).dot(left);
+        left -= part * q.col(i);
+        along(i) += part;
+      }
+    const double remainder = left.norm();
+    if (remainder > least) {
+      found.shortest_kept = (std::min)(found.shortest_kept, remainder);
+      q.col(rank) = left / remainder;
+      r.col(rank).head(rank) = along;
+      r(rank, rank) = remainder;
+      by_kept(rank, j) = 1;
+      found.kept.push_back(j);
+      continue;
+    }
+    found.longest_left = (std::max)(found.longest_left, remainder);
+    for (Eigen::Index i = rank; i-- > 0;) {
+      along(i) /= r(i, i);
+      along.head(i) -= along(i) * r.col(i).head(i);
+      const double own = length(found.kept[static_cast<std::size_t>(i)]);
+      if (std::abs(along(i)) > least) by_kept(i, j) = along(i) * length(j) / own;
+    }
+  }
+  found.combination = by_kept.topRows(static_cast<Eigen::Index>(found.kept.size()));
+  return found;
+}
+
+} // namespace kanexpr::numeric

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/numeric/independent_columns.hpp>
+#include <kanexpr/runtime/base_parameters.hpp>
+
+#include <cstdio>
+#include <random>
+
+namespace kanexpr::runtime {
+
+/// The regressor of a system at random states that satisfy its constraints.
+class random_regressors {
+public:
+  random_regressors(model& m, std::span<const double> p, std::uint64_t seed)
+      : m_(m), p_(Eigen::Map<const Eigen::VectorXd>(p.data(), static_cast<Eigen::Index>(p.size()))),
+        source_(seed), y_(m.function(m.get(mechanics::quantity::regressor))),
+        dependency_(m.function(m.get(mechanics::quantity::dependency))),
+        bias_(m.function(m.get(mechanics::quantity::acceleration_bias))) {}
+
+  /// Several times as many rows as columns, one regressor below another; without rows where no states were
+  /// found.
+  Eigen::MatrixXd draw(Eigen::Index columns) {
+    const Eigen::Index rows = m_.mechanism().speeds.size() - m_.equations().speeds().dependent.size();
+    const Eigen::Index states = rows == 0 ? 0 : 3 * columns / rows + 3;
+    Eigen::MatrixXd all(rows * states, columns);
+    Eigen::Index found = 0;
+    for (Eigen::Index tried = 0; found < states && tried < 20 * states; ++tried)
+      if (move()) all.middleRows(rows * found++, rows) = y_(t_, x_, p_, r_, a_);
+    return found < states ? Eigen::MatrixXd(0, columns) : all;
+  }
+
+  /// Why the last state was not taken.
+  const mechanics::sentence& cause() const { return cause_; }
+
+private:
+  Eigen::VectorXd numbers(int count, double reach) {
+    std::uniform_real_distribution<double> unit(-reach, reach);
+    return Eigen::VectorXd::NullaryExpr(count, [&] { return unit(source_); });
+  }
+
+  bool move() {
+    const mechanics::mechanism& moving = m_.mechanism();
+    const mechanics::partition& speeds = m_.equations().speeds();
+    t_ = numbers(1, 1)(0);
+    x_.resize(moving.coordinates.size() + moving.speeds.size());
+    x_ << numbers(moving.coordinates.size(), 3), numbers(moving.speeds.size(), 2);
+    r_ = numbers(moving.inputs.size(), 1);
+    a_ = numbers(moving.speeds.size(), 4);
+    if (const assembly placed = kanexpr::assemble(m_, x_, p_, r_, t_); !placed) {
+      cause_ = placed.failure;
+      return false;
+    }
+    if (!speeds.dependent.empty()) {
+      Eigen::VectorXd free(speeds.independent.size());
+      for (int i = 0; i < speeds.independent.size(); ++i) free(i) = a_(speeds.independent[i]);
+      const Eigen::VectorXd bound = dependency_(t_, x_, p_, r_) * free + bias_(t_, x_, p_, r_);
+      for (int i = 0; i < speeds.dependent.size(); ++i) a_(speeds.dependent[i]) = bound(i);
+    }
+    const bool is_finite = y_(t_, x_, p_, r_, a_).allFinite();
+    for (const auto* each : {&dependency_, &bias_, &y_})
+      if (!each->status()) cause_ = mechanics::sentence({each->status().cause()});
+    return is_finite && y_.status() && (speeds.dependent.empty() || (dependency_.status() && bias_.status()));
+  }
+
+  model& m_;
+  Eigen::VectorXd p_;
+  std::mt19937_64 source_;
+  interpreted<double> y_, dependency_, bias_;
+  mechanics::sentence cause_{};
+  double t_ = 0;
+  Eigen::VectorXd x_{}, r_{}, a_{};
+};
+
+/// "izz of A + 0.25*m of B - m*x of B"
+inline std::string name_of_combination(const Eigen::MatrixXd& k, Eigen::Index row, Eigen::Index own,
+                                       const std::vector<std::string>& names) {
+  std::string text = names[static_cast<std::size_t>(own)];
+  for (Eigen::Index j = 0; j < k.cols(); ++j) {
+    const double share = k(row, j);
+    if (j == own || std::abs(share) <= 0) continue;
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.6g", std::abs(share));
+    text.append(share < 0 ? " - " : " + ");
+    if (std::string_view(digits) != "1") text.append(digits).append("*");
+    text.append(names[static_cast<std::size_t>(j)]);
+  }
+  return text;
+}
+
+KANEXPR_ENGINE base_parameters find_base_parameters(model& m, std::span<const double> p,
+                                                    const base_parameter_options& options) {
+  base_parameters found;
+  const auto refuse = [&](const mechanics::sentence& because) {
+    found.failure = because;
+    return found;
+  };
+  const symbolic::matrix y = m.get(mechanics::quantity::regressor);
+  if (!m.mistake().empty()) return refuse(mechanics::sentence({m.mistake()}));
+  if (static_cast<int>(p.size()) < m.mechanism().parameters.size())
+    return refuse(mechanics::sentence(
+        {"base parameters are asked for with ", mechanics::counted(static_cast<int>(p.size())).view(),
+         " parameters of ", mechanics::counted(m.mechanism().parameters.size()).view()}));
+  random_regressors states(m, p, options.seed);
+  const Eigen::MatrixXd all = states.draw(y.columns);
+  if (all.rows() == 0)
+    return refuse(mechanics::sentence(
+        {"no states were found to look for base parameters at: ", states.cause().view()}));
+  const numeric::independent_columns chosen = numeric::independent_columns_of(all, options.tolerance);
+  constexpr double apart = 100;
+  if (chosen.shortest_kept < apart * options.tolerance || chosen.longest_left * apart > options.tolerance)
+    return refuse(numeric::with_number(
+        "which inertial parameters follow from others is not clear with a tolerance of ", options.tolerance));
+  found.columns = chosen.kept;
+  found.combination = chosen.combination;
+  const std::vector<std::string> names = m.names_of_inertial_parameters();
+  for (std::size_t i = 0; i < chosen.kept.size(); ++i)
+    found.names.push_back(
+        name_of_combination(chosen.combination, static_cast<Eigen::Index>(i), chosen.kept[i], names));
+  return found;
+}
+
+} // namespace kanexpr::runtime

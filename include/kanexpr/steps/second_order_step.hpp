@@ -1,0 +1,297 @@
+#pragma once
+
+#include <kanexpr/compiled/second_order.hpp>
+#include <kanexpr/steps/linearized_step.hpp>
+
+namespace kanexpr {
+
+namespace compiled {
+
+/// What the second derivatives of a step are made of: those of the rates at a stage, with the numbers
+/// that they are asked for with.
+template <class System>
+struct weighted_rates {
+  using quantity = mechanics::quantity;
+  using of_second_order = kanexpr::second_order<System>;
+  static constexpr int coordinates = survey_of<System>.coordinates, speeds = survey_of<System>.speeds,
+                       inputs = survey_of<System>.inputs, states = coordinates + speeds,
+                       size = of_second_order::size;
+
+  template <class T>
+  using weights = typename of_second_order::template weights<T>;
+  template <class T>
+  using direction = typename of_second_order::template direction<T>;
+  template <class T>
+  using square = Eigen::Matrix<T, size, size>;
+
+  using gradient = function<System, quantity::weighted_gradient>;
+  using hessian = function<System, quantity::weighted_hessian>;
+  using gradient_and_product =
+      function<System, quantity::weighted_gradient, quantity::weighted_hessian_product>;
+  using rates_along = function<System, quantity::rhs, quantity::directional_derivative>;
+
+  /// Whether the derivatives of q̇ are numbers: then q̇ has no second ones.
+  static constexpr bool has_linear_kinematics = [] {
+    using by = deriving::with_respect_to;
+    using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state},
+                                deriving::derivatives_of_result{quantity::qdot, by::inputs}>;
+    return kinematics::code::tape.sizes.loads == 0;
+  }();
+};
+
+/// Entries of one vector behind those of another.
+template <class Above, class Below>
+auto stacked(const Above& above, const Below& below) {
+  Eigen::Matrix<typename Above::Scalar, Above::RowsAtCompileTime + Below::RowsAtCompileTime, 1> all;
+  all << above, below;
+  return all;
+}
+
+template <class Step>
+struct step_of_second_order;
+
+/// The adjoint runs through the stages backwards, and each adds its Hessian, weighted by the adjoint there
+/// and seen from the start of the step.
+template <class System>
+struct step_of_second_order<runge_kutta_4<System, 0>> {
+  using rates = weighted_rates<System>;
+  static constexpr int states = rates::states, inputs = rates::inputs, size = rates::size;
+  static constexpr int stages = 4;
+
+  /// Of h, where a stage is, and how far its rate goes into the end.
+  template <class T>
+  static constexpr void lengths(const T& h, T (&reach)[stages], T (&weight)[stages]) {
+    reach[0] = T(0), reach[1] = reach[2] = T(h / T(2)), reach[3] = h;
+    weight[0] = weight[3] = T(h / T(6)), weight[1] = weight[2] = T(h / T(3));
+  }
+
+  template <class T, class P, class R, class W>
+  static with_status<typename rates::template square<T>>
+  hessian(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w) {
+    using linear = rates_with_derivatives<System>;
+    using derivatives = typename varied_state<System, T>::derivatives;
+    with_status<typename rates::template square<T>> all;
+    T reach[stages], weight[stages];
+    lengths(h, reach, weight);
+    varied_state<System, T> before(x), at[stages]{before, before, before, before};
+    Eigen::Matrix<T, states, states> by_state[stages];
+    for (int s = 0; s < stages; ++s) {
+      const auto [rate, by_x, by_r] = typename linear::evaluated{}(T(t + reach[s]), at[s].x, p, r);
+      all.status = status_of(rate);
+      if (!all.status) return all;
+      by_state[s] = by_x;
+      if (s + 1 == stages) break;
+      derivatives by_all = linear::by_state::product(by_x, at[s].by_all);
+      by_all.template rightCols<inputs>() += by_r;
+      stepping::advance(at[s + 1].x, 0, x, reach[s + 1], rate);
+      at[s + 1].by_all = before.by_all + reach[s + 1] * by_all;
+    }
+    all.setZero();
+    typename rates::template weights<T> after = rates::template weights<T>::Zero(); // the adjoint of a stage
+    for (int s = stages; s-- > 0;) {
+      typename rates::template weights<T> of_rate = weight[s] * w;
+      if (s + 1 < stages) of_rate += reach[s + 1] * after;
+      const auto bent = typename rates::hessian{}(T(t + reach[s]), at[s].x, p, r, of_rate);
+      all.status = status_of(bent);
+      if (!all.status) return all;
+      add_seen_from_start(all, bent, at[s].by_all);
+      after = by_state[s].transpose().lazyProduct(of_rate);
+    }
+    return all;
+  }
+
+  template <class T, class P, class R, class W, class V>
+  static with_status<typename rates::template direction<T>>
+  product(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w, const V& v) {
+    using weights = typename rates::template weights<T>;
+    using direction = typename rates::template direction<T>;
+    with_status<direction> all;
+    T reach[stages], weight[stages];
+    lengths(h, reach, weight);
+    state<System, T> at[stages]{x, x, x, x};
+    direction along[stages]{v, v, v, v};
+    for (int s = 0; s + 1 < stages; ++s) {
+      const auto [rate, change] = typename rates::rates_along{}(T(t + reach[s]), at[s], p, r, along[s]);
+      all.status = status_of(rate);
+      if (!all.status) return all;
+      stepping::advance(at[s + 1], 0, x, reach[s + 1], rate);
+      stepping::advance(along[s + 1], 0, v, reach[s + 1], change);
+    }
+    all.setZero();
+    weights after = weights::Zero(), change_after = weights::Zero();
+    for (int s = stages; s-- > 0;) {
+      weights of_rate = weight[s] * w, change_of_rate = weights::Zero();
+      if (s + 1 < stages) of_rate += reach[s + 1] * after, change_of_rate = reach[s + 1] * change_after;
+      const T when = T(t + reach[s]);
+      const auto [slope, bent] = typename rates::gradient_and_product{}(when, at[s], p, r, of_rate, along[s]);
+      all.status = status_of(slope);
+      if (!all.status) return all;
+      direction change = bent;
+      if (s + 1 < stages) change += typename rates::gradient{}(when, at[s], p, r, change_of_rate);
+      after = slope.template head<states>();
+      change_after = change.template head<states>();
+      all += change;
+    }
+    return all;
+  }
+
+private:
+  /// Zᵀ H Z with Z = [∂x/∂(x, r); 0 E] of a stage.
+  template <class T, class Bent>
+  static void add_seen_from_start(typename rates::template square<T>& all, const Bent& bent,
+                                  const typename varied_state<System, T>::derivatives& by_all) {
+    typename rates::template square<T> right = bent.template leftCols<states>().lazyProduct(by_all);
+    right.template rightCols<inputs>() += bent.template rightCols<inputs>();
+    all += by_all.transpose().lazyProduct(right.template topRows<states>());
+    all.template bottomRows<inputs>() += right.template bottomRows<inputs>();
+  }
+};
+
+/// q⁺ = q + h q̇(q, u⁺, r) after u⁺ = u + h u̇(q, u, r).
+template <class System>
+struct step_of_second_order<semi_implicit_euler<System, 0>> {
+  using rates = weighted_rates<System>;
+  using quantity = mechanics::quantity;
+  using by = deriving::with_respect_to;
+  static constexpr int n = rates::coordinates, speeds = rates::speeds, states = rates::states,
+                       inputs = rates::inputs, size = rates::size;
+  using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state}>;
+
+  template <class T, class P, class R, class W>
+  static with_status<typename rates::template square<T>>
+  hessian(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w) {
+    using linear = rates_with_derivatives<System>;
+    with_status<typename rates::template square<T>> all;
+    const auto [rate, by_x, by_r] = typename linear::evaluated{}(t, x, p, r);
+    all.status = status_of(rate);
+    if (!all.status) return all;
+    state<System, T> moving = x;
+    stepping::advance(moving, n, x, h, rate.template tail<speeds>());
+    const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
+    all.status = of_speeds.status;
+    if (!all.status) return all;
+    const typename rates::template weights<T> first =
+        stacked(Eigen::Matrix<T, n, 1>::Zero().eval(), (h * of_speeds).eval());
+    const auto bent = typename rates::hessian{}(t, x, p, r, first);
+    all.status = status_of(bent);
+    if (!all.status) return all;
+    static_cast<typename rates::template square<T>&>(all) = bent;
+    if constexpr (!rates::has_linear_kinematics) {
+      typename rates::template square<T> seen = rates::template square<T>::Identity(); // ∂(q, u⁺, r)
+      seen.template block<speeds, states>(n, 0) += h * by_x.template bottomRows<speeds>();
+      seen.template block<speeds, inputs>(n, states) += h * by_r.template bottomRows<speeds>();
+      const auto turned = typename rates::hessian{}(t, moving, p, r, weights_of_coordinates<T>(h, w));
+      all.status = status_of(turned);
+      if (!all.status) return all;
+      const typename rates::template square<T> right = turned.lazyProduct(seen);
+      all += seen.transpose().lazyProduct(right);
+    }
+    return all;
+  }
+
+  template <class T, class P, class R, class W, class V>
+  static with_status<typename rates::template direction<T>>
+  product(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w, const V& v) {
+    using direction = typename rates::template direction<T>;
+    with_status<direction> all;
+    const auto [rate, change] = typename rates::rates_along{}(t, x, p, r, v);
+    all.status = status_of(rate);
+    if (!all.status) return all;
+    state<System, T> moving = x;
+    stepping::advance(moving, n, x, h, rate.template tail<speeds>());
+    const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
+    all.status = of_speeds.status;
+    if (!all.status) return all;
+    direction turned = direction::Zero();
+    if constexpr (!rates::has_linear_kinematics) {
+      direction along = v;
+      stepping::advance(along, n, v, h, change.template tail<speeds>());
+      const auto found =
+          second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates<T>(h, w), along);
+      all.status = status_of(found);
+      if (!all.status) return all;
+      turned = found;
+    }
+    const auto first = [&](const auto& of) -> typename rates::template weights<T> {
+      return stacked(Eigen::Matrix<T, n, 1>::Zero().eval(), (h * of).eval());
+    };
+    const auto bent = second_order<System>::hessian_product(t, x, p, r, first(of_speeds), v);
+    all.status = status_of(bent);
+    if (!all.status) return all;
+    static_cast<direction&>(all) = turned + bent;
+    if constexpr (!rates::has_linear_kinematics)
+      all += typename rates::gradient{}(t, x, p, r, first(turned.template segment<speeds>(n)));
+    return all;
+  }
+
+private:
+  /// Of q̇: h λ_q.
+  template <class T, class W>
+  static typename rates::template weights<T> weights_of_coordinates(const T& h, const W& w) {
+    return stacked((h * w.template head<n>()).eval(), Eigen::Matrix<T, speeds, 1>::Zero().eval());
+  }
+
+  /// Of u⁺: λ_u + h (∂q̇/∂u)ᵀ λ_q.
+  template <class T, class P, class R, class W>
+  static with_status<Eigen::Matrix<T, speeds, 1>>
+  weights_of_speeds(const T& t, const state<System, T>& at, const T& h, const P& p, const R& r, const W& w) {
+    const auto by_state = kinematics{}(t, at, p, r);
+    const Eigen::Matrix<T, n, 1> scaled = h * w.template head<n>();
+    Eigen::Matrix<T, speeds, 1> of = w.template tail<speeds>();
+    of += by_state.template rightCols<speeds>().transpose().lazyProduct(scaled);
+    return {of, status_of(by_state)};
+  }
+};
+
+} // namespace compiled
+
+/// The second derivatives of a step of fixed length, λᵀx⁺ by z = [x; r] with inputs that hold during it:
+///
+///     const auto H = second_order_step<runge_kutta_4<System, 0>>::hessian(t, x, h, p, r, w);
+///
+/// They are exact for the step as it is made, and formed from those of the rates by the chain rule through
+/// its stages (Griewank & Walther, Evaluating Derivatives, 2008, section 3.4). Steps are those without
+/// corrections; constraints may bind the state all the same, but it has no quaternions: their norm is not 1
+/// within a step.
+template <class Step>
+struct second_order_step;
+
+template <template <class, int> class Method, class System, int corrections>
+struct second_order_step<Method<System, corrections>> {
+  using quantity = mechanics::quantity;
+  static_assert(corrections == 0, "second_order_step takes a step without corrections: "
+                                  "runge_kutta_4<System, 0> or semi_implicit_euler<System, 0>");
+  static_assert(compiled::survey_of<System>.quaternions == 0,
+                "second_order_step takes a system without quaternions, which have norm 1 at the ends of a "
+                "step alone");
+  using step = compiled::step_of_second_order<Method<System, 0>>;
+
+  /// ∂²(λᵀx⁺)/∂z², symmetric.
+  template <class T, class P, class R, class W>
+  static auto hessian(std::type_identity_t<T> t, const state<System, T>& x, std::type_identity_t<T> h,
+                      const P& p, const R& r, const W& w) {
+    auto found = step::hessian(t, x, h, p, r, w);
+    for (int i = 0; i < found.rows(); ++i)
+      for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // but for rounding
+    return concluded(found, x, p, r);
+  }
+
+  /// ∂²(λᵀx⁺)/∂z² v, without the matrix.
+  template <class T, class P, class R, class W, class V>
+  static auto hessian_product(std::type_identity_t<T> t, const state<System, T>& x, std::type_identity_t<T> h,
+                              const P& p, const R& r, const W& w, const V& v) {
+    return concluded(step::product(t, x, h, p, r, w, v), x, p, r);
+  }
+
+private:
+  template <class Result, class X, class P, class R>
+  static Result concluded(Result found, const X& x, const P& p, const R& r) {
+    using math = lower::scalar_math<typename Result::Scalar>;
+    for (int i = 0; found.status && i < found.size(); ++i)
+      if (!math::is_finite(found.coeff(i))) found.status = status(stepping::step_not_finite);
+    if (!found.status) found.status = compiled::not_finite<System>::cause_of(found.status, x, p, r);
+    return found;
+  }
+};
+
+} // namespace kanexpr
