@@ -42,8 +42,16 @@ struct base_parameter_options {
 
 namespace runtime {
 
-KANEXPR_ENGINE base_parameters find_base_parameters(model& m, std::span<const double> p,
-                                                    const base_parameter_options& options);
+/// The same without matrices.
+struct found_base_parameters {
+  std::vector<int> columns{};
+  std::vector<double> combination{}; ///< by rows
+  std::vector<std::string> names{};
+  mechanics::sentence failure{};
+};
+
+KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<const double> p,
+                                                          const base_parameter_options& options);
 
 } // namespace runtime
 
@@ -52,7 +60,15 @@ KANEXPR_ENGINE base_parameters find_base_parameters(model& m, std::span<const do
 /// left stands near the ground, body by body in the order of the system.
 template <class P = Eigen::VectorXd>
 base_parameters find_base_parameters(model& m, const P& p = {}, const base_parameter_options& options = {}) {
-  return runtime::find_base_parameters(m, runtime::entries_of(p), options);
+  using by_rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const runtime::found_base_parameters found =
+      runtime::find_base_parameters(m, runtime::entries_of(p), options);
+  const auto rows = static_cast<Eigen::Index>(found.columns.size()),
+             entries = static_cast<Eigen::Index>(found.combination.size());
+  return {{found.columns.begin(), found.columns.end()},
+          Eigen::Map<const by_rows>(found.combination.data(), rows, rows == 0 ? 0 : entries / rows),
+          found.names,
+          found.failure};
 }
 
 } // namespace kanexpr

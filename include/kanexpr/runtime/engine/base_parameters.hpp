@@ -88,9 +88,9 @@ inline std::string name_of_combination(const Eigen::MatrixXd& k, Eigen::Index ro
   return text;
 }
 
-KANEXPR_ENGINE base_parameters find_base_parameters(model& m, std::span<const double> p,
-                                                    const base_parameter_options& options) {
-  base_parameters found;
+KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<const double> p,
+                                                          const base_parameter_options& options) {
+  found_base_parameters found;
   const auto refuse = [&](const mechanics::sentence& because) {
     found.failure = because;
     return found;
@@ -111,12 +111,13 @@ KANEXPR_ENGINE base_parameters find_base_parameters(model& m, std::span<const do
   if (chosen.shortest_kept < apart * options.tolerance || chosen.longest_left * apart > options.tolerance)
     return refuse(numeric::with_number(
         "which inertial parameters follow from others is not clear with a tolerance of ", options.tolerance));
-  found.columns = chosen.kept;
-  found.combination = chosen.combination;
   const std::vector<std::string> names = m.names_of_inertial_parameters();
-  for (std::size_t i = 0; i < chosen.kept.size(); ++i)
-    found.names.push_back(
-        name_of_combination(chosen.combination, static_cast<Eigen::Index>(i), chosen.kept[i], names));
+  Eigen::Index row = 0;
+  for (const Eigen::Index column : chosen.kept) {
+    found.columns.push_back(static_cast<int>(column));
+    for (Eigen::Index j = 0; j < y.columns; ++j) found.combination.push_back(chosen.combination(row, j));
+    found.names.push_back(name_of_combination(chosen.combination, row++, column, names));
+  }
   return found;
 }
 

@@ -1,1 +1,0 @@
-#include <kanexpr/runtime/engine/base_parameters.hpp>
