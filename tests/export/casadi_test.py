@@ -11,6 +11,7 @@ INTEGER = ctypes.c_longlong
 
 class Function:
     def __init__(self, library, name):
+        self.library, self.name = library, name
         self.call = getattr(library, name)
         self.call.argtypes = [ctypes.POINTER(REAL), ctypes.POINTER(REAL), ctypes.c_void_p, REAL, ctypes.c_int]
 
@@ -94,11 +95,11 @@ def near(found, expected, tolerance=1e-8):
     assert all(abs(a - b) <= tolerance * scale for a, b in zip(found, expected)), (found, expected)
 
 
-def check(name, arguments):
-    library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
+def check(library, name, arguments, result):
+    """A function with its derivatives: these against differences of those of lower order."""
     f, jacobian, forward, of_forward, adjoint, of_adjoint = (
         Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_"))
-    assert f.names[0] == arguments and f.names[1] == ["rate"]
+    assert f.names[0] == arguments and f.names[1] == [result]
     n = len(arguments)
     at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in f.shapes[0]]
     size = f.shapes[1][0][0]
@@ -134,7 +135,7 @@ def check(name, arguments):
 
     # Null arguments are zero, and null results are not wanted.
     states = {0: [0.0] * len(at[0])}
-    assert f.raw([None, *at[1:]]) == f.raw([states[0], *at[1:]])
+    assert str(f.raw([None, *at[1:]])) == str(f.raw([states[0], *at[1:]]))
     for each, given in ((jacobian, [*at, None]), (adjoint, [*at, None, weights]),
                         (of_forward, [*at, None, *direction, None]),
                         (of_adjoint, [*at, None, weights, *[None] * n]), (forward, [*at, None, *direction])):
@@ -147,11 +148,27 @@ def check(name, arguments):
     return f
 
 
+def check_implicit(f, residual):
+    """It is linear in the rates, and zero at those of the motion."""
+    at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in residual.shapes[0]]
+    rate = flat(f.dense([at[0], *at[2:]])[0])
+    found = flat(residual.dense(at)[0])
+    by_rates = Function(residual.library, f"jac_{residual.name}").dense([*at, None])[1]
+    near(found, [sum(a * (v - w) for a, v, w in zip(row, at[1], rate)) for row in by_rates], 1e-12)
+
+
+def check_all(name, *more):
+    library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
+    f = check(library, name, ["x", "r", "p", *more], "rate")
+    check_implicit(f, check(library, f"{name}_implicit", ["x", "xdot", "r", "p", *more], "residual"))
+    return f
+
+
 random.seed(4)
-check("cart", ["x", "r", "p"])
-check("disc", ["x", "r", "p"])
-check("driven", ["x", "r", "p", "t"])
-pendulum = check("bound_pendulum", ["x", "r", "p"])
+for each in sys.argv[2:] or ("cart", "disc"):
+    check_all(each)
+check_all("driven", "t")
+pendulum = check_all("bound_pendulum")
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
 assert status == 0
 near(rate, [0.0, -9.81 / 0.5 * math.sin(0.3)], 1e-14)
