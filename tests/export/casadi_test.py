@@ -86,7 +86,7 @@ def slope(f, at, k, j):
             ends.append(f(moved))
         return [(a - b) / (2 * h) for a, b in zip(*ends)]
 
-    return [(4 * a - b) / 3 for a, b in zip(difference(1e-3), difference(2e-3))]
+    return [(64 * a - 20 * b + c) / 45 for a, b, c in zip(*map(difference, (4e-4, 8e-4, 16e-4)))]
 
 
 def near(found, expected, tolerance=1e-8):
@@ -101,7 +101,8 @@ def check(library, name, arguments, result):
         Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_"))
     assert f.names[0] == arguments and f.names[1] == [result]
     n = len(arguments)
-    at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in f.shapes[0]]
+    at = [[random.uniform(0.5, 1.5) * (0.1 if called == "h" else 1) for _ in range(rows)]
+          for called, (rows, _, _) in zip(f.names[0], f.shapes[0])]
     size = f.shapes[1][0][0]
     rate, weights = [0.0] * size, [random.uniform(-1, 1) for _ in range(size)]
     direction = [[random.uniform(-1, 1) for _ in a] for a in at]
@@ -157,16 +158,40 @@ def check_implicit(f, residual):
     near(found, [sum(a * (v - w) for a, v, w in zip(row, at[1], rate)) for row in by_rates], 1e-12)
 
 
-def check_all(name, *more):
+def runge_kutta(rates, x, h, t):
+    k = rates(x, t)
+    total = list(k)
+    for reach, weight in ((0.5, 2), (0.5, 2), (1, 1)):
+        k = rates([a + reach * h * b for a, b in zip(x, k)], t + reach * h)
+        total = [a + weight * b for a, b in zip(total, k)]
+    return [a + h / 6 * b for a, b in zip(x, total)]
+
+
+def semi_implicit_euler(rates, x, h, t):
+    """Half of the state are speeds here."""
+    n = len(x) // 2
+    x = [*x[:n], *(a + h * b for a, b in zip(x[n:], rates(x, t)[n:]))]
+    return [*(a + h * b for a, b in zip(x[:n], rates(x, t))), *x[n:]]
+
+
+def check_step(f, step, method):
+    x, r, p, [h], *t = ([random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in step.shapes[0])
+    h /= 10
+    expected = method(lambda y, now: flat(f.dense([y, r, p, *([[now]] if t else [])])[0]), x, h, t[0][0] if t else 0)
+    near(flat(step.dense([x, r, p, [h], *t])[0]), expected, 1e-14)
+
+
+def check_all(name, *more, method=runge_kutta):
     library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
     f = check(library, name, ["x", "r", "p", *more], "rate")
     check_implicit(f, check(library, f"{name}_implicit", ["x", "xdot", "r", "p", *more], "residual"))
+    check_step(f, check(library, f"{name}_step", ["x", "r", "p", "h", *more], "next"), method)
     return f
 
 
 random.seed(4)
-for each in sys.argv[2:] or ("cart", "disc"):
-    check_all(each)
+check_all("cart")
+check_all("disc", method=semi_implicit_euler)
 check_all("driven", "t")
 pendulum = check_all("bound_pendulum")
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])

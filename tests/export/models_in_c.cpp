@@ -50,7 +50,7 @@ bool write_for_casadi(const char* folder, const casadi_options& bound) {
 #include <docs/export/casadi/write.cpp>
   return written && write_driven(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
-         write_casadi<rolling_disc::System>(folder, "disc");
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = step_method::semi_implicit_euler});
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/export/casadi/casadi_file.hpp>
+#include <kanexpr/export/casadi/common_shapes.hpp>
+#include <kanexpr/export/casadi/step_file.hpp>
 #include <kanexpr/export/write_c.hpp>
 
 namespace kanexpr {
@@ -9,6 +11,7 @@ namespace exporting {
 
 struct casadi_options {
   std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
+  step_method step = step_method::runge_kutta_4;
 };
 
 namespace detail {
@@ -60,19 +63,24 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
   wanted.functions = casadi_kernels(false, arguments).all();
   for (const wanted_function& each : casadi_kernels(true, of_residual).all())
     wanted.functions.push_back(each);
-  const exported all = exporter(name + "_casadi", derive, wanted).run();
+  exported all = exporter(name + "_casadi", derive, wanted).run();
   if (!all.mistake.empty()) return outcome(all.mistake);
   if (const std::string mistake = mistake_of_numbers(all.system, precision::double_precision);
       !mistake.empty())
     return outcome(mistake);
+  for (exported_function& f : all.system.functions)
+    for (exported_function& other : all.system.functions)
+      if (other.name == f.name + "_by_all") common_shapes::give(f, other);
   const c_file file(all.system, precision::double_precision);
+  const step_tableau method = step_tableau::of(chosen.step);
   int most = 1;
   for (const casadi_argument& each : arguments) most = (std::max)(most, each.size);
   return write_files(
       {{folder / (all.system.name + ".h"), file.header()},
        {folder / (all.system.name + ".c"), file.source() + helpers_for_casadi(name, most) +
                                                casadi_file(name, false, all.system, arguments).text() +
-                                               casadi_file(name, true, all.system, of_residual).text()}});
+                                               casadi_file(name, true, all.system, of_residual).text() +
+                                               casadi_step(name, method, all.system, arguments).text()}});
 }
 
 } // namespace detail
