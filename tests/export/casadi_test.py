@@ -192,6 +192,7 @@ def check_all(name, *more, method=runge_kutta):
 random.seed(4)
 check_all("cart")
 check_all("disc", method=semi_implicit_euler)
+check_all("a")
 check_all("driven", "t")
 pendulum = check_all("bound_pendulum")
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
