@@ -44,13 +44,27 @@ bool write_driven(const char* folder) {
   return static_cast<bool>(kanexpr::write_casadi(b, folder, "driven"));
 }
 
+/// Neither inputs nor parameters, and names that C or what is written uses otherwise.
+bool write_awkward(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto q = b.coordinate("by_x"), s = b.coordinate("int"), u = b.speed("residual"), v = b.speed("w 1");
+  b.kinematic_equation(b.dot(q) - u);
+  b.kinematic_equation(b.dot(s) - v);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, s, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.gravity(b.along(N, 9.81, 0, 0));
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "a"));
+}
+
 bool write_for_casadi(const char* folder, const casadi_options& bound) {
   using namespace kanexpr;
   using System = n_pendulum_cart::System<1>;
 #include <docs/export/casadi/write.cpp>
-  return written && write_driven(folder) &&
+  return written && write_driven(folder) && write_awkward(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
-         write_casadi<rolling_disc::System>(folder, "disc");
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = step_method::semi_implicit_euler});
 }
 
 } // namespace

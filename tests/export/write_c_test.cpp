@@ -207,6 +207,10 @@ TEST(WriteCasadi, LeavesNothingHalfWritten) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.cause(), (to.path / "arm_casadi.c").string() + " cannot be written");
   EXPECT_FALSE(std::filesystem::exists(to.path / "arm_casadi.h"));
+  std::ofstream(to.path / "file") << "no folder";
+  const std::filesystem::path below = to.path / "file" / "models";
+  EXPECT_EQ(write_casadi<simple_pendulum::System>(below, "arm").cause(),
+            (below / "arm_casadi.h").string() + " cannot be written");
 }
 
 } // namespace

@@ -4,7 +4,7 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
 add_executable(export_models_in_c export/models_in_c.cpp)
 target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(export_models_in_c PRIVATE kanexpr::engine kanexpr_strict kanexpr_snippets)
-set(for_casadi cart driven bound_pendulum disc)
+set(for_casadi cart driven a bound_pendulum disc)
 list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABLE files_for_casadi)
 set(names iiwa iiwa_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
 set(names_of_steps sliding sliding_in_float bead bead_in_float)
@@ -54,7 +54,7 @@ add_test(NAME export_cpp COMMAND sh -eu -c "
 
 # As CasADi calls it, with the command of the guide
 add_test(NAME export_casadi COMMAND sh -eu -c "cd '${folder}'
-  for name in cart driven disc; do
+  for name in cart driven a disc; do
     sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|cart|$name|g\" '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/casadi/compile.sh' |
       sh -eu
   done

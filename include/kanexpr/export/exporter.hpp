@@ -2,6 +2,7 @@
 
 #include <kanexpr/export/differentiated.hpp>
 #include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/implicit_form.hpp>
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
@@ -100,7 +101,7 @@ private:
       if (!made_.mistake.empty()) return;
     } else {
       for (const wanted_result& each : wanted.results)
-        if (each.request.is_weighted())
+        if (each.request.is_weighted() && each.part.empty())
           return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
       std::optional<formed> found = form(wanted);
       if (!found) return;
@@ -109,8 +110,10 @@ private:
       made.code = lower::statements_of(found->code);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
-      for (const wanted_result& each : wanted.results)
+      for (const wanted_result& each : wanted.results) {
         made.takes_rates = made.takes_rates || holds_rates(each.request);
+        made.takes_all_rates = made.takes_all_rates || each.is_residual;
+      }
     }
     finish(std::move(made));
   }
@@ -144,6 +147,10 @@ private:
       if (!made_.mistake.empty()) return std::nullopt;
       if (each.derivative.is != wanted_derivative::kind::none)
         found = derived(found.entries, each.derivative);
+      if (!each.part.empty()) {
+        made.weights = (std::max)(made.weights, weights_for(each.request));
+        found = part_of(from, found, each.part);
+      }
       if (each.is_sparse)
         made.results.push_back(sparse(each.name, from, found, nodes));
       else if (wanted.derivatives.empty())
@@ -202,6 +209,8 @@ private:
     differentiable_symbols all;
     for (const symbolic::expression& q : m.coordinates) all.state.push(q);
     for (const symbolic::expression& u : m.speeds) all.state.push(u);
+    all.rates = m.coordinate_rates;
+    for (const symbolic::expression& rate : m.speed_rates) all.rates.push(rate);
     all.inputs = m.inputs;
     for (int i = 0; i < m.parameters.size(); ++i)
       if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
@@ -210,7 +219,11 @@ private:
   }
 
   symbolic::matrix got(model& from, const wanted_result& each) {
-    if (!each.written.is_given()) return from.get(each.request);
+    if (!each.written.is_given()) {
+      const symbolic::matrix found = from.get(each.request);
+      return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
+                                                        : found;
+    }
     symbolic::matrix one(from.graph(), 1, 1);
     if (each.written.lives_in(from.graph()))
       one(0, 0) = from.in_motion(each.written);
@@ -219,9 +232,29 @@ private:
     return one;
   }
 
+  int weights_for(const deriving::request& wanted) const {
+    const int states = known_->coordinates + known_->speeds;
+    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + known_->inputs;
+  }
+
+  /// The entries of some symbols among those by the state and the inputs.
+  symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
+                           const std::vector<symbols>& which) const {
+    const int states = known_->coordinates + known_->speeds;
+    const auto begin = [&](symbols of) { return of == symbols::state ? 0 : states; };
+    const auto size = [&](symbols of) { return of == symbols::state ? states : known_->inputs; };
+    const bool is_square = which.size() > 1;
+    symbolic::matrix part(from.graph(), size(which[0]), is_square ? size(which[1]) : 1);
+    for (int i = 0; i < part.rows; ++i)
+      for (int j = 0; j < part.columns; ++j)
+        part(i, j) = whole(begin(which[0]) + i, is_square ? begin(which[1]) + j : 0);
+    return part;
+  }
+
   static const char* name_of(symbols which) {
     switch (which) {
     case symbols::state: return "by_state";
+    case symbols::rates: return "by_rates";
     case symbols::inputs: return "by_inputs";
     case symbols::parameters: return "by_parameters";
     case symbols::time: break;

@@ -13,8 +13,8 @@
 /// What is to be exported.
 namespace kanexpr::exporting {
 
-/// Symbols by which one differentiates; those of parameters that are bound are not among them.
-enum class symbols : unsigned char { state, inputs, parameters, time };
+/// Symbols by which one differentiates, rates those of the state; of parameters those that are not bound.
+enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 
 /// A derivative of a column y by symbols z.
 struct wanted_derivative {
@@ -35,8 +35,10 @@ struct wanted_result {
   std::string name{};
   deriving::request request{};
   symbolic::expression written{}; ///< in place of the request, of what a builder builds
+  bool is_residual = false;       ///< that of the implicit form, in place of the request
   wanted_derivative derivative{};
-  bool is_sparse = false; ///< without the entries that are zero at all states
+  std::vector<symbols> part{}; ///< of one to the second order: the rows of these symbols, and the columns
+  bool is_sparse = false;      ///< without the entries that are zero at all states
 };
 
 enum class step_method : unsigned char { runge_kutta_4, semi_implicit_euler };

@@ -156,7 +156,7 @@ private:
                        number_.type() + " t, " + given + "x, " +
                        (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
                        'r';
-    if (f.takes_rates) text += ", " + given + 'a';
+    if (f.takes_rates || f.takes_all_rates) text += ", " + given + 'a';
     if (f.weights > 0) text += ", " + given + 'w';
     for (const exported_result& each : f.results)
       text += std::string(", ") + number_.type() + " *" + each.name;
@@ -185,7 +185,7 @@ private:
     std::string text = '\n' + signature(f) + " {\n" + writer.lines();
     for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
     if (f.takes_step) text += "  (void)h;\n";
-    if (f.takes_rates) text += "  (void)a;\n";
+    if (f.takes_rates || f.takes_all_rates) text += "  (void)a;\n";
     if (f.weights > 0) text += "  (void)w;\n";
     for (const exported_result& each : f.results)
       if (each.entries() == 0) text += "  (void)" + each.name + ";\n";

@@ -71,7 +71,7 @@ private:
       return {};
     }
     const auto place = static_cast<std::size_t>(from.position);
-    if (from.from == symbol_kind::multiplier) { // a weight
+    if (from.from == symbol_kind::weight || from.from == symbol_kind::direction) {
       own = names_.of("w" + std::to_string(place));
       return declared(own) + "w[" + std::to_string(place) + "];\n";
     }
@@ -85,10 +85,14 @@ private:
       vector = "p", symbol = &system_.parameters[place];
     else if (from.from == symbol_kind::input)
       vector = "r", symbol = &system_.inputs[place];
+    else if (from.from == symbol_kind::coordinate_rate)
+      vector = "a", symbol = &system_.coordinates[place];
     else
       vector = "a", symbol = &system_.speeds[place];
-    own = names_.of(*symbol + (from.from == symbol_kind::speed_rate ? "_rate" : ""));
-    const std::size_t index = from.from == symbol_kind::speed ? system_.coordinates.size() + place : place;
+    own = names_.of(*symbol + (vector[0] == 'a' ? "_rate" : ""));
+    const bool is_behind =
+        from.from == symbol_kind::speed || (from.from == symbol_kind::speed_rate && of_.takes_all_rates);
+    const std::size_t index = is_behind ? system_.coordinates.size() + place : place;
     return declared(own) + vector + '[' + std::to_string(index) + "];\n";
   }
 
