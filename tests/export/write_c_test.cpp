@@ -8,10 +8,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
+
+#include <sys/resource.h>
 
 namespace {
 
@@ -78,6 +82,70 @@ TEST(WriteC, LeavesNothingHalfWritten) {
   EXPECT_FALSE(std::filesystem::exists(to.path / "arm.c.part"));
   EXPECT_EQ(write_c<simple_pendulum::System>("/proc/none/of/these", "arm").cause(),
             "/proc/none/of/these/arm.h cannot be written");
+}
+
+/// No file may have more bytes, as on a disk that is full.
+struct full_disk {
+  rlimit before{};
+  full_disk() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit now{.rlim_cur = 1000, .rlim_max = before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~full_disk() { setrlimit(RLIMIT_FSIZE, &before); }
+};
+
+TEST(WriteC, LeavesWhatWasThereWhereTheDiskIsFull) {
+  const folder to;
+  const auto write = [&](const char* below, const char* results_of) {
+    return write_c<simple_pendulum::System>(to.path / below, "arm", with({results(results_of)}));
+  };
+  ASSERT_TRUE(write("", "udot"));
+  const std::string before = to.text_of("arm.h") + to.text_of("arm.c");
+  std::string cause, in_new_folder;
+  {
+    const full_disk here;
+    cause = write("", "rhs").cause();
+    in_new_folder = write("a/b", "rhs").cause();
+  }
+  EXPECT_EQ(cause, (to.path / "arm.h").string() + " cannot be written");
+  EXPECT_EQ(in_new_folder, (to.path / "a/b/arm.h").string() + " cannot be written");
+  EXPECT_EQ(to.text_of("arm.h") + to.text_of("arm.c"), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 2) << "something is left";
+}
+
+namespace without_list {
+using namespace simple_pendulum;
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<simple>, bodies<Bob>,
+                            loads<torque<A, T * N::z>>> {};
+} // namespace without_list
+
+TEST(WriteC, RefusesAnInputThatTheSystemDoesNotHave) {
+  const c_options pushed = with({exporting::expression<simple_pendulum::q * input<"F">{}>("pushed")});
+  EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression holds, is not in the list of inputs");
+  EXPECT_EQ(write_c<without_list::System>("nowhere", "arm", pushed).cause(),
+            "function pushed holds an input that the system does not have");
+  EXPECT_FALSE(std::filesystem::exists("nowhere"));
+}
+
+TEST(WriteC, CountsTheOperationsOfAStep) {
+  const folder to;
+  ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "arm", with({results("runge_kutta_4")})));
+  const std::string all = to.text_of("arm.c");
+  const std::size_t begin = all.find("arm_runge_kutta_4(");
+  const std::string code = all.substr(begin, all.find("(void)t", begin) - begin);
+  const auto times = [&](const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = code.find(what, at)) != code.npos; ++at) ++count;
+    return count;
+  };
+  const std::size_t turns = times("_sine_and_cosine(");
+  EXPECT_EQ(turns, 4);
+  std::ostringstream told;
+  told << "/* " << times(" * ") << " multiplications, " << times(" + ") + times(" - ") << " additions, "
+       << times(" / ") << " divisions, " << turns << " sines and cosines or the like, 0 other functions.";
+  EXPECT_THAT(to.text_of("arm.h"), HasSubstr(told.str()));
 }
 
 TEST(WriteC, ExportsExpressionsByNamesOfTheirOwn) {

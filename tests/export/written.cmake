@@ -39,11 +39,13 @@ foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h bound_pendulum_casadi.c 
   add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
 endforeach()
 
-# In Python
+# In Python, with the commands of the guide
+set(guide ${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/c)
 add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
   for name in bead four_bar iiwa pendulum; do
-    '${KANEXPR_C_COMPILER}' -std=c99 -O1 -fno-math-errno -shared -fPIC $name.c -o lib$name.so -lm
+    sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|pendulum|$name|g\" '${guide}/compile.sh' | sh -eu
   done
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. python3 '${guide}/session.python'
   python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/python_test.py' '${folder}'")
 
 # From C++11 on

@@ -181,7 +181,7 @@ private:
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
       if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
-        return refuse("function " + made.name + " holds a " + (is_parameter ? "parameter" : "input") +
+        return refuse("function " + made.name + " holds " + (is_parameter ? "a parameter" : "an input") +
                       " that the system does not have");
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }
