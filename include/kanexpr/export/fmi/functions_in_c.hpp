@@ -12,6 +12,7 @@ static void start(instance *of) {
   for (i = 0; i < parameters; ++i) of->p[i] = start_of_parameters[i];
   for (i = 0; i < inputs; ++i) of->r[i] = start_of_inputs[i];
   of->t = 0;
+  of->tolerance = 1e-6;
   of->mode = instantiated;
   of->known = 0;
 }
@@ -74,7 +75,8 @@ static fmi3Status go(instance *of, enum mode from, enum mode to, const char *fun
 EXPORTED fmi3Status fmi3EnterInitializationMode(void *given, bool has_tolerance, double tolerance, double from, bool has_end,
                                                 double end) {
   instance *const of = (instance *)given;
-  (void)has_tolerance, (void)tolerance, (void)has_end, (void)end;
+  (void)has_end, (void)end;
+  if (has_tolerance && tolerance > 0) of->tolerance = tolerance;
   of->t = from;
   of->known = 0;
   return go(of, instantiated, initialization, "fmi3EnterInitializationMode is for what was instantiated or reset");
@@ -117,6 +119,11 @@ EXPORTED fmi3Status fmi3UpdateDiscreteStates(void *given, bool *again, bool *end
   *again = *ends = *nominals_changed = *states_changed = *has_next_event = false;
   *next_event = 0;
   if (of->mode != event_mode) return say(of, fmi3Error, "fmi3UpdateDiscreteStates is for event mode");
+  if (drifts) {
+    const fmi3Status status = look_for_drift(of, states_changed);
+    if (status != fmi3OK) return status;
+    if (*states_changed) go_to_next(of);
+  }
   return indicators > 0 ? handle_events(of, states_changed, ends) : fmi3OK;
 }
 
@@ -126,9 +133,9 @@ EXPORTED fmi3Status fmi3EvaluateDiscreteStates(void *of) {
 }
 
 EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *enter_event_mode, bool *ends) {
-  (void)of, (void)is_final;
+  (void)is_final;
   *enter_event_mode = *ends = false;
-  return fmi3OK;
+  return drifts ? look_for_drift((instance *)of, enter_event_mode) : fmi3OK;
 }
 
 EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_final, bool *event, bool *ends, bool *early,

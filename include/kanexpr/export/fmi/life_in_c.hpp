@@ -39,7 +39,8 @@ typedef struct {
   double by_state[ROOM(states *states)], by_inputs[ROOM(states *inputs)], by_time[ROOM(states)];
   double measured_by_state[ROOM(measured_count *states)], measured_by_inputs[ROOM(measured_count *inputs)];
   double measured_by_time[ROOM(measured_count)];
-  double correction[ROOM(dependent_count)];
+  double next[ROOM(states)];
+  double tolerance; /* of the solver */
   bool is_positive[ROOM(indicators)]; /* by indicator, when events were looked for last */
 } instance;
 
@@ -70,55 +71,50 @@ static fmi3Status failed(const instance *of, unsigned long long status, const ch
 
 /// Constraints, events and steps of a fixed length, on functions that evaluate the model.
 inline constexpr std::string_view motion = R"(
-static void normalize_quaternions(instance *of) {
-  int k, i;
-  for (k = 0; k < quaternion_count; ++k) {
-    double sum = 0;
-    for (i = 0; i < coordinates; ++i)
-      if (quaternion_of[i] == k + 1) sum += of->x[i] * of->x[i];
-    for (i = 0; i < coordinates; ++i)
-      if (quaternion_of[i] == k + 1) of->x[i] /= sqrt(sum);
+/* How far the next state is from this one, each entry by its size. */
+static double way_to_next(const instance *of) {
+  double longest = 0;
+  int i;
+  for (i = 0; i < states; ++i) {
+    const double each = fabs(of->next[i] - of->x[i]) / (1 + fabs(of->x[i]));
+    if (!(each <= longest)) longest = each;
   }
+  return longest;
 }
 
-/* So many steps of Newton's method for the dependent coordinates, or fewer where nothing is left to do, then the
-   dependent speeds. */
-static fmi3Status to_constraints(instance *of, int most_steps) {
-  fmi3Status status;
-  int done, i;
-  normalize_quaternions(of);
-  for (done = 0; done < most_steps && dependent_coordinates > 0; ++done) {
-    bool is_done = true;
-    if ((status = find_correction(of)) != fmi3OK) return status;
-    for (i = 0; i < dependent_coordinates; ++i) {
-      double *const x = &of->x[dependent_place[i]];
-      is_done = is_done && fabs(of->correction[i]) <= 1e-15 * (1 + fabs(*x));
-      *x += of->correction[i];
-    }
-    normalize_quaternions(of);
-    if (is_done) break;
+static void go_to_next(instance *of) {
+  int i;
+  for (i = 0; i < states; ++i) of->x[i] = of->next[i];
+  of->known = 0;
+}
+
+/* Steps of Newton's method, each of which squares what is left. */
+static fmi3Status to_constraints(instance *of) {
+  enum { most_steps = 100 };
+  const double close = 1e-9;
+  double way = drifts ? 2 * close : 0;
+  int done;
+  for (done = 0; !(way <= close) && done < most_steps; ++done) {
+    const fmi3Status status = find_correction(of);
+    if (status != fmi3OK) return status;
+    way = way_to_next(of);
+    go_to_next(of);
   }
-  if (dependent_count > dependent_coordinates) {
-    if ((status = find_dependent_speeds(of)) != fmi3OK) return status;
-    for (i = dependent_coordinates; i < dependent_count; ++i)
-      of->x[dependent_place[i]] = of->correction[i - dependent_coordinates];
-  }
-  of->known = is_on_constraints;
-  return fmi3OK;
+  of->known |= is_on_constraints;
+  return way <= close ? fmi3OK : say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
 }
 
 /* Until the initialization is over, what is asked for follows from what is independent. */
 static fmi3Status prepare(instance *of) {
-  fmi3Status status;
-  int i;
   if (of->mode > initialization || (of->known & is_on_constraints)) return fmi3OK;
-  if ((status = to_constraints(of, 100)) != fmi3OK) return status;
-  if (dependent_coordinates == 0) return fmi3OK;
-  if ((status = find_correction(of)) != fmi3OK) return status;
-  for (i = 0; i < dependent_coordinates; ++i)
-    if (!(fabs(of->correction[i]) <= 1e-9 * (1 + fabs(of->x[dependent_place[i]]))))
-      return say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
-  return fmi3OK;
+  return to_constraints(of);
+}
+
+/* Whether a solver lost the constraints by more than its tolerance; the next state has them. */
+static fmi3Status look_for_drift(instance *of, bool *is_far) {
+  const fmi3Status status = find_correction(of);
+  *is_far = status == fmi3OK && way_to_next(of) > of->tolerance;
+  return status;
 }
 
 static fmi3Status look_at_indicators(instance *of) {
@@ -138,42 +134,35 @@ static bool passes(const instance *of, int indicator) {
 /* All that happens at this instant. The values of all changes are those of the state before. */
 static fmi3Status handle_events(instance *of, bool *is_changed, bool *ends) {
   fmi3Status status = find_measured(of);
+  bool are_known = false; /* the changes */
   int i;
   if (status != fmi3OK) return status;
   for (i = 0; i < indicators; ++i)
-    if (passes(of, i)) {
-      *ends = *ends || ends_motion[i];
-      if (change_count > 0 && !*is_changed && (status = find_changes(of)) != fmi3OK) return status;
-      *is_changed = change_count > 0;
+    if (passes(of, i)) *ends = *ends || ends_motion[i];
+  for (i = 0; i < change_count; ++i)
+    if (passes(of, changed_by[i])) {
+      if (!are_known && (status = find_changes(of)) != fmi3OK) return status;
+      are_known = true;
+      of->x[changed_place[i]] = of->changes[i];
     }
-  if (*is_changed) {
-    for (i = 0; i < change_count; ++i)
-      if (passes(of, changed_by[i])) of->x[changed_place[i]] = of->changes[i];
+  if (are_known) {
+    *is_changed = true;
     of->known = 0;
-    if ((status = to_constraints(of, 100)) != fmi3OK) return status;
+    if ((status = to_constraints(of)) != fmi3OK) return status;
   }
   return look_at_indicators(of);
 }
 
-/* A step by the classic Runge-Kutta method, and back to the constraints. */
 static fmi3Status advance(instance *of, const double *from, double t, double h) {
-  static const double reach[] = {0, 0.5, 0.5, 1}, weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-  double after[ROOM(states)];
-  int stage, i;
-  for (i = 0; i < states; ++i) after[i] = of->x[i] = from[i];
-  for (stage = 0; stage < 4; ++stage) {
-    fmi3Status status;
-    of->t = t + reach[stage] * h;
-    if (stage > 0)
-      for (i = 0; i < states; ++i) of->x[i] = from[i] + reach[stage] * h * of->rates[i];
-    of->known = 0;
-    if ((status = find_rates(of)) != fmi3OK) return status;
-    for (i = 0; i < states; ++i) after[i] += weight[stage] * h * of->rates[i];
-  }
-  for (i = 0; i < states; ++i) of->x[i] = after[i];
-  of->t = t + h;
+  fmi3Status status;
+  int i;
+  for (i = 0; i < states; ++i) of->x[i] = from[i];
+  of->t = t;
   of->known = 0;
-  return to_constraints(of, 1);
+  if ((status = find_step(of, h)) != fmi3OK) return status;
+  go_to_next(of);
+  of->t = t + h;
+  return fmi3OK;
 }
 
 static fmi3Status pass_any(instance *of, bool *any) {
