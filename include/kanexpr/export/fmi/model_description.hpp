@@ -14,10 +14,11 @@ public:
   explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
 
   std::string text(const std::string& token) const {
-    return filled(R"(<?xml version="1.0" encoding="UTF-8"?>
+    return filled(
+        R"(<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription fmiVersion="3.0" modelName="@name@" instantiationToken="{@token@}"
   generationTool="kanexpr @version@" variableNamingConvention="flat">
-  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@drifts@"
+  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@watched@"
     providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
   <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
     fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
@@ -31,13 +32,13 @@ public:
 @structure@  </ModelStructure>
 </fmiModelDescription>
 )",
-                  {{"name", system_.name},
-                   {"token", token},
-                   {"version", version()},
-                   {"drifts", of_.function(fmu::correction) == nullptr ? "false" : "true"},
-                   {"step", number(of_.step_length)},
-                   {"variables", variables()},
-                   {"structure", structure()}});
+        {{"name", system_.name},
+         {"token", token},
+         {"version", version()},
+         {"watched", of_.function(fmu::correction) == nullptr && of_.indicators.empty() ? "false" : "true"},
+         {"step", number(of_.step_length)},
+         {"variables", variables()},
+         {"structure", structure()}});
   }
 
   /// buildDescription.xml, which stands beside the sources.

@@ -3,8 +3,8 @@
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
-#include <kanexpr/export/fmi/functions_in_c.hpp>
 #include <kanexpr/export/fmi/life_in_c.hpp>
+#include <kanexpr/export/fmi/motion_in_c.hpp>
 #include <kanexpr/export/fmi/unsupported_in_c.hpp>
 
 namespace kanexpr::exporting {
