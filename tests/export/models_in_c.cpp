@@ -96,12 +96,17 @@ bool write_ball_fmu(const char* folder) {
   return is_whole(ball);
 }
 
-bool write_fmus(const char* folder) {
+bool write_fmus(const char* folder, const options& of_bound) {
+  const fmu_options bound{.outputs = of_bound.functions,
+                          .bound = of_bound.bound,
+                          .start = {{"q", 0.3}, {"l", 0.5}, {"c", 0.1}},
+                          .step = 0.01};
   fmu_options beaded, sliding;
   beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
   beaded.step = sliding.step = 0.125; // all sums of such are exact
   sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
-  return write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&
+  return is_whole(kanexpr::write_fmu<simple_pendulum::System>(folder, "bound_pendulum", bound)) &&
+         write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&
          is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) &&
          is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
 }
@@ -128,7 +133,7 @@ int main(int, char** arguments) {
   c_options steps;
   steps.with_python = steps.with_cpp = true;
   steps.functions = {results("runge_kutta_4"), fixed_step("euler", {step_method::semi_implicit_euler, 2})};
-  return is_bound_written && write_for_casadi(folder, {bound.bound}) && write_fmus(folder) &&
+  return is_bound_written && write_for_casadi(folder, {bound.bound}) && write_fmus(folder, bound) &&
                  write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&

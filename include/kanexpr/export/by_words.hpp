@@ -46,7 +46,7 @@ private:
     if (compiler_) all.compiler = *compiler_;
     written_fmu written = detail::write_fmu(fmu_maker(name_, derive, all).run(), folder_, all.compiler);
     if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
-    return std::move(written);
+    return written;
   }
 
   void take(std::string_view word) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
-#include <kanexpr/export/fmi/in_xml.hpp>
 
 #include <set>
 
@@ -195,7 +195,7 @@ private:
 
   /// By its name, or one like it where XML has no room for that or it is taken.
   fmu_variable variable(const std::string& name) {
-    std::string own = text_for_xml(name);
+    std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';
     return {own, own == name ? std::string() : name, 0};
   }

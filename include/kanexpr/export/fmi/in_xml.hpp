@@ -1,29 +1,16 @@
 #pragma once
 
+#include <kanexpr/export/c/printable.hpp>
+
 #include <string>
 #include <string_view>
 
 namespace kanexpr::exporting {
 
-/// Text that XML can hold: UTF-8 without control characters; an underscore stands for each byte that is none.
-inline std::string text_for_xml(std::string_view text) {
-  std::string fit;
-  while (!text.empty()) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
-    bool is_fit = byte(0) < 0x80 ? byte(0) >= ' ' && byte(0) != 0x7f : byte(0) >= 0xc2 && byte(0) < 0xf5;
-    is_fit = is_fit && length <= text.size();
-    for (std::size_t i = 1; is_fit && i < length; ++i) is_fit = (byte(i) & 0xc0u) == 0x80;
-    fit += is_fit ? text.substr(0, length) : "_";
-    text.remove_prefix(is_fit ? length : 1);
-  }
-  return fit;
-}
-
 /// Text as a value of an attribute.
 inline std::string in_xml(std::string_view text) {
   std::string escaped;
-  for (const char c : text_for_xml(text)) switch (c) {
+  for (const char c : printable(text)) switch (c) {
     case '&': escaped += "&amp;"; break;
     case '<': escaped += "&lt;"; break;
     case '>': escaped += "&gt;"; break;

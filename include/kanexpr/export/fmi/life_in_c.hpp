@@ -166,23 +166,25 @@ EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_
 
 /// Values and derivatives.
 inline constexpr std::string_view values = R"(
+static bool is_among(int reference, int first, int end) { return reference >= first && reference < end; }
+
 static fmi3Status value(instance *of, fmi3ValueReference of_variable, double *found) {
   const int i = (int)of_variable;
   fmi3Status status = fmi3OK;
-  if (i >= FIRST_RATE && i < FIRST_PARAMETER) status = find_rates(of);
-  if (i >= FIRST_OUTPUT && i < END) status = find_measured(of);
+  if (is_among(i, FIRST_RATE, FIRST_PARAMETER)) status = find_rates(of);
+  if (is_among(i, FIRST_OUTPUT, END)) status = find_measured(of);
   if (status != fmi3OK) return status;
   if (i == 0)
     *found = of->t;
-  else if (i > 0 && i < FIRST_RATE)
+  else if (is_among(i, FIRST_STATE, FIRST_RATE))
     *found = of->x[i - FIRST_STATE];
-  else if (i > 0 && i < FIRST_PARAMETER)
+  else if (is_among(i, FIRST_RATE, FIRST_PARAMETER))
     *found = of->rates[i - FIRST_RATE];
-  else if (i > 0 && i < FIRST_INPUT)
+  else if (is_among(i, FIRST_PARAMETER, FIRST_INPUT))
     *found = of->p[i - FIRST_PARAMETER];
-  else if (i > 0 && i < FIRST_OUTPUT)
+  else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
     *found = of->r[i - FIRST_INPUT];
-  else if (i > 0 && i < END)
+  else if (is_among(i, FIRST_OUTPUT, END))
     *found = of->measured[i - FIRST_OUTPUT];
   else
     return say(of, fmi3Error, "there is no variable of this value reference");
@@ -207,11 +209,11 @@ EXPORTED fmi3Status fmi3SetFloat64(void *given, const fmi3ValueReference *of_var
   if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
   for (k = 0; k < count; ++k) {
     const int i = (int)of_variables[k];
-    if (i > 0 && i < FIRST_RATE)
+    if (is_among(i, FIRST_STATE, FIRST_RATE))
       of->x[i - FIRST_STATE] = values[k];
-    else if (i >= FIRST_PARAMETER && i < FIRST_INPUT)
+    else if (is_among(i, FIRST_PARAMETER, FIRST_INPUT))
       of->p[i - FIRST_PARAMETER] = values[k];
-    else if (i >= FIRST_INPUT && i < FIRST_OUTPUT)
+    else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
       of->r[i - FIRST_INPUT] = values[k];
     else
       return say(of, fmi3Error, "this variable cannot be set");
@@ -286,19 +288,19 @@ EXPORTED fmi3Status fmi3GetNumberOfContinuousStates(void *of, size_t *count) {
 /* ∂unknown/∂known of variables by their value references. */
 static fmi3Status partial(instance *of, fmi3ValueReference unknown, fmi3ValueReference known, double *found) {
   const int y = (int)unknown, z = (int)known;
-  const bool is_state = z > 0 && z < FIRST_RATE, is_input = z >= FIRST_INPUT && z < FIRST_OUTPUT;
+  const bool is_state = is_among(z, FIRST_STATE, FIRST_RATE), is_input = is_among(z, FIRST_INPUT, FIRST_OUTPUT);
   fmi3Status status = fmi3OK;
   if (z != 0 && !is_state && !is_input)
     return say(of, fmi3Error, "there are derivatives by states, inputs and the time alone");
-  if (y > 0 && y < FIRST_RATE) {
+  if (is_among(y, FIRST_STATE, FIRST_RATE)) {
     *found = y == z;
-  } else if (y >= FIRST_RATE && y < FIRST_PARAMETER) {
+  } else if (is_among(y, FIRST_RATE, FIRST_PARAMETER)) {
     const int row = y - FIRST_RATE;
     if ((status = find_jacobian(of)) == fmi3OK)
       *found = is_state   ? of->by_state[row * states + z - FIRST_STATE]
                : is_input ? of->by_inputs[row * inputs + z - FIRST_INPUT]
                           : of->by_time[row];
-  } else if (y >= FIRST_OUTPUT && y < END) {
+  } else if (is_among(y, FIRST_OUTPUT, END)) {
     const int row = y - FIRST_OUTPUT;
     if ((status = find_measured_derivatives(of)) == fmi3OK)
       *found = is_state   ? of->measured_by_state[row * states + z - FIRST_STATE]
