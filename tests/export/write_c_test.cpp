@@ -281,4 +281,74 @@ TEST(WriteCasadi, LeavesNothingHalfWritten) {
             (below / "arm_casadi.h").string() + " cannot be written");
 }
 
+fmu_options with_starts() {
+  return {.start = {{"q", 0.3}, {"m", 2}, {"l", 0.5}, {"g", 9.81}, {"c", 0.1}}, .compiler = ""};
+}
+
+/// Why there is no FMU of a pendulum with options that `change` changes.
+template <class Change>
+std::string cause_of_fmu(const Change& change, const std::string& name = "arm") {
+  const folder to;
+  fmu_options chosen = with_starts();
+  change(chosen);
+  const written_fmu written = write_fmu<simple_pendulum::System>(to.path, name, chosen);
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(std::filesystem::exists(to.path)) << "something is left";
+  return written.cause();
+}
+
+TEST(WriteFmu, NamesWhatCannotBeExported) {
+  using simple_pendulum::q, simple_pendulum::u;
+  const auto of = [](auto change) { return cause_of_fmu(change); };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(of([](fmu_options& o) { o.start.pop_back(); }), "parameter c has no start value");
+  EXPECT_EQ(of([&](fmu_options& o) { o.start[0].value = none; }), "the start value of q is not finite");
+  EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"q", 1}); }), "q has two start values");
+  EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"k", 1}); }),
+            "there is no coordinate, speed, parameter or input k that could start with a value");
+  EXPECT_EQ(of([](fmu_options& o) { o.step = 0; }), "the internal step of a co-simulation must be positive");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("velocity")}; }), "no result is called velocity");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("runge_kutta_4")}; }),
+            "runge_kutta_4 is a step, and no output");
+  EXPECT_EQ(of([](fmu_options& o) {
+              o.events = {when<position_of<simple_pendulum::P, simple_pendulum::O>>("fall")};
+            }),
+            "what event fall watches must be a scalar, to pass zero");
+  EXPECT_EQ(of([](fmu_options& o) { o.events = {when<q>("turn", crossing::either, {set<-u>("m")})}; }),
+            "event turn sets m, which is neither a coordinate nor a speed");
+  EXPECT_EQ(of([](fmu_options& o) {
+              o.bound = {{"m", 1e308}, {"l", 1e308}}, o.start.erase(o.start.begin() + 1, o.start.begin() + 3);
+            }),
+            "function rhs holds a number that double has no room for");
+  EXPECT_EQ(cause_of_fmu([](fmu_options&) {}, "7 arms"),
+            "what is exported needs a name that is one in C, of letters, digits and underscores; \"7 arms\" "
+            "is none");
+  EXPECT_EQ(of([](fmu_options& o) { o.compiler = "false"; }), "arm does not compile as C; false says why");
+}
+
+TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
+  const folder to;
+  fmu_options chosen = with_starts();
+  EXPECT_EQ(write_fmu<simple_pendulum::System>(to.path, "arm", chosen).note(),
+            "arm.fmu holds sources alone, as no compiler is given");
+  const std::string without = to.text_of("arm.fmu");
+  EXPECT_THAT(without, HasSubstr("sources/arm_fmi.c"));
+  EXPECT_THAT(without, testing::Not(HasSubstr("binaries/")));
+  chosen.compiler = "no-compiler-of-this-name";
+  const written_fmu again = write_fmu<simple_pendulum::System>(to.path, "arm", chosen);
+  EXPECT_TRUE(again);
+  EXPECT_EQ(again.note(), "arm.fmu holds sources alone, as there is no compiler no-compiler-of-this-name");
+  EXPECT_EQ(to.text_of("arm.fmu"), without) << "the same bytes";
+}
+
+TEST(WriteFmu, LeavesNothingHalfWritten) {
+  const folder to;
+  std::filesystem::create_directories(to.path / "arm.fmu"); // where the file should be
+  const written_fmu written = write_fmu<simple_pendulum::System>(to.path, "arm", with_starts());
+  EXPECT_EQ(written.cause(), (to.path / "arm.fmu").string() + " cannot be written");
+  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.fmu.part"));
+  EXPECT_EQ(write_fmu<simple_pendulum::System>("/proc/none/of/these", "arm", with_starts()).cause(),
+            "/proc/none/of/these/arm.fmu cannot be written");
+}
+
 } // namespace

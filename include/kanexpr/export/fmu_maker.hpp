@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
 
@@ -51,7 +52,8 @@ struct fmu_options {
   std::vector<bound_parameter> bound{};
   std::vector<named_value> start{}; ///< of states and inputs, else zero, and of all parameters
   std::vector<exported_event> events{};
-  double step = 1e-3; ///< of a co-simulation inside, s
+  double step = 1e-3;          ///< of a co-simulation inside, s
+  std::string compiler = "cc"; ///< of C, as a shell calls it; empty: sources alone
 };
 
 struct made_fmu {
@@ -92,7 +94,8 @@ private:
     wanted_.functions.push_back(by_time);
     wanted_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
     for (const wanted_function& each : chosen_.outputs) {
-      if (!each.mistake.empty()) refuse(each.mistake);
+      if (!each.mistake.empty()) return refuse(each.mistake);
+      if (each.step) return refuse(each.name + " is a step, and no output");
       for (const wanted_result& one : each.results) measured.results.push_back(one);
     }
     for (const exported_event& each : chosen_.events) measured.results.push_back(each.watched);
@@ -105,26 +108,24 @@ private:
       wanted_.functions.push_back(measured);
     }
     if (!changes.results.empty()) wanted_.functions.push_back(changes);
-    if (known_->configuration_constraints > 0) wanted_.functions.push_back(results(fmu::step_to_constraints));
-    if (known_->constraints > 0) wanted_.functions.push_back(results(fmu::dependent_speeds));
+    wanted_.functions.push_back(fixed_step(fmu::step, {step_method::runge_kutta_4}));
+    if (known_->constraints > 0 || known_->quaternions > 0)
+      wanted_.functions.push_back(fixed_step(fmu::correction, {step_method::corrections_alone}));
   }
 
   void describe() {
     fmu& f = made_.of;
     const exported_system& s = f.system;
-    f.step = chosen_.step;
-    const int coordinates = known_->coordinates;
-    for (int i = 0; i < coordinates + known_->speeds; ++i)
-      if (known_->dependent[i])
-        (i < coordinates ? f.dependent_coordinates : f.dependent_speed_places).push_back(i);
-    f.quaternions.resize(static_cast<std::size_t>(known_->quaternions));
-    for (int i = 0; i < coordinates; ++i)
-      if (const int k = known_->quaternion_of[i]; k > 0)
-        f.quaternions[static_cast<std::size_t>(k - 1)].push_back(i);
+    f.step_length = chosen_.step;
+    for (int i = 0; i < known_->coordinates + known_->speeds; ++i)
+      f.dependent.push_back(known_->dependent[i]);
     for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
       for (const std::string& each : *names) f.states.push_back(variable(each));
-    for (const std::vector<int>& each : f.quaternions)
-      f.states[static_cast<std::size_t>(each[0])].start = 1; // no turn
+    for (int i = 0, last = 0; i < known_->coordinates; ++i)
+      if (known_->quaternion_of[i] > last) {
+        last = known_->quaternion_of[i];
+        f.states[static_cast<std::size_t>(i)].start = 1; // no turn
+      }
     for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
     for (const std::string& each : s.inputs) f.inputs.push_back(variable(each));
     for (const fmu_variable& each : f.states)
@@ -192,9 +193,9 @@ private:
     return -1;
   }
 
-  /// By its name, or one like it where that is taken.
+  /// By its name, or one like it where XML has no room for that or it is taken.
   fmu_variable variable(const std::string& name) {
-    std::string own = name;
+    std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';
     return {own, own == name ? std::string() : name, 0};
   }

@@ -41,7 +41,11 @@ struct wanted_result {
   bool is_sparse = false;      ///< without the entries that are zero at all states
 };
 
-enum class step_method : unsigned char { runge_kutta_4, semi_implicit_euler };
+enum class step_method : unsigned char {
+  runge_kutta_4,
+  semi_implicit_euler,
+  corrections_alone ///< nothing moves
+};
 
 /// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
 struct wanted_step {

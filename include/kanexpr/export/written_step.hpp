@@ -135,6 +135,14 @@ private:
   step_in_code& into_;
 };
 
+/// A step that leaves the state as it is.
+struct no_motion {
+  template <class Equations, class Time, class X>
+  static status advance(const Equations&, const Time&, const X&, const Time&, X&) {
+    return {};
+  }
+};
+
 /// A step as a function; it means nothing where a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
                                       const wanted_step& wanted, const forming& form) {
@@ -145,10 +153,15 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   written_vector x;
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
-  if (wanted.method == step_method::runge_kutta_4)
+  switch (wanted.method) {
+  case step_method::runge_kutta_4:
     static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h));
-  else
+    break;
+  case step_method::semi_implicit_euler:
     static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h));
+    break;
+  case step_method::corrections_alone: static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
+  }
   symbolic::sequence<lower::written_value> results;
   for (const lower::written_value& each : x.entries) results.push(each);
   for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);

@@ -5,6 +5,7 @@
 #include <kanexpr/export/c/code_writer.hpp>
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/in_c.hpp>
+#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
@@ -90,7 +91,8 @@ private:
   }
 
   /// Nothing that ends the comment.
-  static std::string in_comment(std::string text) {
+  static std::string in_comment(const std::string& name) {
+    std::string text = printable(name);
     for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }

@@ -24,8 +24,7 @@ struct fmu_change {
 struct fmu {
   static constexpr const char *rates = "rhs", *jacobian = "jacobian", *rates_by_time = "rhs_by_time",
                               *measured = "measured", *measured_derivatives = "measured_derivatives",
-                              *changes = "changes", *step_to_constraints = "configuration_step",
-                              *dependent_speeds = "dependent_speeds";
+                              *changes = "changes", *step = "step", *correction = "to_constraints";
 
   exported_system system{};
   // in the order of their value references, after the time; the rates of the states behind the states
@@ -34,9 +33,8 @@ struct fmu {
   std::vector<crossing> directions{}; ///< of the events
   std::vector<bool> ends{};           ///< whether an event ends the motion
   std::vector<fmu_change> changed{};  ///< in the order of the entries of `changes`
-  std::vector<int> dependent_coordinates{}, dependent_speed_places{}; ///< places in the state
-  std::vector<std::vector<int>> quaternions{};
-  double step = 0;
+  std::vector<bool> dependent{};      ///< of the states
+  double step_length = 0;
 
   int count_of_states() const { return static_cast<int>(states.size()); }
   int count_of_measured() const { return static_cast<int>(outputs.size() + indicators.size()); }
@@ -48,13 +46,6 @@ struct fmu {
   int first_input() const { return first_parameter() + static_cast<int>(parameters.size()); }
   int first_output() const { return first_input() + static_cast<int>(inputs.size()); }
   int first_indicator() const { return first_output() + static_cast<int>(outputs.size()); }
-
-  bool is_dependent(int state) const {
-    for (const std::vector<int>* places : {&dependent_coordinates, &dependent_speed_places})
-      for (int each : *places)
-        if (each == state) return true;
-    return false;
-  }
 
   /// Null where it is not needed.
   const exported_function* function(const std::string& name) const {

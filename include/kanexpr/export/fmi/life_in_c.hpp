@@ -2,226 +2,348 @@
 
 #include <string_view>
 
-/// The parts of an FMU's C that are the same for all models, which begin with the counts of what there is.
-/// Memory is taken where an instance is made, and nowhere else; nothing is shared between instances.
 namespace kanexpr::exporting::in_c_of_fmu {
 
-/// Types of FMI 3.0 as the standard describes them, and an instance.
-inline constexpr std::string_view declarations = R"(
-#if defined(_WIN32)
-#define EXPORTED __declspec(dllexport)
-#elif defined(__GNUC__)
-#define EXPORTED __attribute__((visibility("default")))
-#else
-#define EXPORTED
-#endif
-
-#define ROOM(count) ((count) > 0 ? (count) : 1)
-
-typedef enum { fmi3OK, fmi3Warning, fmi3Discard, fmi3Error, fmi3Fatal } fmi3Status;
-typedef uint32_t fmi3ValueReference;
-typedef void (*log_message)(void *environment, fmi3Status status, const char *category, const char *message);
-
-enum mode { instantiated, initialization, event_mode, continuous_time, step_mode, terminated };
-
-/* What belongs to the values of an instance as they are. */
-enum { rates_are_known = 1, measured_is_known = 2, jacobian_is_known = 4, measured_jacobian_is_known = 8,
-       is_on_constraints = 16 };
-
-typedef struct {
-  void *environment;
-  log_message log;
-  bool is_stepped; /* co-simulation */
-  enum mode mode;
-  unsigned known;
-  double t, x[ROOM(states)], p[ROOM(parameters)], r[ROOM(inputs)];
-  double rates[ROOM(states)], measured[ROOM(measured_count)], changes[ROOM(change_count)];
-  double by_state[ROOM(states *states)], by_inputs[ROOM(states *inputs)], by_time[ROOM(states)];
-  double measured_by_state[ROOM(measured_count *states)], measured_by_inputs[ROOM(measured_count *inputs)];
-  double measured_by_time[ROOM(measured_count)];
-  double correction[ROOM(dependent_count)];
-  bool is_positive[ROOM(indicators)]; /* by indicator, when events were looked for last */
-} instance;
-
-static fmi3Status say(const instance *of, fmi3Status status, const char *message) {
-  if (of->log != NULL)
-    of->log(of->environment, status, status == fmi3Discard ? "logStatusDiscard" : "logStatusError", message);
-  return status;
-}
-
-static fmi3Status finite(const instance *of, const double *values, int count) {
+/// The life of an instance.
+inline constexpr std::string_view life = R"(
+static void start(instance *of) {
   int i;
-  for (i = 0; i < count; ++i)
-    if (!isfinite(values[i])) return say(of, fmi3Discard, "the results are not finite at this state");
-  return fmi3OK;
-}
-)";
-
-/// For functions that have something to check.
-inline constexpr std::string_view failure = R"(
-/* Says which of the checks failed. */
-static fmi3Status failed(const instance *of, unsigned long long status, const char *const *causes, int count) {
-  int i;
-  for (i = 0; i < count; ++i)
-    if (status >> i & 1) say(of, fmi3Discard, causes[i]);
-  return fmi3Discard;
-}
-)";
-
-/// Constraints, events and steps of a fixed length, on functions that evaluate the model.
-inline constexpr std::string_view motion = R"(
-static void normalize_quaternions(instance *of) {
-  int k, i;
-  for (k = 0; k < quaternion_count; ++k) {
-    double sum = 0;
-    for (i = 0; i < coordinates; ++i)
-      if (quaternion_of[i] == k + 1) sum += of->x[i] * of->x[i];
-    for (i = 0; i < coordinates; ++i)
-      if (quaternion_of[i] == k + 1) of->x[i] /= sqrt(sum);
-  }
-}
-
-/* So many steps of Newton's method for the dependent coordinates, or fewer where nothing is left to do, then the
-   dependent speeds. */
-static fmi3Status to_constraints(instance *of, int most_steps) {
-  fmi3Status status;
-  int done, i;
-  normalize_quaternions(of);
-  for (done = 0; done < most_steps && dependent_coordinates > 0; ++done) {
-    bool is_done = true;
-    if ((status = find_correction(of)) != fmi3OK) return status;
-    for (i = 0; i < dependent_coordinates; ++i) {
-      double *const x = &of->x[dependent_place[i]];
-      is_done = is_done && fabs(of->correction[i]) <= 1e-15 * (1 + fabs(*x));
-      *x += of->correction[i];
-    }
-    normalize_quaternions(of);
-    if (is_done) break;
-  }
-  if (dependent_count > dependent_coordinates) {
-    if ((status = find_dependent_speeds(of)) != fmi3OK) return status;
-    for (i = dependent_coordinates; i < dependent_count; ++i)
-      of->x[dependent_place[i]] = of->correction[i - dependent_coordinates];
-  }
-  of->known = is_on_constraints;
-  return fmi3OK;
-}
-
-/* Until the initialization is over, what is asked for follows from what is independent. */
-static fmi3Status prepare(instance *of) {
-  fmi3Status status;
-  int i;
-  if (of->mode > initialization || (of->known & is_on_constraints)) return fmi3OK;
-  if ((status = to_constraints(of, 100)) != fmi3OK) return status;
-  if (dependent_coordinates == 0) return fmi3OK;
-  if ((status = find_correction(of)) != fmi3OK) return status;
-  for (i = 0; i < dependent_coordinates; ++i)
-    if (!(fabs(of->correction[i]) <= 1e-9 * (1 + fabs(of->x[dependent_place[i]]))))
-      return say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
-  return fmi3OK;
-}
-
-static fmi3Status look_at_indicators(instance *of) {
-  const fmi3Status status = find_measured(of);
-  int i;
-  if (status == fmi3OK)
-    for (i = 0; i < indicators; ++i) of->is_positive[i] = of->measured[outputs + i] > 0;
-  return status;
-}
-
-static bool passes(const instance *of, int indicator) {
-  const bool is_positive = of->measured[outputs + indicator] > 0;
-  return is_positive != of->is_positive[indicator] &&
-         (direction[indicator] == 0 || (direction[indicator] > 0) == is_positive);
-}
-
-/* All that happens at this instant. The values of all changes are those of the state before. */
-static fmi3Status handle_events(instance *of, bool *is_changed, bool *ends) {
-  fmi3Status status = find_measured(of);
-  int i;
-  if (status != fmi3OK) return status;
-  for (i = 0; i < indicators; ++i)
-    if (passes(of, i)) {
-      *ends = *ends || ends_motion[i];
-      if (change_count > 0 && !*is_changed && (status = find_changes(of)) != fmi3OK) return status;
-      *is_changed = change_count > 0;
-    }
-  if (*is_changed) {
-    for (i = 0; i < change_count; ++i)
-      if (passes(of, changed_by[i])) of->x[changed_place[i]] = of->changes[i];
-    of->known = 0;
-    if ((status = to_constraints(of, 100)) != fmi3OK) return status;
-  }
-  return look_at_indicators(of);
-}
-
-/* A step by the classic Runge-Kutta method, and back to the constraints. */
-static fmi3Status advance(instance *of, const double *from, double t, double h) {
-  static const double reach[] = {0, 0.5, 0.5, 1}, weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-  double after[ROOM(states)];
-  int stage, i;
-  for (i = 0; i < states; ++i) after[i] = of->x[i] = from[i];
-  for (stage = 0; stage < 4; ++stage) {
-    fmi3Status status;
-    of->t = t + reach[stage] * h;
-    if (stage > 0)
-      for (i = 0; i < states; ++i) of->x[i] = from[i] + reach[stage] * h * of->rates[i];
-    of->known = 0;
-    if ((status = find_rates(of)) != fmi3OK) return status;
-    for (i = 0; i < states; ++i) after[i] += weight[stage] * h * of->rates[i];
-  }
-  for (i = 0; i < states; ++i) of->x[i] = after[i];
-  of->t = t + h;
+  for (i = 0; i < states; ++i) of->x[i] = start_of_states[i];
+  for (i = 0; i < parameters; ++i) of->p[i] = start_of_parameters[i];
+  for (i = 0; i < inputs; ++i) of->r[i] = start_of_inputs[i];
+  of->t = 0;
+  of->tolerance = 1e-8; /* where none is told */
+  of->mode = instantiated;
   of->known = 0;
-  return to_constraints(of, 1);
 }
 
-static fmi3Status pass_any(instance *of, bool *any) {
-  const fmi3Status status = indicators > 0 ? find_measured(of) : fmi3OK;
-  int i;
-  *any = false;
-  for (i = 0; status == fmi3OK && i < indicators; ++i) *any = *any || passes(of, i);
+static instance *made(const char *given_token, void *environment, log_message log, bool is_stepped) {
+  instance *of;
+  if (given_token == NULL || strcmp(given_token, token) != 0) {
+    if (log != NULL)
+      log(environment, fmi3Error, "logStatusError", "the instantiation token is that of another model description");
+    return NULL;
+  }
+  of = (instance *)calloc(1, sizeof(instance));
+  if (of == NULL) return NULL;
+  of->environment = environment;
+  of->log = log;
+  of->is_stepped = is_stepped;
+  start(of);
+  return of;
+}
+
+EXPORTED const char *fmi3GetVersion(void) { return "3.0"; }
+
+EXPORTED void *fmi3InstantiateModelExchange(const char *name, const char *given_token, const char *resources, bool visible,
+                                            bool logging, void *environment, log_message log) {
+  (void)name, (void)resources, (void)visible, (void)logging;
+  return made(given_token, environment, log, false);
+}
+
+EXPORTED void *fmi3InstantiateCoSimulation(const char *name, const char *given_token, const char *resources, bool visible,
+                                           bool logging, bool with_event_mode, bool early_return,
+                                           const fmi3ValueReference *required, size_t required_count, void *environment,
+                                           log_message log, void (*intermediate)(void)) {
+  (void)name, (void)resources, (void)visible, (void)logging, (void)with_event_mode, (void)early_return;
+  (void)required, (void)required_count, (void)intermediate;
+  return made(given_token, environment, log, true);
+}
+
+EXPORTED void *fmi3InstantiateScheduledExecution(const char *name, const char *given_token, const char *resources,
+                                                 bool visible, bool logging, void *environment, log_message log,
+                                                 void (*clock)(void), void (*lock)(void), void (*unlock)(void)) {
+  (void)name, (void)given_token, (void)resources, (void)visible, (void)logging, (void)clock, (void)lock, (void)unlock;
+  if (log != NULL) log(environment, fmi3Error, "logStatusError", "there is no scheduled execution");
+  return NULL;
+}
+
+EXPORTED void fmi3FreeInstance(void *of) { free(of); }
+
+EXPORTED fmi3Status fmi3SetDebugLogging(void *of, bool on, size_t count, const char *const *categories) {
+  (void)of, (void)on, (void)count, (void)categories;
+  return fmi3OK;
+}
+
+/* Goes from one mode to another, or tells that this is not the mode to do so. */
+static fmi3Status go(instance *of, enum mode from, enum mode to, const char *function) {
+  if (of->mode != from) return say(of, fmi3Error, function);
+  of->mode = to;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3EnterInitializationMode(void *given, bool has_tolerance, double tolerance, double from, bool has_end,
+                                                double end) {
+  instance *const of = (instance *)given;
+  (void)has_end, (void)end;
+  if (has_tolerance && tolerance > 0) of->tolerance = tolerance;
+  of->t = from;
+  of->known = 0;
+  return go(of, instantiated, initialization, "fmi3EnterInitializationMode is for what was instantiated or reset");
+}
+
+EXPORTED fmi3Status fmi3ExitInitializationMode(void *given) {
+  instance *const of = (instance *)given;
+  fmi3Status status;
+  if (of->mode != initialization)
+    return say(of, fmi3Error, "fmi3ExitInitializationMode is for initialization mode");
+  if (prepare(of) != fmi3OK || (indicators > 0 && look_at_indicators(of) != fmi3OK)) return fmi3Error;
+  status = go(of, initialization, of->is_stepped ? step_mode : event_mode, "");
   return status;
 }
 
-/* A step with the events that it holds, each found by halving. Where it fails, nothing has moved since the last of
-   these. */
-static fmi3Status step_with_events(instance *of, double h, bool *ends) {
-  enum { most_events = 100, most_halvings = 60 };
-  double left = h, before[ROOM(states)];
-  int events, halvings, i;
-  for (events = 0; left > 0 && !*ends; ++events) {
-    const double t = of->t;
-    double earliest = 0, latest = left;
-    bool any = false, is_changed = false;
-    fmi3Status status;
-    if (events == most_events) return say(of, fmi3Discard, "more than 100 events happen in one internal step");
-    for (i = 0; i < states; ++i) before[i] = of->x[i];
-    status = advance(of, before, t, left);
-    if (status == fmi3OK) status = pass_any(of, &any);
-    if (status == fmi3OK && any) {
-      for (halvings = 0; halvings < most_halvings && latest - earliest > 1e-16 * (fabs(t) + h); ++halvings) {
-        const double middle = 0.5 * (earliest + latest);
-        if ((status = advance(of, before, t, middle)) != fmi3OK || (status = pass_any(of, &any)) != fmi3OK) break;
-        if (any)
-          latest = middle;
-        else
-          earliest = middle;
-      }
-      if (status == fmi3OK && (status = advance(of, before, t, latest)) == fmi3OK)
-        status = handle_events(of, &is_changed, ends);
-    } else if (status == fmi3OK && indicators > 0) {
-      status = look_at_indicators(of);
-    }
-    if (status != fmi3OK) {
-      for (i = 0; i < states; ++i) of->x[i] = before[i];
-      of->t = t;
-      of->known = 0;
-      return status;
-    }
-    left -= latest;
-  }
+EXPORTED fmi3Status fmi3EnterEventMode(void *given) {
+  return go((instance *)given, continuous_time, event_mode, "fmi3EnterEventMode is for continuous-time mode");
+}
+
+EXPORTED fmi3Status fmi3EnterContinuousTimeMode(void *given) {
+  return go((instance *)given, event_mode, continuous_time, "fmi3EnterContinuousTimeMode is for event mode");
+}
+
+EXPORTED fmi3Status fmi3Terminate(void *given) {
+  instance *const of = (instance *)given;
+  if (of->mode < event_mode || of->mode == terminated)
+    return say(of, fmi3Error, "fmi3Terminate is for what was initialized");
+  of->mode = terminated;
   return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3Reset(void *given) {
+  start((instance *)given);
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3UpdateDiscreteStates(void *given, bool *again, bool *ends, bool *nominals_changed,
+                                             bool *states_changed, bool *has_next_event, double *next_event) {
+  instance *const of = (instance *)given;
+  *again = *ends = *nominals_changed = *states_changed = *has_next_event = false;
+  *next_event = 0;
+  if (of->mode != event_mode) return say(of, fmi3Error, "fmi3UpdateDiscreteStates is for event mode");
+  if (drifts) {
+    const fmi3Status status = look_for_drift(of, states_changed);
+    if (status != fmi3OK) return status;
+    if (*states_changed) go_to_next(of);
+  }
+  return indicators > 0 ? handle_events(of, states_changed, ends) : fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3EvaluateDiscreteStates(void *of) {
+  (void)of;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *enter_event_mode, bool *ends) {
+  bool is_far = false, any = false;
+  fmi3Status status = fmi3OK;
+  (void)is_final;
+  *enter_event_mode = *ends = false;
+  if (drifts) status = look_for_drift((instance *)of, &is_far);
+  if (status == fmi3OK) status = follow_indicators((instance *)of, &any);
+  *enter_event_mode = is_far || any;
+  return status;
+}
+
+EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_final, bool *event, bool *ends, bool *early,
+                               double *reached) {
+  instance *const of = (instance *)given;
+  const double count = ceil(length / internal_step - 1e-9);
+  double i;
+  fmi3Status status = fmi3OK;
+  (void)is_final;
+  *event = *ends = *early = false;
+  *reached = of->t;
+  if (of->mode != step_mode) return say(of, fmi3Error, "fmi3DoStep is for step mode");
+  if (!(length > 0)) return say(of, fmi3Error, "a step has a positive length");
+  if (!(fabs(from - of->t) <= 1e-9 * (length + fabs(from))))
+    return say(of, fmi3Error, "a step begins where the last one ended");
+  for (i = 0; i < count && status == fmi3OK && !*ends; ++i)
+    status = step_with_events(of, length / (count > 1 ? count : 1), ends);
+  if (status == fmi3OK && !*ends) of->t = from + length;
+  *reached = of->t;
+  return status;
+}
+)";
+
+/// Values and derivatives.
+inline constexpr std::string_view values = R"(
+static bool is_among(int reference, int first, int end) { return reference >= first && reference < end; }
+
+static fmi3Status value(instance *of, fmi3ValueReference of_variable, double *found) {
+  const int i = (int)of_variable;
+  fmi3Status status = fmi3OK;
+  if (is_among(i, FIRST_RATE, FIRST_PARAMETER)) status = find_rates(of);
+  if (is_among(i, FIRST_OUTPUT, END)) status = find_measured(of);
+  if (status != fmi3OK) return status;
+  if (i == 0)
+    *found = of->t;
+  else if (is_among(i, FIRST_STATE, FIRST_RATE))
+    *found = of->x[i - FIRST_STATE];
+  else if (is_among(i, FIRST_RATE, FIRST_PARAMETER))
+    *found = of->rates[i - FIRST_RATE];
+  else if (is_among(i, FIRST_PARAMETER, FIRST_INPUT))
+    *found = of->p[i - FIRST_PARAMETER];
+  else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
+    *found = of->r[i - FIRST_INPUT];
+  else if (is_among(i, FIRST_OUTPUT, END))
+    *found = of->measured[i - FIRST_OUTPUT];
+  else
+    return say(of, fmi3Error, "there is no variable of this value reference");
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3GetFloat64(void *given, const fmi3ValueReference *of_variables, size_t count, double *found,
+                                   size_t size) {
+  instance *const of = (instance *)given;
+  fmi3Status status;
+  size_t i;
+  if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
+  if ((status = prepare(of)) != fmi3OK) return status;
+  for (i = 0; i < count && status == fmi3OK; ++i) status = value(of, of_variables[i], &found[i]);
+  return status;
+}
+
+EXPORTED fmi3Status fmi3SetFloat64(void *given, const fmi3ValueReference *of_variables, size_t count,
+                                   const double *values, size_t size) {
+  instance *const of = (instance *)given;
+  size_t k;
+  if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
+  for (k = 0; k < count; ++k) {
+    const int i = (int)of_variables[k];
+    if (is_among(i, FIRST_STATE, FIRST_RATE))
+      of->x[i - FIRST_STATE] = values[k];
+    else if (is_among(i, FIRST_PARAMETER, FIRST_INPUT))
+      of->p[i - FIRST_PARAMETER] = values[k];
+    else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
+      of->r[i - FIRST_INPUT] = values[k];
+    else
+      return say(of, fmi3Error, "this variable cannot be set");
+  }
+  of->known = 0;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3SetTime(void *given, double time) {
+  instance *const of = (instance *)given;
+  if (of->is_stepped) return say(of, fmi3Error, "the time of a co-simulation goes on by steps");
+  of->t = time;
+  of->known = 0;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3SetContinuousStates(void *given, const double *x, size_t count) {
+  instance *const of = (instance *)given;
+  int i;
+  if (count != states) return say(of, fmi3Error, "these are not as many states as there are");
+  for (i = 0; i < states; ++i) of->x[i] = x[i];
+  of->known = 0;
+  return fmi3OK;
+}
+
+static fmi3Status copied(instance *of, size_t count, int present, const double *from, double *to) {
+  int i;
+  if (count != (size_t)present) return say(of, fmi3Error, "these are not as many values as there are");
+  for (i = 0; i < present; ++i) to[i] = from[i];
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3GetContinuousStates(void *given, double *x, size_t count) {
+  instance *const of = (instance *)given;
+  const fmi3Status status = prepare(of);
+  return status == fmi3OK ? copied(of, count, states, of->x, x) : status;
+}
+
+EXPORTED fmi3Status fmi3GetContinuousStateDerivatives(void *given, double *rates, size_t count) {
+  instance *const of = (instance *)given;
+  fmi3Status status = prepare(of);
+  if (status == fmi3OK) status = find_rates(of);
+  return status == fmi3OK ? copied(of, count, states, of->rates, rates) : status;
+}
+
+EXPORTED fmi3Status fmi3GetEventIndicators(void *given, double *found, size_t count) {
+  instance *const of = (instance *)given;
+  fmi3Status status = prepare(of);
+  if (status == fmi3OK && indicators > 0) status = find_measured(of);
+  return status == fmi3OK ? copied(of, count, indicators, of->measured + outputs, found) : status;
+}
+
+EXPORTED fmi3Status fmi3GetNominalsOfContinuousStates(void *given, double *nominals, size_t count) {
+  size_t i;
+  if (count != states) return say((instance *)given, fmi3Error, "these are not as many states as there are");
+  for (i = 0; i < count; ++i) nominals[i] = 1;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3GetNumberOfEventIndicators(void *of, size_t *count) {
+  (void)of;
+  *count = indicators;
+  return fmi3OK;
+}
+
+EXPORTED fmi3Status fmi3GetNumberOfContinuousStates(void *of, size_t *count) {
+  (void)of;
+  *count = states;
+  return fmi3OK;
+}
+
+/* ∂unknown/∂known of variables by their value references. */
+static fmi3Status partial(instance *of, fmi3ValueReference unknown, fmi3ValueReference known, double *found) {
+  const int y = (int)unknown, z = (int)known;
+  const bool is_state = is_among(z, FIRST_STATE, FIRST_RATE), is_input = is_among(z, FIRST_INPUT, FIRST_OUTPUT);
+  fmi3Status status = fmi3OK;
+  if (z != 0 && !is_state && !is_input)
+    return say(of, fmi3Error, "there are derivatives by states, inputs and the time alone");
+  if (is_among(y, FIRST_STATE, FIRST_RATE)) {
+    *found = y == z;
+  } else if (is_among(y, FIRST_RATE, FIRST_PARAMETER)) {
+    const int row = y - FIRST_RATE;
+    if ((status = find_jacobian(of)) == fmi3OK)
+      *found = is_state   ? of->by_state[row * states + z - FIRST_STATE]
+               : is_input ? of->by_inputs[row * inputs + z - FIRST_INPUT]
+                          : of->by_time[row];
+  } else if (is_among(y, FIRST_OUTPUT, END)) {
+    const int row = y - FIRST_OUTPUT;
+    if ((status = find_measured_derivatives(of)) == fmi3OK)
+      *found = is_state   ? of->measured_by_state[row * states + z - FIRST_STATE]
+               : is_input ? of->measured_by_inputs[row * inputs + z - FIRST_INPUT]
+                          : of->measured_by_time[row];
+  } else {
+    return say(of, fmi3Error, "there are derivatives of states, their rates and outputs alone");
+  }
+  return status;
+}
+
+static fmi3Status products(instance *of, const fmi3ValueReference *unknowns, size_t unknown_count,
+                           const fmi3ValueReference *knowns, size_t known_count, const double *seed, double *found,
+                           bool is_adjoint) {
+  const size_t size = is_adjoint ? known_count : unknown_count;
+  size_t i, j;
+  fmi3Status status = prepare(of);
+  for (i = 0; i < size; ++i) found[i] = 0;
+  for (i = 0; i < unknown_count && status == fmi3OK; ++i)
+    for (j = 0; j < known_count && status == fmi3OK; ++j) {
+      double each = 0;
+      if ((status = partial(of, unknowns[i], knowns[j], &each)) == fmi3OK)
+        found[is_adjoint ? j : i] += each * seed[is_adjoint ? i : j];
+    }
+  return status;
+}
+
+EXPORTED fmi3Status fmi3GetDirectionalDerivative(void *given, const fmi3ValueReference *unknowns, size_t unknown_count,
+                                                 const fmi3ValueReference *knowns, size_t known_count,
+                                                 const double *seed, size_t seed_size, double *found, size_t size) {
+  instance *const of = (instance *)given;
+  if (seed_size != known_count || size != unknown_count)
+    return say(of, fmi3Error, "there are scalar variables alone");
+  return products(of, unknowns, unknown_count, knowns, known_count, seed, found, false);
+}
+
+EXPORTED fmi3Status fmi3GetAdjointDerivative(void *given, const fmi3ValueReference *unknowns, size_t unknown_count,
+                                             const fmi3ValueReference *knowns, size_t known_count, const double *seed,
+                                             size_t seed_size, double *found, size_t size) {
+  instance *const of = (instance *)given;
+  if (seed_size != unknown_count || size != known_count)
+    return say(of, fmi3Error, "there are scalar variables alone");
+  return products(of, unknowns, unknown_count, knowns, known_count, seed, found, true);
 }
 )";
 

@@ -4,21 +4,9 @@
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
+#include <kanexpr/export/fmi/in_xml.hpp>
 
 namespace kanexpr::exporting {
-
-/// Text as a value of an attribute. XML has no room for most control characters.
-inline std::string in_xml(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) switch (c) {
-    case '&': escaped += "&amp;"; break;
-    case '<': escaped += "&lt;"; break;
-    case '>': escaped += "&gt;"; break;
-    case '"': escaped += "&quot;"; break;
-    default: escaped += static_cast<unsigned char>(c) < ' ' ? '_' : c;
-    }
-  return escaped;
-}
 
 /// Writes modelDescription.xml of FMI 3.0, and what tells how to compile the sources.
 class model_description {
@@ -26,10 +14,12 @@ public:
   explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
 
   std::string text(const std::string& token) const {
-    return filled(R"(<?xml version="1.0" encoding="UTF-8"?>
+    return filled(
+        R"(<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription fmiVersion="3.0" modelName="@name@" instantiationToken="{@token@}"
   generationTool="kanexpr @version@" variableNamingConvention="flat">
-  <ModelExchange modelIdentifier="@name@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
+  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@watched@"
+    providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
   <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
     fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
   <LogCategories>
@@ -42,12 +32,13 @@ public:
 @structure@  </ModelStructure>
 </fmiModelDescription>
 )",
-                  {{"name", system_.name},
-                   {"token", token},
-                   {"version", version()},
-                   {"step", number(of_.step)},
-                   {"variables", variables()},
-                   {"structure", structure()}});
+        {{"name", system_.name},
+         {"token", token},
+         {"version", version()},
+         {"watched", of_.function(fmu::correction) == nullptr && of_.indicators.empty() ? "false" : "true"},
+         {"step", number(of_.step_length)},
+         {"variables", variables()},
+         {"structure", structure()}});
   }
 
   /// buildDescription.xml, which stands beside the sources.
@@ -84,9 +75,10 @@ private:
     std::string text = variable({of_.time, {}, 0}, 0, R"(causality="independent" variability="continuous")");
     for (int i = 0; i < of_.count_of_states(); ++i) {
       const fmu_variable& v = of_.states[static_cast<std::size_t>(i)];
-      text += variable(v, fmu::first_state + i,
-                       std::string(R"(causality="output" variability="continuous" initial=")") +
-                           (of_.is_dependent(i) ? "approx\"" : "exact\"") + start_of(v));
+      text +=
+          variable(v, fmu::first_state + i,
+                   std::string(R"(causality="output" variability="continuous" initial=")") +
+                       (of_.dependent[static_cast<std::size_t>(i)] ? "approx\"" : "exact\"") + start_of(v));
     }
     for (int i = 0; i < of_.count_of_states(); ++i)
       text += variable(of_.rates_of_states[static_cast<std::size_t>(i)], of_.first_rate() + i,
@@ -115,7 +107,7 @@ private:
     for (int i = 0; i < of_.count_of_states(); ++i)
       text += unknown("ContinuousStateDerivative", of_.first_rate() + i, rate_depends_on(i));
     for (int i = 0; i < of_.count_of_states(); ++i)
-      if (of_.is_dependent(i)) text += initial_unknown(fmu::first_state + i);
+      if (of_.dependent[static_cast<std::size_t>(i)]) text += initial_unknown(fmu::first_state + i);
     for (int i = 0; i < static_cast<int>(of_.outputs.size()); ++i)
       text += initial_unknown(of_.first_output() + i);
     for (int i = 0; i < of_.count_of_states(); ++i) text += initial_unknown(of_.first_rate() + i);
@@ -134,7 +126,7 @@ private:
   std::string initial_unknown(int reference) const {
     std::string on;
     for (int i = 0; i < of_.count_of_states(); ++i)
-      if (!of_.is_dependent(i)) on += ' ' + std::to_string(fmu::first_state + i);
+      if (!of_.dependent[static_cast<std::size_t>(i)]) on += ' ' + std::to_string(fmu::first_state + i);
     for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on += ' ' + std::to_string(i);
     return unknown("InitialUnknown", reference, " 0" + on);
   }

@@ -3,8 +3,8 @@
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
-#include <kanexpr/export/fmi/functions_in_c.hpp>
 #include <kanexpr/export/fmi/life_in_c.hpp>
+#include <kanexpr/export/fmi/motion_in_c.hpp>
 #include <kanexpr/export/fmi/unsupported_in_c.hpp>
 
 namespace kanexpr::exporting {
@@ -35,16 +35,13 @@ private:
         R"(
 enum {
   states = @name@_states,
-  coordinates = @name@_coordinates,
   parameters = @name@_parameters,
   inputs = @name@_inputs,
   outputs = @outputs@,
   indicators = @indicators@,
   measured_count = outputs + indicators,
   change_count = @changes@,
-  dependent_coordinates = @dependent_coordinates@,
-  dependent_count = @dependent@, /* the coordinates first */
-  quaternion_count = @quaternions@
+  drifts = @drifts@ /* whether constraints or norms are lost on the way */
 };
 
 /* Value references: 0 is the time. */
@@ -61,9 +58,7 @@ enum {
          {"outputs", std::to_string(of_.outputs.size())},
          {"indicators", std::to_string(of_.indicators.size())},
          {"changes", std::to_string(of_.changed.size())},
-         {"dependent_coordinates", std::to_string(of_.dependent_coordinates.size())},
-         {"dependent", std::to_string(of_.dependent_coordinates.size() + of_.dependent_speed_places.size())},
-         {"quaternions", std::to_string(of_.quaternions.size())}});
+         {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
   /// An array, of one entry where there is none.
@@ -83,13 +78,7 @@ enum {
   }
 
   std::string tables() const {
-    std::vector<std::string> dependent, quaternion_of(of_.system.coordinates.size(), "0"), direction, ends,
-        by, place;
-    for (const std::vector<int>* places : {&of_.dependent_coordinates, &of_.dependent_speed_places})
-      for (int each : *places) dependent.push_back(std::to_string(each));
-    for (std::size_t k = 0; k < of_.quaternions.size(); ++k)
-      for (int each : of_.quaternions[k])
-        quaternion_of[static_cast<std::size_t>(each)] = std::to_string(k + 1);
+    std::vector<std::string> direction, ends, by, place;
     for (const crossing each : of_.directions) direction.push_back(std::to_string(static_cast<int>(each)));
     for (const bool each : of_.ends) ends.emplace_back(each ? "true" : "false");
     for (const fmu_change& each : of_.changed) {
@@ -97,11 +86,10 @@ enum {
       place.push_back(std::to_string(each.place));
     }
     return '\n' + starts("start_of_states", of_.states) + starts("start_of_parameters", of_.parameters) +
-           starts("start_of_inputs", of_.inputs) + array("int", "dependent_place", dependent) +
-           array("int", "quaternion_of", quaternion_of) + array("int", "direction", direction) +
+           starts("start_of_inputs", of_.inputs) + array("int", "direction", direction) +
            array("bool", "ends_motion", ends) + array("int", "changed_by", by) +
-           array("int", "changed_place", place) + "static const double internal_step = " + number(of_.step) +
-           ";\n";
+           array("int", "changed_place", place) +
+           "static const double internal_step = " + number(of_.step_length) + ";\n";
   }
 
   std::string evaluations() const {
@@ -114,8 +102,8 @@ enum {
                "measured_derivatives", "measured_jacobian_is_known",
                {{f::measured_derivatives, {"measured_by_state", "measured_by_inputs", "measured_by_time"}}}) +
            evaluation("changes", "", {{f::changes, {"changes"}}}) +
-           evaluation("correction", "", {{f::step_to_constraints, {"correction"}}}) +
-           evaluation("dependent_speeds", "", {{f::dependent_speeds, {"correction"}}});
+           evaluation("step", "", {{f::step, {"next"}}}, "instance *of, double h") +
+           evaluation("correction", "", {{f::correction, {"next"}}});
   }
 
   struct call {
@@ -124,9 +112,9 @@ enum {
   };
 
   /// A function of C that evaluates some of the system into entries of an instance.
-  std::string evaluation(const std::string& called, const std::string& known,
-                         const std::vector<call>& calls) const {
-    std::string text = "\nstatic fmi3Status find_" + called + "(instance *of) {\n", made;
+  std::string evaluation(const std::string& called, const std::string& known, const std::vector<call>& calls,
+                         const std::string& given = "instance *of") const {
+    std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;
     for (const call& each : calls)
       if (const exported_function* const f = of_.function(each.function)) made += evaluated(*f, each.into);
     if (made.empty()) return text + "  (void)of;\n  return fmi3OK;\n}\n";
@@ -141,7 +129,8 @@ enum {
   /// are no inputs, there is no derivative by them.
   std::string evaluated(const exported_function& f, const std::vector<std::string>& into) const {
     const std::string whole = name_ + '_' + f.name;
-    std::string arguments = "of->t, of->x, of->p, of->r", finite;
+    const char* const step = !f.takes_step ? "" : f.name == fmu::step ? "h, " : "0, ";
+    std::string arguments = std::string("of->t, of->x, ") + step + "of->p, of->r", finite;
     for (const exported_result& each : f.results) {
       const std::string* to = &into[0];
       for (const std::string& other : into)
