@@ -1,10 +1,11 @@
-# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
-#   [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target <name>
-# leaves results of a system in a folder, for other languages: of the format c <name>.c and <name>.h, with Python <name>.py
-# and with C++ <name>.hpp too; of casadi the rates of the state and their derivatives, <name>_casadi.c and .h, and compiled
-# <name>.so. Of C each of RESULTS is a function, of one result or of several with spaces between them, or one of the steps
-# runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without either there are M
-# and f, u̇, ẋ, and A and B:
+# kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi|fmi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
+#   [WITH_CPP] [BIND <parameter>=<number>...] [START <symbol>=<number>...] [STEP <number>] [RESULTS <results>...]
+#   [EXPRESSIONS <name>=<expression>...]): the target <name> leaves results of a system in a folder, for other languages: of the
+# format c <name>.c and <name>.h, with Python <name>.py and with C++ <name>.hpp too; of casadi the rates of the state and their
+# derivatives, <name>_casadi.c and .h, and compiled <name>.so; of fmi <name>.fmu, whose variables begin with START and which
+# moves by STEP where it moves by itself. Of C each of RESULTS is a function, of one result or of several with spaces between
+# them, or one of the steps runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without
+# either there are M and f, u̇, ẋ, and A and B. Of an FMU they are outputs beside the state:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
@@ -12,11 +13,12 @@
 # A program that is compiled here writes them. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs
 # it.
 function(kanexpr_export name)
-  cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON;WITH_CPP" "HEADER;SYSTEM;OUTPUT;SCALAR" "FORMATS;BIND;RESULTS;EXPRESSIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON;WITH_CPP" "HEADER;SYSTEM;OUTPUT;SCALAR;STEP"
+    "FORMATS;BIND;START;RESULTS;EXPRESSIONS")
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi... OUTPUT <folder> "
-      "[SCALAR double|float] [WITH_PYTHON] [WITH_CPP] [BIND <parameter>=<number>...] [RESULTS <results>...] "
-      "[EXPRESSIONS <name>=<expression>...])")
+    message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi|fmi... OUTPUT <folder> "
+      "[SCALAR double|float] [WITH_PYTHON] [WITH_CPP] [BIND <parameter>=<number>...] [START <symbol>=<number>...] "
+      "[STEP <number>] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...])")
   endif()
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   cmake_path(ABSOLUTE_PATH export_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
@@ -24,12 +26,18 @@ function(kanexpr_export name)
     message(FATAL_ERROR "kanexpr_export: there is no ${export_HEADER}")
   endif()
   foreach(format IN LISTS export_FORMATS)
-    if(NOT format MATCHES "^(c|casadi)$")
-      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there are c and casadi")
+    if(NOT format MATCHES "^(c|casadi|fmi)$")
+      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there are c, casadi and fmi")
     endif()
   endforeach()
-  if(NOT "c" IN_LIST export_FORMATS AND (export_SCALAR OR export_RESULTS OR export_EXPRESSIONS OR export_WITH_PYTHON OR export_WITH_CPP))
-    message(FATAL_ERROR "kanexpr_export: SCALAR, RESULTS, EXPRESSIONS, WITH_PYTHON and WITH_CPP are of the format c")
+  if(NOT "c" IN_LIST export_FORMATS AND (export_SCALAR OR export_WITH_PYTHON OR export_WITH_CPP))
+    message(FATAL_ERROR "kanexpr_export: SCALAR, WITH_PYTHON and WITH_CPP are of the format c")
+  endif()
+  if(NOT "c" IN_LIST export_FORMATS AND NOT "fmi" IN_LIST export_FORMATS AND (export_RESULTS OR export_EXPRESSIONS))
+    message(FATAL_ERROR "kanexpr_export: RESULTS and EXPRESSIONS are of the formats c and fmi")
+  endif()
+  if(NOT "fmi" IN_LIST export_FORMATS AND (export_START OR export_STEP))
+    message(FATAL_ERROR "kanexpr_export: START and STEP are of the format fmi")
   endif()
 
   set(chosen "")
@@ -44,6 +52,20 @@ function(kanexpr_export name)
     list(APPEND files ${export_OUTPUT}/${name}.c ${export_OUTPUT}/${name}.h)
     string(APPEND writes "  written = kanexpr::write_c<${export_SYSTEM}>(arguments[1], \"${name}\", chosen);\n")
   endif()
+  set(of_fmu "")
+  if("fmi" IN_LIST export_FORMATS OR "casadi" IN_LIST export_FORMATS)
+    find_program(KANEXPR_C_COMPILER NAMES cc gcc clang clang-19 REQUIRED)
+  endif()
+  if("fmi" IN_LIST export_FORMATS)
+    list(APPEND files ${export_OUTPUT}/${name}.fmu)
+    set(of_fmu "  fmu.compiler = \"'${KANEXPR_C_COMPILER}'\";\n")
+    if(export_STEP)
+      kanexpr_export_numbers(STEP "  fmu.step = @number@;\n" "s=${export_STEP}" of_fmu)
+    endif()
+    string(APPEND writes "  if (written) {\n    const kanexpr::exporting::written_fmu made = kanexpr::write_fmu<${export_SYSTEM}>("
+      "arguments[1], \"${name}\", fmu);\n"
+      "    if (!made.note().empty()) std::fprintf(stderr, \"%s\\n\", made.note().c_str());\n    written = made;\n  }\n")
+  endif()
   if("casadi" IN_LIST export_FORMATS)
     list(APPEND files ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h)
     string(APPEND writes "  if (written)\n    written = kanexpr::write_casadi<${export_SYSTEM}>(arguments[1], "
@@ -57,17 +79,8 @@ function(kanexpr_export name)
     string(APPEND chosen "  chosen.with_cpp = true;\n")
     list(APPEND files ${export_OUTPUT}/${name}.hpp)
   endif()
-  foreach(bound IN LISTS export_BIND)
-    if(NOT bound MATCHES "^([^=\"\\\\]+)=([-+]?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$")
-      message(FATAL_ERROR "kanexpr_export: BIND ${bound} is not <parameter>=<number>")
-    endif()
-    set(bound_name ${CMAKE_MATCH_1})
-    set(bound_number ${CMAKE_MATCH_2})
-    if(bound_number MATCHES "^[-+]?[0-9]+$")
-      string(APPEND bound_number ".0") # no int of C++, nor an octal one
-    endif()
-    string(APPEND chosen "  chosen.bound.push_back({\"${bound_name}\", ${bound_number}});\n")
-  endforeach()
+  kanexpr_export_numbers(BIND "  chosen.bound.push_back({\"@symbol@\", @number@});\n" "${export_BIND}" chosen)
+  kanexpr_export_numbers(START "  fmu.start.push_back({\"@symbol@\", @number@});\n" "${export_START}" of_fmu)
   if(export_RESULTS OR export_EXPRESSIONS)
     string(APPEND chosen "  chosen.functions.clear();\n")
   endif()
@@ -90,6 +103,13 @@ function(kanexpr_export name)
     endif()
   endforeach()
 
+  if("fmi" IN_LIST export_FORMATS)
+    if(export_RESULTS OR export_EXPRESSIONS)
+      string(PREPEND of_fmu "  fmu.outputs = chosen.functions;\n")
+    endif()
+    string(PREPEND of_fmu "  kanexpr::exporting::fmu_options fmu;\n  fmu.bound = chosen.bound;\n")
+  endif()
+
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_exported)
   file(CONFIGURE OUTPUT ${directory}/write.cpp @ONLY CONTENT [[
 #include <kanexpr/export.hpp>
@@ -100,7 +120,7 @@ function(kanexpr_export name)
 
 int main(int, char** arguments) {
 @words@  kanexpr::exporting::c_options chosen;
-@chosen@  kanexpr::outcome written;
+@chosen@@of_fmu@  kanexpr::outcome written;
 @writes@  if (!written) std::fprintf(stderr, "kanexpr_export(@name@ ...): %s\n", written.cause().c_str());
   return written ? 0 : 1;
 }
@@ -112,9 +132,8 @@ int main(int, char** arguments) {
     target_link_libraries(${name}_export PRIVATE kanexpr::kanexpr)
   endif()
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
-    COMMENT "Writing ${name} in C" VERBATIM)
+    COMMENT "Writing ${name}" VERBATIM)
   if("casadi" IN_LIST export_FORMATS)
-    find_program(KANEXPR_C_COMPILER NAMES cc gcc clang clang-19 REQUIRED)
     add_custom_command(OUTPUT ${export_OUTPUT}/${name}.so
       COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O2 -fno-math-errno -ffp-contract=fast -shared -fPIC
         ${export_OUTPUT}/${name}_casadi.c -o ${export_OUTPUT}/${name}.so -lm
@@ -123,4 +142,22 @@ int main(int, char** arguments) {
     list(APPEND files ${export_OUTPUT}/${name}.so)
   endif()
   add_custom_target(${name} ALL DEPENDS ${files})
+endfunction()
+
+# Appends code to what is called `to`, for each <symbol>=<number> of an option.
+function(kanexpr_export_numbers option code assignments to)
+  set(all "${${to}}")
+  foreach(each IN LISTS assignments)
+    if(NOT each MATCHES "^([^=\"\\\\]+)=([-+]?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$")
+      message(FATAL_ERROR "kanexpr_export: ${option} ${each} is not <symbol>=<number>")
+    endif()
+    set(symbol ${CMAKE_MATCH_1})
+    set(number ${CMAKE_MATCH_2})
+    if(number MATCHES "^[-+]?[0-9]+$")
+      string(APPEND number ".0") # no int of C++, nor an octal one
+    endif()
+    string(CONFIGURE "${code}" line @ONLY)
+    string(APPEND all "${line}")
+  endforeach()
+  set(${to} "${all}" PARENT_SCOPE)
 endfunction()

@@ -1,16 +1,57 @@
 # kanexpr_add_harness(<name> <engine>): what all tests link. `engine` is kanexpr where every test compiles it.
+#
+# What stands behind a header that not every test includes is a library of its own, built where a test includes it.
 function(kanexpr_add_harness name engine)
-  add_library(${name} STATIC oracles.cpp no_heap.cpp systems/hand_written.cpp systems/linearized.cpp
-    systems/newton_euler.cpp systems/robot_results.cpp)
+  add_library(${name} STATIC no_heap.cpp)
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
-  target_compile_definitions(${name} PRIVATE KANEXPR_ORACLES="${CMAKE_CURRENT_SOURCE_DIR}/oracles")
   # Results of two compilers are compared to the last bit: none of them may fuse a product and a sum.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
-  target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main
-    PRIVATE nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main)
   # Eigen asks malloc itself for memory: replacing operator new would not see it.
   target_link_options(${name} INTERFACE
     LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign)
+
+  foreach(header IN LISTS kanexpr_harness_headers)
+    set(sources ${header}.cpp)
+    if(header STREQUAL "systems/hand_written")
+      list(APPEND sources systems/newton_euler.cpp)
+    endif()
+    cmake_path(GET header FILENAME part)
+    add_library(${name}_${part} STATIC EXCLUDE_FROM_ALL ${sources})
+    target_link_libraries(${name}_${part} PUBLIC ${name})
+    kanexpr_link_harness(${name}_${part} ${name} ${header}.cpp)
+  endforeach()
+  target_compile_definitions(${name}_oracles PRIVATE KANEXPR_ORACLES="${CMAKE_CURRENT_SOURCE_DIR}/oracles")
+  target_link_libraries(${name}_oracles PRIVATE nlohmann_json::nlohmann_json)
+endfunction()
+set(kanexpr_harness_headers oracles systems/hand_written systems/linearized systems/robot_results)
+
+# kanexpr_link_harness(<target> <harness> <file>): links the libraries behind the headers that a file includes, by itself
+# or through others of the tests.
+function(kanexpr_link_harness target harness file)
+  set(includes ${file})
+  set(left ${file})
+  while(left)
+    list(POP_BACK left each)
+    cmake_path(GET each PARENT_PATH folder)
+    file(STRINGS ${each} lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" header ${line})
+      cmake_path(APPEND folder ${header} OUTPUT_VARIABLE beside)
+      foreach(found IN ITEMS ${header} ${beside})
+        if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${found} AND NOT found IN_LIST includes)
+          list(APPEND includes ${found})
+          list(APPEND left ${found})
+        endif()
+      endforeach()
+    endforeach()
+  endwhile()
+  foreach(header IN LISTS kanexpr_harness_headers)
+    cmake_path(GET header FILENAME part)
+    if("${header}.hpp" IN_LIST includes AND NOT target STREQUAL "${harness}_${part}")
+      target_link_libraries(${target} PUBLIC ${harness}_${part})
+    endif()
+  endforeach()
 endfunction()
 
 # kanexpr_precompile(<harness>): compiles what nearly every test includes once for the tests that link the harness.
@@ -30,6 +71,9 @@ function(kanexpr_test name)
     set(harness kanexpr_harness_sanitized)
   endif()
   target_link_libraries(${name} PRIVATE ${harness})
+  foreach(source IN LISTS test_SOURCES)
+    kanexpr_link_harness(${name} ${harness} ${source})
+  endforeach()
   target_precompile_headers(${name} REUSE_FROM ${harness}_headers)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${test_LABELS}")

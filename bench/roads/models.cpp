@@ -1,4 +1,5 @@
-// Writes the models that with_casadi.py uses into the folder that it is given.
+// Writes the models that with_casadi.py and timing.py use into the folder that it is given.
+#include "../peers/kanexpr/model_numbers.hpp"
 #include "vehicle.hpp"
 
 #include <kanexpr/export.hpp>
@@ -7,7 +8,9 @@
 #include <models/iiwa.hpp>
 #include <models/n_pendulum_cart.hpp>
 
+#include <fstream>
 #include <iostream>
+#include <string>
 
 namespace {
 
@@ -20,12 +23,20 @@ bool write(const char* folder, const char* name, const kanexpr::exporting::casad
 
 } // namespace
 
+/// What Pinocchio builds the same robot from.
+bool write_numbers(const std::string& path) {
+  std::ofstream file(path);
+  file.precision(17);
+  return peers::write_tree(file, iiwa::System::record) && file;
+}
+
 int main(int, char** arguments) {
   const char* const folder = arguments[1];
   return write<n_pendulum_cart::System<1>>(folder, "cart", {{{"g", 9.81}}}) &&
                  write<double_pendulum::System>(folder, "double_pendulum") &&
                  write<chaplygin_sleigh::System>(folder, "sleigh") &&
-                 write<vehicle::System>(folder, "vehicle") && write<iiwa::System>(folder, "iiwa")
+                 write<vehicle::System>(folder, "vehicle") && write<iiwa::System>(folder, "iiwa") &&
+                 write_numbers(std::string(folder) + "/iiwa.model")
              ? 0
              : 1;
 }

@@ -6,25 +6,28 @@ import os
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import casadi as ca
 import numpy as np
 
-import by_hand
+import by_sympy
 
 session = Path(sys.argv[2]).resolve()
 os.chdir(sys.argv[1])
 random = np.random.default_rng(5)
 
 
+def external_of(library, name):
+    return ca.external(name, f"./{library}.so")
+
+
 def external(name):
-    return ca.external(name, f"./{name}.so")
+    return external_of(name, name)
 
 
 def at_random(f):
-    return [random.uniform(0.5, 1.5, f.size1_in(i)) for i in range(f.n_in())]
+    return [random.uniform(0.5, 1.5, f.size1_in(i)) * (0.1 if f.name_in(i) == "h" else 1) for i in range(f.n_in())]
 
 
 def symbols_of(f):
@@ -33,7 +36,7 @@ def symbols_of(f):
 
 def difference(found, expected):
     found, expected = np.array(ca.DM(found)), np.array(ca.DM(expected))
-    return np.abs(found - expected).max() / max(1, np.abs(expected).max())
+    return np.abs(found - expected).max(initial=0) / np.abs(expected).max(initial=1)
 
 
 def derivatives(f):
@@ -48,17 +51,47 @@ def derivatives(f):
                         ca.jacobian(ca.gradient(sum_of_all, z), weights)])
 
 
+def runge_kutta(f):
+    """A step of it, as CasADi differentiates it."""
+    x, r, p = symbols_of(f)
+    h = ca.MX.sym("h")
+    k = [f(x, r, p)]
+    for reach in (0.5, 0.5, 1):
+        k.append(f(x + reach * h * k[-1], r, p))
+    return ca.Function("step", [x, r, p, h], [x + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])], ["x", "r", "p", "h"],
+                       ["next"])
+
+
 def compare(name, tolerance=1e-10):
-    f, reference = external(name), getattr(by_hand, name)()
-    found, expected = derivatives(f), derivatives(reference)
-    worst = 0
-    for _ in range(20):
-        at = [*at_random(f), random.uniform(-1, 1, f.size1_out(0)), random.uniform(-1, 1, f.nnz_in())]
-        worst = max(worst, *(difference(a, b) for a, b in zip(found(*at), expected(*at))))
-    assert worst < tolerance, f"{name} is off by {worst}"
-    structure = ca.jacobian(external(name)(*symbols_of(f)), symbols_of(f)[0])
+    f, reference = external(name), getattr(by_sympy, name)()
+    structure = ca.jacobian(f(*symbols_of(f)), symbols_of(f)[0])
     assert structure.nnz() < structure.numel(), "a Jacobian of rates is never full"
-    print(f"{name}: values, Jacobian, Hessian, directional and adjoint derivatives within {worst:.1e} of CasADi's")
+    for what, of, by in ((name, f, reference), (f"{name}_step", external_of(name, f"{name}_step"), runge_kutta(reference))):
+        found, expected = derivatives(of), derivatives(by)
+        worst = 0
+        for _ in range(20):
+            at = [*at_random(of), random.uniform(-1, 1, of.size1_out(0)), random.uniform(-1, 1, of.nnz_in())]
+            worst = max(worst, *(difference(a, b) for a, b in zip(found(*at), expected(*at))))
+        assert worst < tolerance, f"{what} is off by {worst}"
+        print(f"{what}: values, Jacobian, Hessian, directional and adjoint derivatives within {worst:.1e} of CasADi's")
+    solve_implicit(name, reference)
+
+
+def solve_implicit(name, reference):
+    """The residual vanishes at SymPy's rates, and the rates that follow from it have their derivatives."""
+    residual = external_of(name, f"{name}_implicit")
+    x, rate, r, p = symbols_of(residual)
+    found = ca.rootfinder("found", "newton", {"x": rate, "p": ca.vertcat(x, r, p), "g": residual(x, rate, r, p)},
+                          {"abstol": 1e-12})
+    z = ca.vertcat(x, r, p)
+    solution, expected = found(ca.MX.zeros(rate.numel()), z), reference(x, r, p)
+    worst = 0
+    at = at_random(reference)
+    for a, b in ((solution, expected), (ca.jacobian(solution, z), ca.jacobian(expected, z))):
+        off = ca.Function("off", [x, r, p], [a, b])(*at)
+        worst = max(worst, difference(*off))
+    assert worst < 1e-10, worst
+    print(f"{name}_implicit: the rates that it leaves no residual at, with their Jacobian, within {worst:.1e} of SymPy's")
 
 
 def solved(problem, options=None):
@@ -67,6 +100,21 @@ def solved(problem, options=None):
     stats = solution.stats()
     assert stats["success"]
     return solution, stats["iter_count"]
+
+
+def swing_up_by_steps(step):
+    """Multiple shooting: an interval is two steps."""
+    n = 40
+    problem, h = ca.Opti(), 2 / n / 2
+    x, r, p = problem.variable(4, n + 1), problem.variable(1, n), [1, 0.3, 0.5]
+    for k in range(n):
+        problem.subject_to(x[:, k + 1] == step(step(x[:, k], r[k], p, h), r[k], p, h))
+    problem.subject_to(x[:, 0] == [0, -ca.pi / 2, 0, 0])
+    problem.subject_to(x[:, n] == [0, ca.pi / 2, 0, 0])
+    problem.set_initial(x[1, :], np.linspace(-np.pi / 2, np.pi / 2, n + 1))
+    problem.minimize(h * ca.sumsqr(r))
+    solution, iterations = solved(problem)
+    return solution.value(problem.f), iterations
 
 
 def swing_up(f):
@@ -115,32 +163,59 @@ def integrated(f):
     return ca.Function("end", [x, p], [end, ca.jacobian(end, x), ca.jacobian(end, p)])
 
 
+def integrated_implicitly(name):
+    """The rates are algebraic variables, of which the residual is zero."""
+    x, rate, r, p = symbols_of(external_of(name, f"{name}_implicit"))
+    residual = external_of(name, f"{name}_implicit")(x, rate, r, p)
+    move = ca.integrator("move", "idas", {"x": x, "z": rate, "p": ca.vertcat(r, p), "ode": rate, "alg": residual}, 0, 2,
+                         {"reltol": 1e-11, "abstol": 1e-12})
+    x, p = ca.MX.sym("x", move.size1_in("x0")), ca.MX.sym("p", move.size1_in("p"))
+    end = move(x0=x, p=p)["xf"]
+    return ca.Function("end", [x, p], [end, ca.jacobian(end, x), ca.jacobian(end, p)])
+
+
 def acados_files(f, name):
-    """Files as acados generates them from `model.f_expl_expr`, compiled beside the library that they call."""
+    """Files as acados generates them, by casadi_function_generation.py of its interface, from `model.f_expl_expr`,
+    `model.f_impl_expr` and `model.disc_dyn_expr`; compiled beside the library that they call."""
     x, u, p = symbols_of(f)
     nx, nu = x.numel(), u.numel()
     Sx, Su, weights = ca.MX.sym("Sx", nx, nx), ca.MX.sym("Su", nx, nu), ca.MX.sym("lambdaX", nx)
+    xdot, z, t = ca.MX.sym("xdot", nx), ca.MX.sym("z", 0), ca.MX.sym("t", 0)
     rate = f(x, u, p)
-    z = ca.vertcat(x, u)
-    S = ca.vertcat(ca.horzcat(Sx, Su), ca.horzcat(ca.MX.zeros(nu, nx), ca.MX.eye(nu)))
-    adjoint = ca.jtimes(rate, z, weights, True)
-    hessian = ca.mtimes([S.T, ca.jacobian(adjoint, z), S])
-    step = x + 0.01 * f(x + 0.005 * rate, u, p)
+    xu, ux = ca.vertcat(x, u), ca.vertcat(u, x)
+    S = ca.vertcat(ca.horzcat(Sx, Su), ca.horzcat(ca.DM.zeros(nu, nx), ca.DM.eye(nu)))
+    adjoint = ca.jtimes(rate, xu, weights, True)
+    hessian = ca.mtimes(ca.transpose(S), ca.jtimes(adjoint, xu, S))
+    hessian = ca.vertcat(*(hessian[i, j] for j in range(nx + nu) for i in range(j, nx + nu)))
+    step = external_of(name, f"{name}_step")(x, u, p, 0.01)
+    adjoint_of_step = ca.jtimes(step, ux, weights, True)
+    residual = external_of(name, f"{name}_implicit")(x, xdot, u, p)
+    by_x, by_xdot, by_u, by_z = (ca.jacobian(residual, each) for each in (x, xdot, u, z))
+    given = [x, xdot, u, z, t, p]
+    x_xdot_z_u = ca.vertcat(x, xdot, z, u)
+    adjoint_of_residual = ca.jtimes(residual, x_xdot_z_u, weights, True)
     functions = {
         "expl_ode_fun": ([x, u, p], [rate]),
         "expl_vde_forw": ([x, Sx, Su, u, p],
                           [rate, ca.jtimes(rate, x, Sx), ca.jacobian(rate, u) + ca.jtimes(rate, x, Su)]),
         "expl_vde_adj": ([x, weights, u, p], [adjoint]),
         "expl_ode_hess": ([x, Sx, Su, weights, u, p], [adjoint, hessian]),
+        "dyn_disc_phi_fun": ([x, u, p], [step]),
+        "dyn_disc_phi_fun_jac": ([x, u, p], [step, ca.jacobian(step, ux).T]),
         "dyn_disc_phi_fun_jac_hess": ([x, u, weights, p],
-                                      [step, ca.jacobian(step, z).T, ca.hessian(ca.dot(weights, step), z)[0]]),
+                                      [step, ca.jacobian(step, ux).T, ca.jacobian(adjoint_of_step, ux)]),
+        "impl_dae_fun": (given, [residual]),
+        "impl_dae_fun_jac_x_xdot_z": (given, [residual, by_x, by_xdot, by_z]),
+        "impl_dae_fun_jac_x_xdot_u": (given, [residual, by_x, by_xdot, by_u]),
+        "impl_dae_jac_x_xdot_u_z": (given, [by_x, by_xdot, by_u, by_z]),
+        "impl_dae_hess": ([x, xdot, u, z, weights, t, p], [ca.jacobian(adjoint_of_residual, x_xdot_z_u)]),
     }
     for end, (given, wanted) in functions.items():
         called = f"{name}_{end}"
         direct = ca.Function(called, given, wanted)
-        direct.generate(f"{called}.c", {"casadi_int": "int", "casadi_real": "double"})
+        direct.generate(called, {"mex": False, "casadi_int": "int", "casadi_real": "double", "force_canonical": False})
         text = Path(f"{called}.c").read_text()
-        assert f"{name}(" in text
+        assert any(f"{name}{end}(" in text for end in ("", "_step", "_implicit")), "it calls what was exported"
         subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"{called}.c", "-o", f"lib{called}.so", "-L.", f"-l:{name}.so",
                         "-Wl,-rpath,$ORIGIN", "-lm"], check=True)
         symbols = subprocess.run(["nm", "-D", f"lib{called}.so"], check=True, capture_output=True, text=True).stdout
@@ -157,44 +232,34 @@ def acados_files(f, name):
     print(f"acados: {', '.join(functions)} of {name} have their symbols, and the values of CasADi")
 
 
-def timed(function, at):
-    count = 20000
-    buffers = function.buffer()
-    buffer, call = buffers
-    given = [np.ascontiguousarray(each, dtype=float) for each in at]
-    results = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
-    for i, each in enumerate(given):
-        buffer.set_arg(i, memoryview(each))
-    for i, each in enumerate(results):
-        buffer.set_res(i, memoryview(each))
-    best = float("inf")
-    for _ in range(5):
-        begin = time.perf_counter()
-        for _ in range(count):
-            call()
-        best = min(best, (time.perf_counter() - begin) / count)
-    return best * 1e6
-
-
 for each in ("cart", "double_pendulum", "sleigh"):
     compare(each)
 
 cost, iterations = swing_up(external("cart"))
-cost_by_hand, iterations_by_hand = swing_up(by_hand.cart())
-assert iterations == iterations_by_hand and abs(cost / cost_by_hand - 1) < 1e-8
+expected, iterations_expected = swing_up(by_sympy.cart())
+assert iterations == iterations_expected and abs(cost / expected - 1) < 1e-8
 assert iterations <= 20
-print(f"swing-up of a cart's pendulum: {iterations} iterations of IPOPT, as with equations by hand")
+print(f"swing-up of a cart's pendulum: {iterations} iterations of IPOPT, as with SymPy's equations")
+
+cost, iterations = swing_up_by_steps(external_of("cart", "cart_step"))
+expected, iterations_expected = swing_up_by_steps(runge_kutta(by_sympy.cart()))
+assert iterations == iterations_expected and abs(cost / expected - 1) < 1e-8
+assert iterations <= 40
+print(f"the same by multiple shooting, of steps: {iterations} iterations, as with SymPy's equations")
 
 turning, slip, iterations = lane_change(external("vehicle"))
 assert turning < 2e-3 and slip < 1e-9, (turning, slip)
 assert iterations <= 10
 print(f"lane change: {iterations} iterations of IPOPT, constraints within {turning:.1e} rad/s")
 
-cart, reference = integrated(external("cart")), integrated(by_hand.cart())
+cart, reference = integrated(external("cart")), integrated(by_sympy.cart())
 start = [0, 0.3, 0.1, 0], [0, 1, 0.3, 0.5]
 worst = max(difference(a, b) for a, b in zip(cart(*start), reference(*start)))
 assert worst < 1e-7, worst
 print(f"CVODES: end, and its derivatives by state and parameters, within {worst:.1e}")
+worst = max(difference(a, b) for a, b in zip(integrated_implicitly("cart")(*start), reference(*start)))
+assert worst < 1e-7, worst
+print(f"IDAS with the implicit form: the same within {worst:.1e}")
 
 acados_files(external("cart"), "cart")
 
@@ -203,9 +268,3 @@ with contextlib.redirect_stdout(io.StringIO()):
     exec(session.read_text(), of_session)
 assert np.abs(of_session["found"][:, -1] - [0, np.pi / 2, 0, 0]).max() < 1e-7
 print(f"the session of the guide: {of_session['problem'].stats()['iter_count']} iterations")
-
-iiwa = external("iiwa")
-at = at_random(iiwa)
-print(f"iiwa, in µs with the call: rates {timed(iiwa, at):.2f}, "
-      f"Jacobian {timed(iiwa.jacobian(), [*at, np.zeros(14)]):.2f}, "
-      f"Hessian {timed(iiwa.reverse(1).jacobian(), [*at, np.zeros(14), np.ones(14), np.zeros(14), np.zeros(7), []]):.2f}")

@@ -1,8 +1,9 @@
 #pragma once
 
-/// Models for other languages and tools, written by a program: `write_c`, `write_casadi`.
+/// Models for other languages and tools, written by a program: `write_c`, `write_casadi`, `write_fmu`.
 
 #include <kanexpr/symbolic.hpp>
 
 #include <kanexpr/export/write_c.hpp>
 #include <kanexpr/export/write_casadi.hpp>
+#include <kanexpr/export/write_fmu.hpp>

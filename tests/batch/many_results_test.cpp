@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "no_heap.hpp"
 
 #include <kanexpr/batch.hpp>

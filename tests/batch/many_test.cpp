@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <models/double_pendulum.hpp>

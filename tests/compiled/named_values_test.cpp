@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 // Values that are given by name: where they go, and what is wrong with them.
 #include "models/bicycle.hpp"
 #include "models/four_bar.hpp"

@@ -1,5 +1,5 @@
 // Discrete forms beside those with 60 digits. references.py says how far SciPy's are off.
-// builds: sanitize
+// builds: clang++ sanitize
 #include "control/matrices.hpp"
 #include "control/references.hpp"
 #include "no_heap.hpp"

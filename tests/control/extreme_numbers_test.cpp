@@ -1,6 +1,6 @@
 // Linear-quadratic regulators and discrete forms of numbers near the ends of their range, and of rates far
 // apart: they are right, or a status says what is true of them.
-// builds: sanitize
+// builds: clang++ sanitize
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/lqr.hpp>
 

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 #include "control/matrices.hpp"
 
 #include <kanexpr/control/lqr.hpp>

@@ -1,3 +1,4 @@
+// builds: g++
 // The models must not become dearer than they are known to be.
 #include <kanexpr/derive/cost.hpp>
 #include <models/iiwa.hpp>

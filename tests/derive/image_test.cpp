@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 namespace {
@@ -105,6 +106,34 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
     derived_system again(TypeParam::record, *aside);
     expect_same(tape_for(straight, row.is), tape_for(again, row.is));
   }
+}
+
+/// A number that tells images apart: nodes, and all that refers to them.
+constexpr std::uint64_t digest_of(const image& of) {
+  std::uint64_t digest = 0;
+  const auto take = [&digest](auto value) {
+    digest = (digest ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u; // FNV-1a, by words
+  };
+  for (int i = 0; i < of.nodes; ++i) take(of.op[i]), take(of.a[i]), take(of.b[i]);
+  for (int i = 0; i < of.numbers; ++i) take(of.numerators[i]), take(of.denominators[i]);
+  for (int i = 0; i < of.integers; ++i) take(of.integer[i]);
+  return digest;
+}
+
+template <class System>
+void expect_the_image_of_the_compiler() {
+  constexpr std::uint64_t of_compiler = digest_of(kanexpr::deriving::stages_of<System>::linearized.aside);
+  derived_system system(System::record);
+  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) go_on(system, to);
+  EXPECT_EQ(digest_of(*set_aside(system)), of_compiler);
+}
+
+// Of operands that have no order g++ evaluates the last one first in a program, and the first one in a
+// constant expression, as clang++ does in both.
+TEST(image, of_the_compiler_is_that_of_the_program) {
+  expect_the_image_of_the_compiler<four_bar::System>();
+  expect_the_image_of_the_compiler<rattleback::System>();
+  expect_the_image_of_the_compiler<pendulum_nonminimal::System>();
 }
 
 TEST(image, of_a_system_that_there_is_no_room_for_says_so) {

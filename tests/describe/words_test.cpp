@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Different words for the same thing give the same equations. Derived at run time: what is compared is the
 // reading.
 #include <kanexpr/symbolic.hpp>

@@ -11,6 +11,7 @@ INTEGER = ctypes.c_longlong
 
 class Function:
     def __init__(self, library, name):
+        self.library, self.name = library, name
         self.call = getattr(library, name)
         self.call.argtypes = [ctypes.POINTER(REAL), ctypes.POINTER(REAL), ctypes.c_void_p, REAL, ctypes.c_int]
 
@@ -85,7 +86,7 @@ def slope(f, at, k, j):
             ends.append(f(moved))
         return [(a - b) / (2 * h) for a, b in zip(*ends)]
 
-    return [(4 * a - b) / 3 for a, b in zip(difference(1e-3), difference(2e-3))]
+    return [(64 * a - 20 * b + c) / 45 for a, b, c in zip(*map(difference, (4e-4, 8e-4, 16e-4)))]
 
 
 def near(found, expected, tolerance=1e-8):
@@ -94,13 +95,14 @@ def near(found, expected, tolerance=1e-8):
     assert all(abs(a - b) <= tolerance * scale for a, b in zip(found, expected)), (found, expected)
 
 
-def check(name, arguments):
-    library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
+def check(library, name, arguments, result):
+    """A function with its derivatives: these against differences of those of lower order."""
     f, jacobian, forward, of_forward, adjoint, of_adjoint = (
         Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_"))
-    assert f.names[0] == arguments and f.names[1] == ["rate"]
+    assert f.names[0] == arguments and f.names[1] == [result]
     n = len(arguments)
-    at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in f.shapes[0]]
+    at = [[random.uniform(0.5, 1.5) * (0.1 if called == "h" else 1) for _ in range(rows)]
+          for called, (rows, _, _) in zip(f.names[0], f.shapes[0])]
     size = f.shapes[1][0][0]
     rate, weights = [0.0] * size, [random.uniform(-1, 1) for _ in range(size)]
     direction = [[random.uniform(-1, 1) for _ in a] for a in at]
@@ -134,7 +136,7 @@ def check(name, arguments):
 
     # Null arguments are zero, and null results are not wanted.
     states = {0: [0.0] * len(at[0])}
-    assert f.raw([None, *at[1:]]) == f.raw([states[0], *at[1:]])
+    assert str(f.raw([None, *at[1:]])) == str(f.raw([states[0], *at[1:]]))
     for each, given in ((jacobian, [*at, None]), (adjoint, [*at, None, weights]),
                         (of_forward, [*at, None, *direction, None]),
                         (of_adjoint, [*at, None, weights, *[None] * n]), (forward, [*at, None, *direction])):
@@ -147,11 +149,52 @@ def check(name, arguments):
     return f
 
 
+def check_implicit(f, residual):
+    """It is linear in the rates, and zero at those of the motion."""
+    at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in residual.shapes[0]]
+    rate = flat(f.dense([at[0], *at[2:]])[0])
+    found = flat(residual.dense(at)[0])
+    by_rates = Function(residual.library, f"jac_{residual.name}").dense([*at, None])[1]
+    near(found, [sum(a * (v - w) for a, v, w in zip(row, at[1], rate)) for row in by_rates], 1e-12)
+
+
+def runge_kutta(rates, x, h, t):
+    k = rates(x, t)
+    total = list(k)
+    for reach, weight in ((0.5, 2), (0.5, 2), (1, 1)):
+        k = rates([a + reach * h * b for a, b in zip(x, k)], t + reach * h)
+        total = [a + weight * b for a, b in zip(total, k)]
+    return [a + h / 6 * b for a, b in zip(x, total)]
+
+
+def semi_implicit_euler(rates, x, h, t):
+    """Half of the state are speeds here."""
+    n = len(x) // 2
+    x = [*x[:n], *(a + h * b for a, b in zip(x[n:], rates(x, t)[n:]))]
+    return [*(a + h * b for a, b in zip(x[:n], rates(x, t))), *x[n:]]
+
+
+def check_step(f, step, method):
+    x, r, p, [h], *t = ([random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in step.shapes[0])
+    h /= 10
+    expected = method(lambda y, now: flat(f.dense([y, r, p, *([[now]] if t else [])])[0]), x, h, t[0][0] if t else 0)
+    near(flat(step.dense([x, r, p, [h], *t])[0]), expected, 1e-14)
+
+
+def check_all(name, *more, method=runge_kutta):
+    library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
+    f = check(library, name, ["x", "r", "p", *more], "rate")
+    check_implicit(f, check(library, f"{name}_implicit", ["x", "xdot", "r", "p", *more], "residual"))
+    check_step(f, check(library, f"{name}_step", ["x", "r", "p", "h", *more], "next"), method)
+    return f
+
+
 random.seed(4)
-check("cart", ["x", "r", "p"])
-check("disc", ["x", "r", "p"])
-check("driven", ["x", "r", "p", "t"])
-pendulum = check("bound_pendulum", ["x", "r", "p"])
+check_all("cart")
+check_all("disc", method=semi_implicit_euler)
+check_all("a")
+check_all("driven", "t")
+pendulum = check_all("bound_pendulum")
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
 assert status == 0
 near(rate, [0.0, -9.81 / 0.5 * math.sin(0.3)], 1e-14)

@@ -8,10 +8,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
+
+#include <sys/resource.h>
 
 namespace {
 
@@ -80,6 +84,70 @@ TEST(WriteC, LeavesNothingHalfWritten) {
             "/proc/none/of/these/arm.h cannot be written");
 }
 
+/// No file may have more bytes, as on a disk that is full.
+struct full_disk {
+  rlimit before{};
+  full_disk() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit now{.rlim_cur = 1000, .rlim_max = before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~full_disk() { setrlimit(RLIMIT_FSIZE, &before); }
+};
+
+TEST(WriteC, LeavesWhatWasThereWhereTheDiskIsFull) {
+  const folder to;
+  const auto write = [&](const char* below, const char* results_of) {
+    return write_c<simple_pendulum::System>(to.path / below, "arm", with({results(results_of)}));
+  };
+  ASSERT_TRUE(write("", "udot"));
+  const std::string before = to.text_of("arm.h") + to.text_of("arm.c");
+  std::string cause, in_new_folder;
+  {
+    const full_disk here;
+    cause = write("", "rhs").cause();
+    in_new_folder = write("a/b", "rhs").cause();
+  }
+  EXPECT_EQ(cause, (to.path / "arm.h").string() + " cannot be written");
+  EXPECT_EQ(in_new_folder, (to.path / "a/b/arm.h").string() + " cannot be written");
+  EXPECT_EQ(to.text_of("arm.h") + to.text_of("arm.c"), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 2) << "something is left";
+}
+
+namespace without_list {
+using namespace simple_pendulum;
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<simple>, bodies<Bob>,
+                            loads<torque<A, T * N::z>>> {};
+} // namespace without_list
+
+TEST(WriteC, RefusesAnInputThatTheSystemDoesNotHave) {
+  const c_options pushed = with({exporting::expression<simple_pendulum::q * input<"F">{}>("pushed")});
+  EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression holds, is not in the list of inputs");
+  EXPECT_EQ(write_c<without_list::System>("nowhere", "arm", pushed).cause(),
+            "function pushed holds an input that the system does not have");
+  EXPECT_FALSE(std::filesystem::exists("nowhere"));
+}
+
+TEST(WriteC, CountsTheOperationsOfAStep) {
+  const folder to;
+  ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "arm", with({results("runge_kutta_4")})));
+  const std::string all = to.text_of("arm.c");
+  const std::size_t begin = all.find("arm_runge_kutta_4(");
+  const std::string code = all.substr(begin, all.find("(void)t", begin) - begin);
+  const auto times = [&](const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = code.find(what, at)) != code.npos; ++at) ++count;
+    return count;
+  };
+  const std::size_t turns = times("_sine_and_cosine(");
+  EXPECT_EQ(turns, 4);
+  std::ostringstream told;
+  told << "/* " << times(" * ") << " multiplications, " << times(" + ") + times(" - ") << " additions, "
+       << times(" / ") << " divisions, " << turns << " sines and cosines or the like, 0 other functions.";
+  EXPECT_THAT(to.text_of("arm.h"), HasSubstr(told.str()));
+}
+
 TEST(WriteC, ExportsExpressionsByNamesOfTheirOwn) {
   using namespace simple_pendulum;
   const folder to;
@@ -110,11 +178,35 @@ TEST(WriteC, TakesWhatABuilderBuilt) {
   EXPECT_THAT(header, HasSubstr("   udot_rows is called udot_rows_ here.\n"));
   EXPECT_THAT(code, HasSubstr("  const double int_ = x[0];\n")) << "no word of the language";
   EXPECT_THAT(code, HasSubstr("  const double exp_ = p[1];\n")) << "no function of math.h";
+}
 
-  ASSERT_TRUE(write_c(b, to.path, "again", with({results("udot")})));
-  std::string again = to.text_of("again.c");
-  for (std::size_t at = 0; (at = again.find("again", at)) != again.npos;) again.replace(at, 5, "pendulum");
-  EXPECT_EQ(again, code) << "the same, however often it is written";
+/// A pendulum with terms of its force formed one after another, from the first or from the last, as compilers
+/// do with operands.
+std::string code_of_pendulum(const folder& to, bool from_the_first) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), m = b.parameter("m"), g = b.parameter("g"),
+             c = b.parameter("c"), k = b.parameter("k");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, 2, 0, 0));
+  b.particle("Bob", P, m);
+  symbolic::expression force[3];
+  for (int i = 0; i < 3; ++i) {
+    const int term = from_the_first ? i : 2 - i;
+    force[term] = term == 0 ? m * g : term == 1 ? c * u : k * sin(q);
+  }
+  b.force(P, b.along(N, force[0] + force[1] * force[2], force[2] + force[0], 0));
+  EXPECT_TRUE(write_c(b, to.path, "once"));
+  const std::string once = to.text_of("once.c");
+  EXPECT_TRUE(write_c(b, to.path, "once"));
+  EXPECT_EQ(to.text_of("once.c"), once) << "the same, however often it is written";
+  return once;
+}
+
+TEST(WriteC, WritesTheSameInWhateverOrderABuilderWasGivenTerms) {
+  const folder to;
+  EXPECT_EQ(code_of_pendulum(to, true), code_of_pendulum(to, false));
 }
 
 struct doubled {
@@ -183,6 +275,80 @@ TEST(WriteCasadi, LeavesNothingHalfWritten) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.cause(), (to.path / "arm_casadi.c").string() + " cannot be written");
   EXPECT_FALSE(std::filesystem::exists(to.path / "arm_casadi.h"));
+  std::ofstream(to.path / "file") << "no folder";
+  const std::filesystem::path below = to.path / "file" / "models";
+  EXPECT_EQ(write_casadi<simple_pendulum::System>(below, "arm").cause(),
+            (below / "arm_casadi.h").string() + " cannot be written");
+}
+
+fmu_options with_starts() {
+  return {.start = {{"q", 0.3}, {"m", 2}, {"l", 0.5}, {"g", 9.81}, {"c", 0.1}}, .compiler = ""};
+}
+
+/// Why there is no FMU of a pendulum with options that `change` changes.
+template <class Change>
+std::string cause_of_fmu(const Change& change, const std::string& name = "arm") {
+  const folder to;
+  fmu_options chosen = with_starts();
+  change(chosen);
+  const written_fmu written = write_fmu<simple_pendulum::System>(to.path, name, chosen);
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(std::filesystem::exists(to.path)) << "something is left";
+  return written.cause();
+}
+
+TEST(WriteFmu, NamesWhatCannotBeExported) {
+  using simple_pendulum::q, simple_pendulum::u;
+  const auto of = [](auto change) { return cause_of_fmu(change); };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(of([](fmu_options& o) { o.start.pop_back(); }), "parameter c has no start value");
+  EXPECT_EQ(of([&](fmu_options& o) { o.start[0].value = none; }), "the start value of q is not finite");
+  EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"q", 1}); }), "q has two start values");
+  EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"k", 1}); }),
+            "there is no coordinate, speed, parameter or input k that could start with a value");
+  EXPECT_EQ(of([](fmu_options& o) { o.step = 0; }), "the internal step of a co-simulation must be positive");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("velocity")}; }), "no result is called velocity");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("runge_kutta_4")}; }),
+            "runge_kutta_4 is a step, and no output");
+  EXPECT_EQ(of([](fmu_options& o) {
+              o.events = {when<position_of<simple_pendulum::P, simple_pendulum::O>>("fall")};
+            }),
+            "what event fall watches must be a scalar, to pass zero");
+  EXPECT_EQ(of([](fmu_options& o) { o.events = {when<q>("turn", crossing::either, {set<-u>("m")})}; }),
+            "event turn sets m, which is neither a coordinate nor a speed");
+  EXPECT_EQ(of([](fmu_options& o) {
+              o.bound = {{"m", 1e308}, {"l", 1e308}}, o.start.erase(o.start.begin() + 1, o.start.begin() + 3);
+            }),
+            "function rhs holds a number that double has no room for");
+  EXPECT_EQ(cause_of_fmu([](fmu_options&) {}, "7 arms"),
+            "what is exported needs a name that is one in C, of letters, digits and underscores; \"7 arms\" "
+            "is none");
+  EXPECT_EQ(of([](fmu_options& o) { o.compiler = "false"; }), "arm does not compile as C; false says why");
+}
+
+TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
+  const folder to;
+  fmu_options chosen = with_starts();
+  EXPECT_EQ(write_fmu<simple_pendulum::System>(to.path, "arm", chosen).note(),
+            "arm.fmu holds sources alone, as no compiler is given");
+  const std::string without = to.text_of("arm.fmu");
+  EXPECT_THAT(without, HasSubstr("sources/arm_fmi.c"));
+  EXPECT_THAT(without, testing::Not(HasSubstr("binaries/")));
+  chosen.compiler = "no-compiler-of-this-name";
+  const written_fmu again = write_fmu<simple_pendulum::System>(to.path, "arm", chosen);
+  EXPECT_TRUE(again);
+  EXPECT_EQ(again.note(), "arm.fmu holds sources alone, as there is no compiler no-compiler-of-this-name");
+  EXPECT_EQ(to.text_of("arm.fmu"), without) << "the same bytes";
+}
+
+TEST(WriteFmu, LeavesNothingHalfWritten) {
+  const folder to;
+  std::filesystem::create_directories(to.path / "arm.fmu"); // where the file should be
+  const written_fmu written = write_fmu<simple_pendulum::System>(to.path, "arm", with_starts());
+  EXPECT_EQ(written.cause(), (to.path / "arm.fmu").string() + " cannot be written");
+  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.fmu.part"));
+  EXPECT_EQ(write_fmu<simple_pendulum::System>("/proc/none/of/these", "arm", with_starts()).cause(),
+            "/proc/none/of/these/arm.fmu cannot be written");
 }
 
 } // namespace

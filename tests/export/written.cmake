@@ -4,13 +4,15 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
 add_executable(export_models_in_c export/models_in_c.cpp)
 target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(export_models_in_c PRIVATE kanexpr::engine kanexpr_strict kanexpr_snippets)
-set(for_casadi cart driven bound_pendulum disc)
+set(for_casadi cart driven a bound_pendulum disc)
 list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABLE files_for_casadi)
 set(names iiwa iiwa_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
 set(names_of_steps sliding sliding_in_float bead bead_in_float)
 set(names_of_all ${names} ${names_of_steps})
+set(fmus bound_pendulum pendulum ball bead sliding strange)
+list(TRANSFORM fmus REPLACE "(.+)" "${folder}/\\1.fmu")
 list(TRANSFORM names_of_all REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
-add_custom_command(OUTPUT ${files} ${files_for_casadi} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)
+add_custom_command(OUTPUT ${files} ${files_for_casadi} ${fmus} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)
 foreach(name IN LISTS names_of_all)
   add_custom_command(OUTPUT ${folder}/${name}.o COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O1 -ffp-contract=off -fPIE -pedantic
     -Wall -Wextra -Wconversion -Wshadow -Werror -c ${folder}/${name}.c -o ${folder}/${name}.o
@@ -32,31 +34,36 @@ add_test(NAME export_c_compilers COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/export/comp
 
 # The same in CMake, to the byte
 kanexpr_export(bound_pendulum HEADER ${PROJECT_SOURCE_DIR}/examples/models/simple_pendulum.hpp SYSTEM simple_pendulum::System
-  FORMATS c casadi OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/by_cmake SCALAR float BIND g=9.81 m=2 RESULTS udot "mass_matrix forcing"
-  EXPRESSIONS "tip=position_of<P, O>")
+  FORMATS c casadi fmi OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/by_cmake SCALAR float BIND g=9.81 m=2 START q=0.3 l=0.5 c=1e-1
+  STEP 0.01 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
 target_include_directories(bound_pendulum_export PRIVATE ${PROJECT_SOURCE_DIR}/examples)
-foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h bound_pendulum_casadi.c bound_pendulum_casadi.h)
+foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h bound_pendulum_casadi.c bound_pendulum_casadi.h bound_pendulum.fmu)
   add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
 endforeach()
 
-# In Python
+# In Python, with the commands of the guide
+set(guide ${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/c)
 add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
   for name in bead four_bar iiwa pendulum; do
-    '${KANEXPR_C_COMPILER}' -std=c99 -O1 -fno-math-errno -shared -fPIC $name.c -o lib$name.so -lm
+    sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|pendulum|$name|g\" '${guide}/compile.sh' | sh -eu
   done
+  PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. python3 '${guide}/session.python'
   python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/python_test.py' '${folder}'")
 
 # From C++11 on
 add_test(NAME export_cpp COMMAND sh -eu -c "
-  '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets'
+  '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets' \
     '${CMAKE_CURRENT_SOURCE_DIR}/export/cpp.cpp' '${folder}/pendulum.o' '${folder}/four_bar.o' '${folder}/bead_in_float.o' -lm -o '${folder}/cpp'
   '${folder}/cpp'")
 
 # As CasADi calls it, with the command of the guide
 add_test(NAME export_casadi COMMAND sh -eu -c "cd '${folder}'
-  for name in cart driven disc; do
+  for name in cart driven a disc; do
     sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|cart|$name|g\" '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/casadi/compile.sh' |
       sh -eu
   done
   cp '${CMAKE_CURRENT_BINARY_DIR}/by_cmake/bound_pendulum.so' .
   python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/casadi_test.py' '${folder}'")
+
+# As a tool imports FMUs
+add_test(NAME export_fmi COMMAND ${CMAKE_COMMAND} -E env CC=${KANEXPR_C_COMPILER} ${CMAKE_CURRENT_SOURCE_DIR}/export/fmi ${folder})

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // What joints of a chain carry, against Newton's and Euler's equations.
 #include "joints/newton_euler.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "joints/by_hand.hpp"
 
 // Joints whose two points come apart, with their seats off both points.

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 #include "joints/by_hand.hpp"
 
 // Joints that turn about axes, with their seats off both points.

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "joints/by_hand.hpp"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 // Without -mavx a pack is returned in memory; that the flag would change this is no concern of one program.
 #pragma GCC diagnostic ignored "-Wpsabi"
 

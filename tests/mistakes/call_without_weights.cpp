@@ -11,12 +11,12 @@ int main() {
   const eom::inputs r;
   const to_second::weights<> w(1, 1);
   double sum = 0;
-// expect: hessian needs a weight for each rate of the state: call it as hessian(x, p, r, w)
+  // expect: hessian needs a weight for each rate of the state: call it as hessian(x, p, r, w)
   sum += to_second::hessian(x, p, r)(0);
-// expect: hessian_product needs a direction, a change of the state and the inputs: call it as
-// expect: hessian_product(x, p, r, w, v)
+  // expect: hessian_product needs a direction, a change of the state and the inputs: call it as
+  // expect: hessian_product(x, p, r, w, v)
   sum += to_second::hessian_product(x, p, r, w)(0);
-// expect: a sensitivity is asked for by q; it must be a parameter
+  // expect: a sensitivity is asked for by q; it must be a parameter
   sum += sensitivity<System, q>(x, p, r)(0);
   return sum > 0;
 }

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 #include "no_heap.hpp"
 
 #include <gtest/gtest.h>

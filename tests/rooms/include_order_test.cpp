@@ -1,3 +1,4 @@
+// builds: g++
 #include "rooms/include_order.hpp"
 
 #include <gmock/gmock.h>

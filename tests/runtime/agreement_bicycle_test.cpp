@@ -1,3 +1,4 @@
+// builds: g++
 #include "models/bicycle.hpp"
 #include "runtime/agreement.hpp"
 

@@ -1,3 +1,4 @@
+// builds: g++
 #include "models/iiwa.hpp"
 #include "runtime/agreement.hpp"
 

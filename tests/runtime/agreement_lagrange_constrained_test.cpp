@@ -1,3 +1,4 @@
+// builds: g++
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // A model of what a builder built, beside that of the same system described as types.
 #include "no_heap.hpp"
 #include "runtime/agreement.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // Functions of the program in derivations at run time: printed, listed, interpreted, differentiated, with
 // limits.
 

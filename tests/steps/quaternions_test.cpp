@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Fixed steps keep quaternions at norm 1, and assembling gives them that.
 #include "no_heap.hpp"
 #include "quaternions.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 #include "systems/check_robot_against_oracle.hpp"
 
 #include <models/quadruped.hpp>

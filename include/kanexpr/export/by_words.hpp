@@ -1,9 +1,12 @@
 #pragma once
 
 #include <kanexpr/export/write_c.hpp>
+#include <kanexpr/export/write_casadi.hpp>
+#include <kanexpr/export/write_fmu.hpp>
 
 #include <charconv>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,72 +14,128 @@
 namespace kanexpr::exporting {
 
 /// What the command kanexpr-export hands to what writes: a folder, a name, and options as words.
-struct by_words {
-  std::filesystem::path folder{};
-  std::string name{};
-  c_options chosen{};
-  std::string mistake{};
-
+class by_words {
+public:
   /// With functions that no word can tell.
   explicit by_words(const std::vector<std::string>& words, const std::vector<wanted_function>& others = {}) {
     if (words.size() < 2) {
-      mistake = "a folder and a name are to be given";
+      mistake_ = "a folder and a name are to be given";
       return;
     }
-    folder = words[0], name = words[1];
-    for (std::size_t i = 2; i < words.size() && mistake.empty(); ++i) take(words[i]);
+    folder_ = words[0], name_ = words[1];
+    for (std::size_t i = 2; i < words.size() && mistake_.empty(); ++i) take(words[i]);
     functions_.insert(functions_.end(), others.begin(), others.end());
-    if (!functions_.empty()) chosen.functions = std::move(functions_);
+    if (!functions_.empty()) chosen_.functions = functions_;
+    look_at_format();
+  }
+
+  /// What is wrong with the words; empty: nothing.
+  const std::string& mistake() const { return mistake_; }
+
+  outcome write(const std::function<model()>& derive) const {
+    if (!mistake_.empty()) return outcome(mistake_);
+    if (format_ == "casadi") return detail::write_casadi(derive, folder_, name_, {chosen_.bound});
+    if (format_ == "fmi") return write_fmu(derive);
+    return detail::write_c(exporter(name_, derive, chosen_).run(), folder_, chosen_);
   }
 
 private:
+  outcome write_fmu(const std::function<model()>& derive) const {
+    fmu_options all{.outputs = functions_, .bound = chosen_.bound, .start = start_};
+    if (step_) all.step = *step_;
+    if (compiler_) all.compiler = *compiler_;
+    written_fmu written = detail::write_fmu(fmu_maker(name_, derive, all).run(), folder_, all.compiler);
+    if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
+    return written;
+  }
+
   void take(std::string_view word) {
     const auto begins = [&](std::string_view with) {
       if (!word.starts_with(with)) return false;
       word.remove_prefix(with.size());
       return true;
     };
-    if (begins("scalar="))
+    if (begins("format="))
+      format_ = word;
+    else if (begins("scalar="))
       set_scalar(word);
-    else if (begins("bind="))
-      bind(word);
+    else if (begins("bind=")) {
+      if (const auto [name, value] = assignment(word, "parameter"); value)
+        chosen_.bound.push_back({name, *value});
+    } else if (begins("start=")) {
+      if (const auto [name, value] = assignment(word, "symbol"); value) start_.push_back({name, *value});
+    } else if (begins("step=")) {
+      if (step_ = number(word); !step_) mistake_ = std::string(word) + " is not the length of a step";
+    } else if (begins("compiler="))
+      compiler_ = word;
     else if (begins("results="))
       functions_.push_back(results(word));
     else if (word == "python")
-      chosen.with_python = true;
+      chosen_.with_python = true;
     else if (word == "cpp")
-      chosen.with_cpp = true;
+      chosen_.with_cpp = true;
     else
-      mistake = std::string(word) + " is no option";
+      mistake_ = std::string(word) + " is no option";
   }
 
-  void set_scalar(std::string_view number) {
-    if (number == "float")
-      chosen.number = precision::single_precision;
-    else if (number != "double")
-      mistake = "a scalar is double or float, not " + std::string(number);
+  /// What a format has no room for.
+  void look_at_format() {
+    if (!mistake_.empty()) return;
+    const bool is_c = format_ == "c", is_fmi = format_ == "fmi";
+    if (!is_c && !is_fmi && format_ != "casadi")
+      mistake_ = "there is no format " + format_ + "; there are c, casadi and fmi";
+    else if (!is_c && chosen_.number == precision::single_precision)
+      mistake_ = "the format " + format_ + " has numbers in double precision alone";
+    else if (!is_c && (chosen_.with_python || chosen_.with_cpp))
+      mistake_ = "files for Python and C++ are of the format c";
+    else if (!is_c && !is_fmi && !functions_.empty())
+      mistake_ = "the format " + format_ + " holds the rates of the state and no other results";
+    else if (!is_fmi && (!start_.empty() || step_))
+      mistake_ = "start values and a step are of the format fmi";
   }
 
-  void bind(std::string_view text) {
-    const std::size_t equals = text.find('=');
-    const std::string_view digits = equals == text.npos ? "" : text.substr(equals + 1);
+  void set_scalar(std::string_view type) {
+    if (type == "float")
+      chosen_.number = precision::single_precision;
+    else if (type != "double")
+      mistake_ = "a scalar is double or float, not " + std::string(type);
+  }
+
+  static std::optional<double> number(std::string_view digits) {
     double value = 0;
     const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (equals == 0 || digits.empty() || failed != std::errc() || end != digits.data() + digits.size())
-      mistake = std::string(text) + " is not parameter=number";
-    else
-      chosen.bound.push_back({std::string(text.substr(0, equals)), value});
+    if (digits.empty() || failed != std::errc() || end != digits.data() + digits.size()) return {};
+    return value;
   }
 
+  struct assigned {
+    std::string name{};
+    std::optional<double> value{};
+  };
+
+  assigned assignment(std::string_view text, const char* to_what) {
+    const std::size_t equals = text.find('=');
+    assigned found;
+    if (equals != text.npos && equals != 0)
+      found = {std::string(text.substr(0, equals)), number(text.substr(equals + 1))};
+    if (!found.value) mistake_ = std::string(text) + " is not " + to_what + "=number";
+    return found;
+  }
+
+  std::filesystem::path folder_{};
+  std::string name_{}, format_ = "c", mistake_{};
+  c_options chosen_{};
   std::vector<wanted_function> functions_{};
+  std::vector<named_value> start_{};
+  std::optional<double> step_{};
+  std::optional<std::string> compiler_{};
 };
 
 /// What the program does that kanexpr-export compiles with a model.
 template <class System>
 int write_by_words(int count, const char* const* arguments, const std::vector<wanted_function>& expressions) {
   const by_words given(std::vector<std::string>(arguments + 1, arguments + count), expressions);
-  const outcome written = given.mistake.empty() ? write_c<System>(given.folder, given.name, given.chosen)
-                                                : outcome(given.mistake);
+  const outcome written = given.write([] { return derive<System>(); });
   if (!written) std::fprintf(stderr, "kanexpr-export: %s\n", written.cause().c_str());
   return written ? 0 : 1;
 }

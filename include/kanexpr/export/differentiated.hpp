@@ -3,6 +3,7 @@
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -10,11 +11,12 @@ namespace kanexpr::exporting {
 
 /// The symbols of a system by which its results are differentiated.
 struct differentiable_symbols {
-  symbolic::sequence<symbolic::expression> state{}, inputs{}, parameters{}, time{};
+  symbolic::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
 
   const symbolic::sequence<symbolic::expression>& of(symbols which) const {
     switch (which) {
     case symbols::state: return state;
+    case symbols::rates: return rates;
     case symbols::inputs: return inputs;
     case symbols::parameters: return parameters;
     case symbols::time: break;
@@ -30,6 +32,11 @@ public:
   differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
+
+  bool is_of(const symbolic::sequence<symbolic::expression>& y) const {
+    return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
+                      [](const auto& a, const auto& b) { return a.node() == b.node(); });
+  }
 
   symbolic::matrix get(const wanted_derivative& wanted) {
     using enum wanted_derivative::kind;
@@ -62,16 +69,21 @@ private:
   using expression = symbolic::expression;
   using expressions = symbolic::sequence<expression>;
 
-  expression weight(int place) {
-    return symbolic::variable(graph_, {symbolic::symbol_kind::multiplier,
-                                       symbolic::name("weight " + std::to_string(place)), place});
+  /// As mechanics/linearize/second_order.hpp calls them, of which results may stand beside these.
+  expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
+    symbolic::name called(what);
+    called.append(place + 1);
+    return symbolic::variable(graph_, {kind, called, place});
   }
 
   expressions along_direction(const std::vector<symbols>& which) {
     symbolic::differentiation d(graph_);
     int place = 0;
     for (symbols each : which)
-      for (const expression& s : symbols_.of(each)) d.set_rate(s, weight(place++));
+      for (const expression& s : symbols_.of(each)) {
+        d.set_rate(s, given(symbolic::symbol_kind::direction, "direction", place));
+        ++place;
+      }
     expressions rates;
     for (const expression& each : y_) rates.push(d.of(each));
     return rates;
@@ -80,7 +92,8 @@ private:
   expressions gradient_by(symbols which) {
     if (!back_) {
       back_.emplace(graph_, y_);
-      for (int i = 0; i < y_.size(); ++i) back_->seed(y_[i], weight(i));
+      for (int i = 0; i < y_.size(); ++i)
+        back_->seed(y_[i], given(symbolic::symbol_kind::weight, "weight", i));
       back_->run();
     }
     expressions slopes;

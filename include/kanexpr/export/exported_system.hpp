@@ -39,9 +39,10 @@ struct exported_function {
   std::vector<exported_check> checks{};
   lower::statements code{};
   symbolic::cost cost{};
-  bool takes_rates = false; ///< of the speeds, as an argument
-  bool takes_step = false;  ///< its length, as an argument: the time of position 1
-  int weights = 0;          ///< how many numbers its derivatives are given: weights, or a direction
+  bool takes_rates = false;     ///< of the speeds, as an argument
+  bool takes_all_rates = false; ///< of the state, as an argument
+  bool takes_step = false;      ///< its length, as an argument: the time of position 1
+  int weights = 0;              ///< how many numbers its derivatives are given: weights, or a direction
 
   /// What checks say, each once: a bit of the status.
   std::vector<std::string> causes() const {

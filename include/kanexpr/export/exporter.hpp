@@ -2,8 +2,10 @@
 
 #include <kanexpr/export/differentiated.hpp>
 #include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/implicit_form.hpp>
 #include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -94,49 +96,70 @@ private:
     exported_function made{.name = wanted.name};
     if (wanted.step) {
       made = written_step(wanted.name, *known_, *wanted.step, [&](mechanics::quantity of) {
-        return form({{"", {.what = deriving::request::kind::result, .wanted = of}}});
+        return form({.results = {{"", {.what = deriving::request::kind::result, .wanted = of}}}});
       });
       if (!made_.mistake.empty()) return;
     } else {
       for (const wanted_result& each : wanted.results)
-        if (each.request.is_weighted())
+        if (each.request.is_weighted() && each.part.empty())
           return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
-      std::optional<formed> found = form(wanted.results);
+      std::optional<formed> found = form(wanted);
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
       made.cost = lower::cost_of(found->code);
       made.code = lower::statements_of(found->code);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
-      for (const wanted_result& each : wanted.results)
+      for (const wanted_result& each : wanted.results) {
         made.takes_rates = made.takes_rates || holds_rates(each.request);
+        made.takes_all_rates = made.takes_all_rates || each.is_residual;
+      }
     }
     finish(std::move(made));
   }
 
   /// Results of one derivation, together.
-  std::optional<formed> form(const std::vector<wanted_result>& wanted) {
+  std::optional<formed> form(const wanted_function& wanted) {
     model from = derive_();
     formed made;
     symbolic::sequence<int> nodes;
+    const auto take = [&](const std::string& name, const symbolic::matrix& found,
+                          std::vector<std::string> of_rows) {
+      if (found.entries.empty()) return; // without inputs there is no B
+      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(of_rows)});
+      for (const symbolic::expression& e : found.entries) nodes.push(e.node());
+    };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
-    for (const wanted_result& each : wanted) {
-      symbolic::matrix found = from.get(each.request);
-      if (!from.mistake().empty()) return refuse(from.mistake()), std::nullopt;
-      if (each.derivative.is != wanted_derivative::kind::none) {
-        if (!derivatives) derivatives.emplace(from.graph(), found.entries, known_symbols);
-        found = derivatives->get(each.derivative);
-        made.weights = (std::max)(made.weights, derivatives->weights_for(each.derivative));
+    const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
+                             const wanted_derivative& by) {
+      if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
+      made.weights = (std::max)(made.weights, derivatives->weights_for(by));
+      symbolic::matrix found = derivatives->get(by);
+      if (const mechanics::sentence lacking = mechanics::check_derivatives(found))
+        refuse(std::string(lacking.view()));
+      return found;
+    };
+    symbolic::sequence<symbolic::expression> all;
+    for (const wanted_result& each : wanted.results) {
+      symbolic::matrix found = got(from, each);
+      if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
+      if (!made_.mistake.empty()) return std::nullopt;
+      if (each.derivative.is != wanted_derivative::kind::none)
+        found = derived(found.entries, each.derivative);
+      if (!each.part.empty()) {
+        made.weights = (std::max)(made.weights, weights_for(each.request));
+        found = part_of(from, found, each.part);
       }
-      if (each.is_sparse) {
+      if (each.is_sparse)
         made.results.push_back(sparse(each.name, from, found, nodes));
-      } else if (!found.entries.empty()) { // without inputs there is no B
-        made.results.push_back(
-            {each.name, found.rows, found.columns, nodes.size(), symbols_of_rows(each.request)});
-        for (const symbolic::expression& e : found.entries) nodes.push(e.node());
-      }
+      else if (wanted.derivatives.empty())
+        take(each.name, found, symbols_of_rows(each.request));
+      for (const symbolic::expression& e : found.entries) all.push(e);
     }
+    for (const symbols each : wanted.derivatives)
+      take(name_of(each), derived(all, {.is = wanted_derivative::kind::jacobian, .by = each}), {});
+    if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
       nodes.push(c.measure.node());
@@ -158,7 +181,7 @@ private:
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
       if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
-        return refuse("function " + made.name + " holds a " + (is_parameter ? "parameter" : "input") +
+        return refuse("function " + made.name + " holds " + (is_parameter ? "a parameter" : "an input") +
                       " that the system does not have");
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }
@@ -186,11 +209,57 @@ private:
     differentiable_symbols all;
     for (const symbolic::expression& q : m.coordinates) all.state.push(q);
     for (const symbolic::expression& u : m.speeds) all.state.push(u);
+    all.rates = m.coordinate_rates;
+    for (const symbolic::expression& rate : m.speed_rates) all.rates.push(rate);
     all.inputs = m.inputs;
     for (int i = 0; i < m.parameters.size(); ++i)
       if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
     all.time.push(m.time);
     return all;
+  }
+
+  symbolic::matrix got(model& from, const wanted_result& each) {
+    if (!each.written.is_given()) {
+      const symbolic::matrix found = from.get(each.request);
+      return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
+                                                        : found;
+    }
+    symbolic::matrix one(from.graph(), 1, 1);
+    if (each.written.lives_in(from.graph()))
+      one(0, 0) = from.in_motion(each.written);
+    else
+      refuse(each.name + " is no expression of what is exported");
+    return one;
+  }
+
+  int weights_for(const deriving::request& wanted) const {
+    const int states = known_->coordinates + known_->speeds;
+    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + known_->inputs;
+  }
+
+  /// The entries of some symbols among those by the state and the inputs.
+  symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
+                           const std::vector<symbols>& which) const {
+    const int states = known_->coordinates + known_->speeds;
+    const auto begin = [&](symbols of) { return of == symbols::state ? 0 : states; };
+    const auto size = [&](symbols of) { return of == symbols::state ? states : known_->inputs; };
+    const bool is_square = which.size() > 1;
+    symbolic::matrix part(from.graph(), size(which[0]), is_square ? size(which[1]) : 1);
+    for (int i = 0; i < part.rows; ++i)
+      for (int j = 0; j < part.columns; ++j)
+        part(i, j) = whole(begin(which[0]) + i, is_square ? begin(which[1]) + j : 0);
+    return part;
+  }
+
+  static const char* name_of(symbols which) {
+    switch (which) {
+    case symbols::state: return "by_state";
+    case symbols::rates: return "by_rates";
+    case symbols::inputs: return "by_inputs";
+    case symbols::parameters: return "by_parameters";
+    case symbols::time: break;
+    }
+    return "by_time";
   }
 
   static bool holds_rates(const deriving::request& r) {

@@ -15,32 +15,38 @@ struct file_text {
   std::string text{};
 };
 
-/// Writes all of the files or none of them: each first under another name.
+/// Writes all of the files or none of them: each first under another name. What was there before stays where
+/// none can be written.
 inline outcome write_files(const std::vector<file_text>& files) {
+  namespace fs = std::filesystem;
   const auto beside = [](const file_text& f) {
-    std::filesystem::path other = f.path;
+    fs::path other = f.path;
     return other += ".part";
   };
-  std::vector<std::filesystem::path> written;
-  const auto give_up = [&](const std::filesystem::path& at) {
+  std::vector<fs::path> made; // files, and folders behind those around them
+  const auto give_up = [&](const fs::path& at) {
     std::error_code ignored;
-    for (const std::filesystem::path& done : written) std::filesystem::remove(done, ignored);
-    for (const file_text& f : files) std::filesystem::remove(beside(f), ignored);
+    for (const file_text& f : files) fs::remove(beside(f), ignored);
+    for (; !made.empty(); made.pop_back()) fs::remove(made.back(), ignored);
     return outcome(at.string() + " cannot be written");
   };
   for (const file_text& f : files) {
     std::error_code failed;
-    if (f.path.has_parent_path()) std::filesystem::create_directories(f.path.parent_path(), failed);
+    fs::path folder;
+    for (const fs::path& part : f.path.parent_path()) {
+      folder /= part;
+      if (!fs::exists(folder, failed) && fs::create_directory(folder, failed)) made.push_back(folder);
+    }
     std::ofstream to(beside(f), std::ios::binary);
     to << f.text;
     to.close();
-    if (failed || !to) return give_up(f.path);
+    if (!to || fs::is_directory(f.path, failed)) return give_up(f.path);
   }
   for (const file_text& f : files) {
     std::error_code failed;
-    std::filesystem::rename(beside(f), f.path, failed);
+    fs::rename(beside(f), f.path, failed);
     if (failed) return give_up(f.path);
-    written.push_back(f.path);
+    made.push_back(f.path);
   }
   return {};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -12,8 +13,8 @@
 /// What is to be exported.
 namespace kanexpr::exporting {
 
-/// Symbols by which one differentiates; those of parameters that are bound are not among them.
-enum class symbols : unsigned char { state, inputs, parameters, time };
+/// Symbols by which one differentiates, rates those of the state; of parameters those that are not bound.
+enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 
 /// A derivative of a column y by symbols z.
 struct wanted_derivative {
@@ -33,11 +34,18 @@ struct wanted_derivative {
 struct wanted_result {
   std::string name{};
   deriving::request request{};
+  symbolic::expression written{}; ///< in place of the request, of what a builder builds
+  bool is_residual = false;       ///< that of the implicit form, in place of the request
   wanted_derivative derivative{};
-  bool is_sparse = false; ///< without the entries that are zero at all states
+  std::vector<symbols> part{}; ///< of one to the second order: the rows of these symbols, and the columns
+  bool is_sparse = false;      ///< without the entries that are zero at all states
 };
 
-enum class step_method : unsigned char { runge_kutta_4, semi_implicit_euler };
+enum class step_method : unsigned char {
+  runge_kutta_4,
+  semi_implicit_euler,
+  corrections_alone ///< nothing moves
+};
 
 /// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
 struct wanted_step {
@@ -51,6 +59,7 @@ struct wanted_function {
   std::vector<wanted_result> results{};
   std::optional<wanted_step> step{}; ///< in place of results
   std::string mistake{};
+  std::vector<symbols> derivatives{}; ///< of all entries of the results, in their place
 };
 
 namespace detail {
@@ -105,6 +114,14 @@ wanted_function expression(std::string name) {
   wanted_function one;
   one.name = name;
   one.results.push_back({std::move(name), deriving::requested<wanted>::value});
+  return one;
+}
+
+/// The same of what a builder builds.
+inline wanted_function expression(std::string name, symbolic::expression written) {
+  wanted_function one;
+  one.name = name;
+  one.results.push_back({std::move(name), {}, written});
   return one;
 }
 

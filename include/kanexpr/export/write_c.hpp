@@ -60,7 +60,7 @@ outcome write_c(const std::filesystem::path& folder, const std::string& name,
 /// The same of what a builder built.
 inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
                        const std::string& name, const exporting::c_options& chosen = {}) {
-  exporting::exporter each(name, [&] { return derive(of); }, chosen);
+  exporting::exporter each(name, [&] { return runtime::derive_in_own_graph(of); }, chosen);
   return exporting::detail::write_c(each.run(), folder, chosen);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/export/casadi/casadi_file.hpp>
+#include <kanexpr/export/casadi/common_shapes.hpp>
+#include <kanexpr/export/casadi/step_file.hpp>
 #include <kanexpr/export/write_c.hpp>
 
 namespace kanexpr {
@@ -9,6 +11,7 @@ namespace exporting {
 
 struct casadi_options {
   std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
+  step_method step = step_method::runge_kutta_4;
 };
 
 namespace detail {
@@ -31,28 +34,53 @@ inline bool holds_time(const exported_function& f) {
                      [](const lower::load& l) { return l.from == symbolic::symbol_kind::time; });
 }
 
+inline std::string helpers_for_casadi(const std::string& library, int most) {
+  return filled(R"(
+/* What CasADi looks for in a library: external("@library@", "./@library@.so"). */
+
+static const double @library@_zeros[@most@] = {0};
+static const double *@library@_given(const double *argument) { return argument ? argument : @library@_zeros; }
+static double *@library@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
+)",
+                {{"library", library}, {"most", std::to_string(most)}});
+}
+
 inline outcome write_casadi(const std::function<model()>& derive, const std::filesystem::path& folder,
                             const std::string& name, const casadi_options& chosen) {
   if (const std::string mistake = mistake_of_casadi_name(name); !mistake.empty()) return outcome(mistake);
-  options wanted{{casadi_kernels::rates()}, chosen.bound};
+  std::vector<casadi_argument> arguments, of_residual;
+  options wanted{{casadi_kernels(false, arguments).column()}, chosen.bound};
   const exported rates = exporter(name + "_casadi", derive, wanted).run();
   if (!rates.mistake.empty()) return outcome(rates.mistake);
   const exported_system& s = rates.system;
-  std::vector<casadi_argument> arguments{
-      {"x", symbols::state, static_cast<int>(s.coordinates.size() + s.speeds.size())},
-      {"r", symbols::inputs, static_cast<int>(s.inputs.size())},
-      {"p", symbols::parameters, static_cast<int>(s.parameters.size())}};
+  const int states = static_cast<int>(s.coordinates.size() + s.speeds.size());
+  arguments = {{"x", symbols::state, states},
+               {"r", symbols::inputs, static_cast<int>(s.inputs.size())},
+               {"p", symbols::parameters, static_cast<int>(s.parameters.size())}};
   if (holds_time(s.functions[0])) arguments.push_back({"t", symbols::time, 1});
-  wanted.functions = casadi_kernels(arguments).all();
-  const exported all = exporter(name + "_casadi", derive, wanted).run();
+  of_residual = arguments;
+  of_residual.insert(of_residual.begin() + 1, {"xdot", symbols::rates, states});
+  wanted.functions = casadi_kernels(false, arguments).all();
+  for (const wanted_function& each : casadi_kernels(true, of_residual).all())
+    wanted.functions.push_back(each);
+  exported all = exporter(name + "_casadi", derive, wanted).run();
   if (!all.mistake.empty()) return outcome(all.mistake);
   if (const std::string mistake = mistake_of_numbers(all.system, precision::double_precision);
       !mistake.empty())
     return outcome(mistake);
+  for (exported_function& f : all.system.functions)
+    for (exported_function& other : all.system.functions)
+      if (other.name == f.name + "_by_all") common_shapes::give(f, other);
   const c_file file(all.system, precision::double_precision);
+  const step_tableau method = step_tableau::of(chosen.step);
+  int most = 1;
+  for (const casadi_argument& each : arguments) most = (std::max)(most, each.size);
   return write_files(
       {{folder / (all.system.name + ".h"), file.header()},
-       {folder / (all.system.name + ".c"), file.source() + casadi_file(name, all.system, arguments).text()}});
+       {folder / (all.system.name + ".c"), file.source() + helpers_for_casadi(name, most) +
+                                               casadi_file(name, false, all.system, arguments).text() +
+                                               casadi_file(name, true, all.system, of_residual).text() +
+                                               casadi_step(name, method, all.system, arguments).text()}});
 }
 
 } // namespace detail
@@ -72,7 +100,7 @@ outcome write_casadi(const std::filesystem::path& folder, const std::string& nam
 /// The same of what a builder built.
 inline outcome write_casadi(const runtime::builder& of, const std::filesystem::path& folder,
                             const std::string& name, const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([&] { return derive(of); }, folder, name, chosen);
+  return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name, chosen);
 }
 
 } // namespace kanexpr

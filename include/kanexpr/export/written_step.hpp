@@ -40,7 +40,6 @@ struct step_in_code {
   lower::statements code{};
   std::vector<exported_check> checks{};
   std::vector<std::pair<lower::written_value, lower::written_value>> measures{}; ///< with their scales
-  symbolic::cost cost{};
   std::map<std::pair<symbolic::symbol_kind, int>, lower::written_value> arguments{};
   std::map<mechanics::quantity, std::optional<formed>> known{};
 };
@@ -75,7 +74,6 @@ public:
       const int place = entries + 2 * static_cast<int>(i);
       check(result.checks[i], values[place], values[place + 1]);
     }
-    into_.cost = symbolic::added(into_.cost, lower::cost_of(result.code));
     return written_vector::of(values, entries);
   }
 
@@ -137,6 +135,14 @@ private:
   step_in_code& into_;
 };
 
+/// A step that leaves the state as it is.
+struct no_motion {
+  template <class Equations, class Time, class X>
+  static status advance(const Equations&, const Time&, const X&, const Time&, X&) {
+    return {};
+  }
+};
+
 /// A step as a function; it means nothing where a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
                                       const wanted_step& wanted, const forming& form) {
@@ -147,18 +153,23 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   written_vector x;
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
-  written_vector next = x;
-  if (wanted.method == step_method::runge_kutta_4)
-    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h, next));
-  else
-    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h, next));
+  switch (wanted.method) {
+  case step_method::runge_kutta_4:
+    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h));
+    break;
+  case step_method::semi_implicit_euler:
+    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h));
+    break;
+  case step_method::corrections_alone: static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
+  }
   symbolic::sequence<lower::written_value> results;
-  for (const lower::written_value& each : next.entries) results.push(each);
+  for (const lower::written_value& each : x.entries) results.push(each);
   for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);
-  exported_function made{.name = std::move(name), .checks = std::move(into.checks), .cost = into.cost};
-  made.results.push_back({"next", next.size(), 1, 0, {}});
+  exported_function made{.name = std::move(name), .checks = std::move(into.checks)};
+  made.results.push_back({"next", x.size(), 1, 0, {}});
   made.takes_step = true;
   made.code = lower::concluded(into.code, results);
+  made.cost = lower::cost_of(made.code);
   return made;
 }
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/lower/evaluate_steps.hpp>
 
+#include <utility>
+
 namespace kanexpr::lower {
 
 /// One statement of straight-line code: a new value from values before it.
@@ -184,6 +186,25 @@ inline written_value argument_of(statements& all, const load& from) {
 inline statements concluded(statements& all, const sequence<written_value>& results) {
   for (const written_value& each : results) all.results.push(detail::place_in(all, each));
   return detail::without_unused(all);
+}
+
+/// What one evaluation of the code does; all choices by one value are one comparison.
+inline symbolic::cost cost_of(const statements& code) {
+  symbolic::cost total;
+  sequence<char> is_compared(code.lines.size(), 0);
+  for (int i = 0; i < code.lines.size(); ++i) {
+    const statement& line = code.lines[i];
+    if (line.is == statement::kind::call) total.count(operation::call);
+    if (line.is == statement::kind::choice && std::exchange(is_compared[line.by], char{1}) == 0)
+      total.count(operation::subtract);
+    if (line.is != statement::kind::operation) continue;
+    total.count(line.op);
+    const statement* const before = i > 0 ? &code.lines[i - 1] : nullptr;
+    if (line.op == operation::cos && before != nullptr && before->is == line.is &&
+        before->op == operation::sin && before->a == line.a)
+      --total.trigonometric; // of one angle
+  }
+  return total;
 }
 
 /// The code of a tape.

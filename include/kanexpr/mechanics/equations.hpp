@@ -307,9 +307,9 @@ private:
     for (const expression& u : m_->speeds) at_rest.replace(u, m_->zero());
     for (expression& p : by_speeds) p -= at_rest.in(p);
     const symbolic::matrix c = coriolis_matrix(*m_, known.coordinate, mass(), by_speeds);
-    if (!mistake_)
-      mistake_ =
-          check_coriolis(moving(), system_->loads, mass(), c, [&] { return dynamics_.inertia_bias(); });
+    if (mistake_) return c;
+    motion& k = moving();
+    mistake_ = check_coriolis(k, system_->loads, mass(), c, [&] { return dynamics_.inertia_bias(); });
     return c;
   }
 

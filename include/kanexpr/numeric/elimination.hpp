@@ -28,7 +28,8 @@ constexpr void factorize(int order, T* f) {
   for (int k = 0; k < order; ++k) {
     for (int i = k + 1; i < order; ++i) {
       T& excess = f[place.excess(k, i)];
-      excess = T(Math::magnitude(f[place.at(i, k)]) - Math::magnitude(f[place.at(k, k)]));
+      const T lower = Math::magnitude(f[place.at(i, k)]), upper = Math::magnitude(f[place.at(k, k)]);
+      excess = T(lower - upper);
       for (int j = k; j < order; ++j)
         Math::exchange_if_positive(excess, f[place.at(k, j)], f[place.at(i, j)]);
     }

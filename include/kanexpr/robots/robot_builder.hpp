@@ -157,8 +157,9 @@ private:
     if (j.is == joint_kind::floating) return float_free(b.link, home, start, m);
     const auto [first, second] = across(j.axis);
     frame(b.link) = rotated(called, home, m.q[2], along_numbers(home, j.axis));
-    origin(b.link) = offset(called + "_origin", start,
-                            m.q[0] * along_numbers(home, first) + m.q[1] * along_numbers(home, second));
+    vector gone = m.q[0] * along_numbers(home, first);
+    gone.add(m.q[1] * along_numbers(home, second));
+    origin(b.link) = offset(called + "_origin", start, gone);
   }
 
   /// Position in the axes that it moves in, velocity and angular velocity in its own.
@@ -183,8 +184,10 @@ private:
     const joint& j = joint_of(b);
     expression drive = m.drive;
     if (options_.damping && j.damping > 0) drive = drive - value("c_" + name(b.link), j.damping) * m.u[0];
-    if (options_.friction && j.friction > 0)
-      drive = drive - value("f_" + name(b.link), j.friction) * sign(m.u[0]);
+    if (options_.friction && j.friction > 0) {
+      const expression force = value("f_" + name(b.link), j.friction);
+      drive = drive - force * sign(m.u[0]);
+    }
     return drive;
   }
 
@@ -212,10 +215,10 @@ private:
     const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
     if (!(felt > 0) || !has_one_coordinate(j.is)) return;
     const std::string called = name(b.link) + "_rotor";
-    const frame_id axes =
-        rotated(called, inertial_frame(), motion_of(b.joint).q[0], along(inertial_frame(), 0, 0, 1));
-    rigid_body(called, origins_.back(), axes, number(0),
-               inertia(axes, 0, 0, value("j_" + name(b.link), felt)));
+    const vector axis = along(inertial_frame(), 0, 0, 1);
+    const frame_id axes = rotated(called, inertial_frame(), motion_of(b.joint).q[0], axis);
+    const expression own = value("j_" + name(b.link), felt);
+    rigid_body(called, origins_.back(), axes, number(0), inertia(axes, 0, 0, own));
   }
 
   void place_folded() {

@@ -22,6 +22,14 @@ class builder;
 /// builder is one of the model.
 KANEXPR_ENGINE model derive(const runtime::builder& built);
 
+namespace runtime {
+
+/// The same in a graph that is not the builder's: its expressions belong to the model alone, and are the same
+/// in the programs of all compilers, whatever was derived before.
+KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
+
+} // namespace runtime
+
 } // namespace kanexpr
 
 namespace kanexpr::runtime {

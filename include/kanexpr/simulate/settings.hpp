@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/crossing.hpp>
 #include <kanexpr/base/statistics.hpp>
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/simulate/time_span.hpp>
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace kanexpr {
-
-/// How a watched expression passes zero.
-enum class crossing { falling = -1, either = 0, rising = 1 };
 
 /// An event that happened.
 struct occurrence {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/crossing.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/system.hpp>
@@ -11,8 +12,6 @@
 #include <string_view>
 
 namespace kanexpr {
-
-enum class after_event { go_on, stop };
 
 namespace simulated {
 

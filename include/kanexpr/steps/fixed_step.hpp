@@ -66,12 +66,10 @@ struct compiled_equations {
 template <class Method, class System, int corrections, class Time, class T, class P, class R>
 [[gnu::always_inline]] inline status advanced(Time& t, state<System, T>& x, const Time& h, const P& p,
                                               const R& r) {
-  state<System, T> next = x;
   const status s =
-      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, x, h, next);
+      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, x, h);
   if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
   t = static_cast<Time>(t + h);
-  x = next;
   return s;
 }
 

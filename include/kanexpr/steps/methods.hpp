@@ -97,16 +97,17 @@ struct runge_kutta_4 {
   }
 };
 
-/// A step from x to `next`, which is x before and means nothing where the status is not good.
+/// A step of x, which stays where the status is not good.
 template <class Method, class Equations, class Time, class X>
-[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, const X& x, const Time& h,
-                                             X& next) {
+[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, X& x, const Time& h) {
   const Time after = static_cast<Time>(t + h);
   if (const status s = of.finite(after, step_not_finite); !s) return s;
+  X next = x;
   if (const status s = Method::advance(of, t, x, h, next); !s) return s;
   if (const status s = of.corrected(after, next); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i)
     if (const status s = of.finite(next(i), state_not_finite); !s) return s;
+  x = next;
   return {};
 }
 

@@ -1,4 +1,4 @@
-// builds: sanitize no-exceptions
+// builds: clang++ sanitize no-exceptions
 #include "symbolic/symbols.hpp"
 
 #include <kanexpr/symbolic/print/print.hpp>

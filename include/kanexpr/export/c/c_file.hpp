@@ -5,6 +5,7 @@
 #include <kanexpr/export/c/code_writer.hpp>
 #include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/in_c.hpp>
+#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
@@ -90,7 +91,8 @@ private:
   }
 
   /// Nothing that ends the comment.
-  static std::string in_comment(std::string text) {
+  static std::string in_comment(const std::string& name) {
+    std::string text = printable(name);
     for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }
@@ -156,7 +158,7 @@ private:
                        number_.type() + " t, " + given + "x, " +
                        (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
                        'r';
-    if (f.takes_rates) text += ", " + given + 'a';
+    if (f.takes_rates || f.takes_all_rates) text += ", " + given + 'a';
     if (f.weights > 0) text += ", " + given + 'w';
     for (const exported_result& each : f.results)
       text += std::string(", ") + number_.type() + " *" + each.name;
@@ -185,7 +187,7 @@ private:
     std::string text = '\n' + signature(f) + " {\n" + writer.lines();
     for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
     if (f.takes_step) text += "  (void)h;\n";
-    if (f.takes_rates) text += "  (void)a;\n";
+    if (f.takes_rates || f.takes_all_rates) text += "  (void)a;\n";
     if (f.weights > 0) text += "  (void)w;\n";
     for (const exported_result& each : f.results)
       if (each.entries() == 0) text += "  (void)" + each.name + ";\n";

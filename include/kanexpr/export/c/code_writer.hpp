@@ -4,6 +4,8 @@
 #include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/exported_system.hpp>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -22,11 +24,17 @@ public:
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
-  /// All lines; what they give is named by `value`.
+  /// All lines; what they give is named by `value`. Each argument is read where it is first needed: compilers
+  /// keep that order, and would put what is read earlier aside on the stack.
   std::string lines() {
     std::string text;
-    values_.resize(static_cast<std::size_t>(code_.lines.size()));
-    for (int i = 0; i < code_.lines.size(); ++i) text += line(i);
+    const auto count = static_cast<std::size_t>(code_.lines.size());
+    values_.resize(count), unread_.resize(count);
+    for (int i = 0; i < code_.lines.size(); ++i) {
+      const std::string own = line(i);
+      text += read_for(code_.lines[i]) + own;
+    }
+    for (int each : code_.results) text += read(each); // before a result is written, which may lie there
     return text;
   }
 
@@ -35,6 +43,15 @@ public:
 private:
   using kind = lower::statement::kind;
 
+  /// The line that reads an argument, once.
+  std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
+
+  std::string read_for(const lower::statement& s) {
+    if (s.is == kind::choice) return read(s.by) + read(s.a) + read(s.b);
+    if (s.is != kind::operation) return {};
+    return symbolic::is_binary(s.op) ? read(s.a) + read(s.b) : read(s.a);
+  }
+
   std::string line(int i) {
     const lower::statement& s = code_.lines[i];
     std::string& own = values_[static_cast<std::size_t>(i)];
@@ -42,7 +59,10 @@ private:
       own = number_of(code_.numbers[s.a]);
       return {};
     }
-    if (s.is == kind::argument) return argument(own, code_.arguments[s.a]);
+    if (s.is == kind::argument) {
+      unread_[static_cast<std::size_t>(i)] = argument(own, code_.arguments[s.a]);
+      return {};
+    }
     if (s.is == kind::choice) {
       own = next("v");
       return declared(own) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " + value(s.b) +
@@ -71,7 +91,7 @@ private:
       return {};
     }
     const auto place = static_cast<std::size_t>(from.position);
-    if (from.from == symbol_kind::multiplier) { // a weight
+    if (from.from == symbol_kind::weight || from.from == symbol_kind::direction) {
       own = names_.of("w" + std::to_string(place));
       return declared(own) + "w[" + std::to_string(place) + "];\n";
     }
@@ -85,10 +105,14 @@ private:
       vector = "p", symbol = &system_.parameters[place];
     else if (from.from == symbol_kind::input)
       vector = "r", symbol = &system_.inputs[place];
+    else if (from.from == symbol_kind::coordinate_rate)
+      vector = "a", symbol = &system_.coordinates[place];
     else
       vector = "a", symbol = &system_.speeds[place];
-    own = names_.of(*symbol + (from.from == symbol_kind::speed_rate ? "_rate" : ""));
-    const std::size_t index = from.from == symbol_kind::speed ? system_.coordinates.size() + place : place;
+    own = names_.of(*symbol + (vector[0] == 'a' ? "_rate" : ""));
+    const bool is_behind =
+        from.from == symbol_kind::speed || (from.from == symbol_kind::speed_rate && of_.takes_all_rates);
+    const std::size_t index = is_behind ? system_.coordinates.size() + place : place;
     return declared(own) + vector + '[' + std::to_string(index) + "];\n";
   }
 
@@ -151,6 +175,7 @@ private:
   scalar number_;
   identifiers names_{};
   std::vector<std::string> values_{}; ///< by line
+  std::vector<std::string> unread_{}; ///< lines of arguments, until they are needed
   std::vector<angle> angles_{};
   int count_ = 0;
 };

@@ -83,9 +83,10 @@ private:
     std::string declared, read, written;
     for (std::size_t i = 0; i < symbols.size(); ++i) {
       const std::string member = names.of(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
-      declared += std::string("  ") + number_.type() + ' ' + member + " = " + at_first + ";\n";
-      read += "    found." + member + " = " + entry + ";\n";
-      written += "    " + entry + " = " + member + ";\n";
+      declared.append("  ").append(number_.type()).append(" ").append(member).append(" = ").append(at_first);
+      declared += ";\n";
+      read.append("    found.").append(member).append(" = ").append(entry).append(";\n");
+      written.append("    ").append(entry).append(" = ").append(member).append(";\n");
     }
     const bool is_empty = symbols.empty();
     return filled(R"(struct @name@ {
@@ -131,7 +132,8 @@ private:
         called += ", given_x";
         continue;
       }
-      declared += "  " + number + ' ' + member + '[' + std::to_string(each.rows) + ']';
+      declared.append("  ").append(number).append(" ").append(member);
+      declared.append("[").append(std::to_string(each.rows)).append("]");
       if (each.columns > 1) declared += '[' + std::to_string(each.columns) + ']';
       declared += ";\n";
       called += ", " + place + (each.columns > 1 ? "[0]" : "");

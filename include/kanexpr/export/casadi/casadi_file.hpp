@@ -9,32 +9,26 @@
 
 namespace kanexpr::exporting {
 
-/// Writes the functions that CasADi looks for in a shared library, `name`(x, r, p) and its derivatives,
-/// around the functions of C that compute them.
+/// Writes functions that CasADi looks for in a shared library, a column and its derivatives, around the
+/// functions of C that compute them.
 ///
 /// CasADi, core/external.cpp: a null argument is zero, a null result is not wanted, and a function returns 0,
 /// or else there is no result.
 class casadi_file {
 public:
-  /// `kernels` has the functions of `casadi_kernels`.
-  casadi_file(std::string name, const exported_system& kernels, const std::vector<casadi_argument>& arguments)
-      : name_(std::move(name)), kernels_(kernels), arguments_(arguments) {
+  /// The rates as the function `library`, or the residual as `library`_implicit. `kernels` has the functions
+  /// of `casadi_kernels`.
+  casadi_file(const std::string& library, bool of_residual, const exported_system& kernels,
+              const std::vector<casadi_argument>& arguments)
+      : library_(library), name_(library + (of_residual ? "_implicit" : "")),
+        column_(of_residual ? "residual" : "rate"), begin_(casadi_kernels::begin_of_names(of_residual)),
+        kernels_(kernels), arguments_(arguments), basic_(count_of_basic(arguments)) {
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       jacobian_.push_back(shape_of("jacobian", "by_" + arguments_[i].name, states(), arguments_[i].size));
   }
 
   std::string text() const {
-    int most = 1;
-    for (const casadi_argument& each : arguments_) most = (std::max)(most, each.size);
-    return filled(R"(
-/* What CasADi looks for in a library: external("@name@", "./@name@.so"). */
-
-static const double @name@_zeros[@most@] = {0};
-static const double *@name@_given(const double *argument) { return argument ? argument : @name@_zeros; }
-static double *@name@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
-)",
-                  {{"name", name_}, {"most", std::to_string(most)}}) +
-           rates().text() + jacobian().text() + forward().text() + jacobian_of_forward().text() +
+    return column().text() + jacobian().text() + forward().text() + jacobian_of_forward().text() +
            adjoint().text() + jacobian_of_adjoint().text();
   }
 
@@ -49,7 +43,7 @@ private:
   };
 
   int states() const { return arguments_[0].size; }
-  bool has_more() const { return find("jacobian_by_all") != nullptr; }
+  bool has_more() const { return find(begin_ + "jacobian_by_all") != nullptr; }
 
   const exported_function* find(const std::string& called) const {
     for (const exported_function& f : kernels_.functions)
@@ -60,13 +54,13 @@ private:
   /// Of a result, empty where it has no entries for lack of arguments.
   casadi_sparsity shape_of(const std::string& function, const std::string& result, int rows,
                            int columns) const {
-    for (const exported_result& each : find(function + (has_more() ? "_by_all" : ""))->results)
+    for (const exported_result& each : find(begin_ + function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result) return casadi_sparsity::of(each);
     return casadi_sparsity::empty(rows, columns);
   }
 
-  casadi_port of_rates(const std::string& before) const {
-    return {before + "rate", casadi_sparsity::dense(states())};
+  casadi_port of_column(const std::string& before) const {
+    return {before + column_, casadi_sparsity::dense(states())};
   }
   void add_arguments(ports& to, const std::string& before = "") const {
     for (const casadi_argument& each : arguments_)
@@ -80,17 +74,24 @@ private:
 
   static std::string arg(std::size_t i) { return "arg[" + std::to_string(i) + ']'; }
   static std::string res(std::size_t i) { return "res[" + std::to_string(i) + ']'; }
-  std::string weights() const { return name_ + "_given(" + arg(arguments_.size() + 1) + ')'; }
+  std::string given_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
+  std::string weights() const { return given_at(arguments_.size() + 1); }
+
+  /// The function of C of a derivative, or of the column itself.
+  std::string kernel(const std::string& derivative) const {
+    return derivative.empty() ? casadi_kernels::name_of_column(!begin_.empty()) : begin_ + derivative;
+  }
 
   /// The call of a function of C: other than 0 where there is no result.
   std::string call(const std::string& function, const std::string& weights,
                    const std::vector<std::string>& results) const {
-    std::string text = kernels_.name + '_' + function + '(';
-    const bool takes_time = arguments_.back().are == symbols::time;
-    text += takes_time ? '*' + name_ + "_given(" + arg(arguments_.size() - 1) + ')' : "0";
-    for (std::size_t place : {std::size_t(0), std::size_t(2), std::size_t(1)})
-      text += ", " + name_ + "_given(" + arg(place) + ')';
-    if (find(function)->weights > 0) text += ", " + weights;
+    std::string text, time = "0";
+    for (symbols each : {symbols::state, symbols::parameters, symbols::inputs, symbols::rates})
+      for (std::size_t i = 0; i < arguments_.size(); ++i)
+        if (arguments_[i].are == each) text += ", " + given_at(i);
+    if (arguments_.back().are == symbols::time) time = '*' + given_at(arguments_.size() - 1);
+    text = kernels_.name + '_' + kernel(function) + '(' + time + text;
+    if (find(kernel(function))->weights > 0) text += ", " + weights;
     for (const std::string& each : results) text += ", " + each;
     return text + ") != 0";
   }
@@ -101,7 +102,7 @@ private:
                        int scratch = 0, std::string needs_more = {}) const {
     std::vector<std::string> basic, more;
     for (const asked& each : all) {
-      const std::string to = name_ + "_or(" + res(each.place) + ", w + " + std::to_string(scratch) + ')';
+      const std::string to = library_ + "_or(" + res(each.place) + ", w + " + std::to_string(scratch) + ')';
       scratch += each.entries;
       more.push_back(to);
       if (each.is_basic)
@@ -109,7 +110,7 @@ private:
       else
         needs_more += (needs_more.empty() ? "" : " || ") + res(each.place);
     }
-    const std::string least = call(function, weights, basic);
+    std::string least = call(function, weights, basic);
     if (!has_more()) return least;
     return '(' + needs_more + ")\n    ? " + call(function + "_by_all", weights, more) + "\n    : " + least;
   }
@@ -126,21 +127,21 @@ private:
     return count;
   }
 
-  casadi_function rates() const {
+  casadi_function column() const {
     return {name_,
             given(),
-            {of_rates("")},
+            {of_column("")},
             0,
-            "  (void)w;\n  if (!res[0]) return 0;\n  return " + call("rates", "", {"res[0]"}) + ";\n"};
+            "  (void)w;\n  if (!res[0]) return 0;\n  return " + call("", "", {"res[0]"}) + ";\n"};
   }
 
   casadi_function jacobian() const {
     casadi_function f{.name = "jac_" + name_, .in = given()};
-    f.in.push_back(of_rates("out_"));
+    f.in.push_back(of_column("out_"));
     std::vector<asked> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      f.out.push_back({"jac_rate_" + arguments_[i].name, jacobian_[i]});
-      all.push_back({i, jacobian_[i].entries(), i < casadi_kernels::basic});
+      f.out.push_back({"jac_" + column_ + '_' + arguments_[i].name, jacobian_[i]});
+      all.push_back({i, jacobian_[i].entries(), i < basic_});
     }
     f.scratch = entries_of(all);
     f.body = "  return " + call_for("jacobian", "", all) + ";\n";
@@ -160,8 +161,7 @@ private:
                               {"from", arg(arguments_.size() + 1 + k)}});
       };
       for_each("  for (i = 0; i < @size@; ++i) w[@begin@ + i] = @from@ ? @from@[i] : 0;\n");
-      if (k >= casadi_kernels::basic)
-        for_each("  for (i = 0; i < @size@; ++i) more |= w[@begin@ + i] != 0;\n");
+      if (k >= basic_) for_each("  for (i = 0; i < @size@; ++i) more |= w[@begin@ + i] != 0;\n");
       size_of_all += size;
     }
     return text;
@@ -169,35 +169,35 @@ private:
 
   casadi_function forward() const {
     casadi_function f{.name = "fwd1_" + name_, .in = given()};
-    f.in.push_back(of_rates("out_"));
+    f.in.push_back(of_column("out_"));
     add_arguments(f.in, "fwd_");
-    f.out.push_back(of_rates("fwd_"));
+    f.out.push_back(of_column("fwd_"));
     f.body = take_direction(f.scratch) + "  if (!res[0]) return 0;\n";
     if (has_more()) f.body += "  if (more) return " + call("directional_by_all", "w", {"res[0]"}) + ";\n";
     f.body += "  return " + call("directional", "w", {"res[0]"}) + ";\n";
     return f;
   }
 
-  /// The derivatives of a directional one by each argument, by the rates, on which nothing depends, and by
+  /// The derivatives of a directional one by each argument, by the column, on which nothing depends, and by
   /// the direction, which are the first derivatives.
   casadi_function jacobian_of_forward() const {
     casadi_function f{.name = "jac_fwd1_" + name_, .in = given()};
-    f.in.push_back(of_rates("out_"));
+    f.in.push_back(of_column("out_"));
     add_arguments(f.in, "fwd_");
-    f.in.push_back(of_rates("out_fwd_"));
+    f.in.push_back(of_column("out_fwd_"));
     int direction = 0;
     f.body = take_direction(direction);
     std::vector<asked> first, second;
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
       const casadi_sparsity shape =
           shape_of("directional_jacobian", "by_" + arguments_[i].name, states(), arguments_[i].size);
-      second.push_back({f.out.size(), shape.entries(), i < casadi_kernels::basic});
-      f.out.push_back({"jac_fwd_rate_" + arguments_[i].name, shape});
+      second.push_back({f.out.size(), shape.entries(), i < basic_});
+      f.out.push_back({"jac_fwd_" + column_ + '_' + arguments_[i].name, shape});
     }
-    f.out.push_back({"jac_fwd_rate_out_rate", casadi_sparsity::empty(states(), states())});
+    f.out.push_back({"jac_fwd_" + column_ + "_out_" + column_, casadi_sparsity::empty(states(), states())});
     for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      first.push_back({f.out.size(), jacobian_[i].entries(), i < casadi_kernels::basic});
-      f.out.push_back({"jac_fwd_rate_fwd_" + arguments_[i].name, jacobian_[i]});
+      first.push_back({f.out.size(), jacobian_[i].entries(), i < basic_});
+      f.out.push_back({"jac_fwd_" + column_ + "_fwd_" + arguments_[i].name, jacobian_[i]});
     }
     f.scratch = direction + (std::max)(entries_of(first), entries_of(second));
     f.body += "  if ((" + any_of(first) + ") && (" + call_for("jacobian", "", first, direction) +
@@ -208,23 +208,23 @@ private:
 
   casadi_function adjoint() const {
     casadi_function f{.name = "adj1_" + name_, .in = given()};
-    f.in.push_back(of_rates("out_"));
-    f.in.push_back(of_rates("adj_"));
+    f.in.push_back(of_column("out_"));
+    f.in.push_back(of_column("adj_"));
     add_arguments(f.out, "adj_");
     std::vector<asked> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
-      if (arguments_[i].size > 0) all.push_back({i, arguments_[i].size, i < casadi_kernels::basic});
+      if (arguments_[i].size > 0) all.push_back({i, arguments_[i].size, i < basic_});
     f.scratch = entries_of(all);
     f.body = "  return " + call_for("gradient", weights(), all) + ";\n";
     return f;
   }
 
-  /// The derivatives of each adjoint by each argument, by the rates, on which nothing depends, and by the
+  /// The derivatives of each adjoint by each argument, by the column, on which nothing depends, and by the
   /// weights, which are the transposed first derivatives.
   casadi_function jacobian_of_adjoint() const {
     casadi_function f{.name = "jac_adj1_" + name_, .in = given()};
-    f.in.push_back(of_rates("out_"));
-    f.in.push_back(of_rates("adj_"));
+    f.in.push_back(of_column("out_"));
+    f.in.push_back(of_column("adj_"));
     add_arguments(f.in, "out_adj_");
     std::vector<asked> second;
     for (std::size_t o = 0; o < arguments_.size(); ++o) {
@@ -233,12 +233,11 @@ private:
         const casadi_sparsity shape =
             shape_of("hessian", "by_" + arguments_[o].name + '_' + arguments_[i].name, arguments_[o].size,
                      arguments_[i].size);
-        second.push_back(
-            {f.out.size(), shape.entries(), o < casadi_kernels::basic && i < casadi_kernels::basic});
+        second.push_back({f.out.size(), shape.entries(), o < basic_ && i < basic_});
         f.out.push_back({begin + arguments_[i].name, shape});
       }
-      f.out.push_back({begin + "out_rate", casadi_sparsity::empty(arguments_[o].size, states())});
-      f.out.push_back({begin + "adj_rate", jacobian_[o].transposed().first});
+      f.out.push_back({begin + "out_" + column_, casadi_sparsity::empty(arguments_[o].size, states())});
+      f.out.push_back({begin + "adj_" + column_, jacobian_[o].transposed().first});
     }
     f.scratch = (std::max)(entries_of(second), entries_of_jacobian());
     f.body = transposed_jacobian() + "  if (!(" + any_of(second) + ")) return 0;\n  return " +
@@ -259,10 +258,10 @@ private:
     int begin = 0;
     for (std::size_t o = 0; o < arguments_.size(); ++o) {
       to.push_back("w + " + std::to_string(begin));
-      if (o < casadi_kernels::basic) basic = to;
+      if (o < basic_) basic = to;
       if (jacobian_[o].entries() == 0) continue;
       const std::size_t place = (o + 1) * (arguments_.size() + 2) - 1;
-      (o < casadi_kernels::basic ? wanted : more) += " || " + res(place);
+      (o < basic_ ? wanted : more) += " || " + res(place);
       taken += filled(R"(    if (@to@) {
       static const int from[] = {@from@};
       for (i = 0; i < @size@; ++i) @to@[i] = w[@begin@ + from[i]];
@@ -281,9 +280,10 @@ private:
            ") return 1;\n" + taken + "  }\n";
   }
 
-  std::string name_;
+  std::string library_, name_, column_, begin_;
   const exported_system& kernels_;
   const std::vector<casadi_argument>& arguments_;
+  std::size_t basic_;
   std::vector<casadi_sparsity> jacobian_{};
 };
 

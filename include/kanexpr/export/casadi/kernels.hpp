@@ -7,24 +7,33 @@
 
 namespace kanexpr::exporting {
 
-/// One of the vectors that a function of CasADi is given: the state x, the inputs r, the parameters p, the
-/// time t.
+/// One of the vectors that a function of CasADi is given: the state x, its rates, the inputs r, the
+/// parameters p, the time t.
 struct casadi_argument {
   std::string name{};
   symbols are{};
   int size = 0;
+
+  /// Parameters and time come behind these: derivatives by them are computed where they are asked for.
+  bool is_basic() const { return are != symbols::parameters && are != symbols::time; }
 };
 
-/// What CasADi may ask for beside the rates of the state, as functions of C: derivatives by the state and the
-/// inputs, and by all arguments, which cost more. A group is a set of arguments.
+inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments) {
+  std::size_t count = 0;
+  while (count < arguments.size() && arguments[count].is_basic()) ++count;
+  return count;
+}
+
+/// What CasADi may ask for beside a column, the rates of the state or the residual of the implicit form, as
+/// functions of C: derivatives by the basic arguments, and by all, which cost more.
 class casadi_kernels {
 public:
-  explicit casadi_kernels(const std::vector<casadi_argument>& by_all) : by_all_(by_all) {}
-
-  static constexpr std::size_t basic = 2; ///< the first arguments: the state and the inputs
+  casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
+      : of_residual_(of_residual), by_all_(by_all) {}
 
   std::vector<wanted_function> all() const {
-    std::vector<wanted_function> wanted{rates()};
+    std::vector<wanted_function> wanted{column()};
+    const std::size_t basic = count_of_basic(by_all_);
     add(wanted, basic, "");
     for (std::size_t i = basic; i < by_all_.size(); ++i)
       if (by_all_[i].size > 0) {
@@ -34,58 +43,81 @@ public:
     return wanted;
   }
 
-  static wanted_function rates() {
-    wanted_function f = results("rhs");
-    f.name = "rates";
-    f.results[0].name = "rate";
+  /// The rates, or the residual.
+  wanted_function column() const {
+    wanted_function f{.name = name_of_column(of_residual_)};
+    f.results.push_back(derived(of_residual_ ? "residual" : "rate", {}));
+    f.results[0].is_sparse = false;
     return f;
   }
 
+  static std::string name_of_column(bool of_residual) { return of_residual ? "residual" : "rates"; }
+  static std::string begin_of_names(bool of_residual) { return of_residual ? "residual_" : ""; }
+
 private:
   using kind = wanted_derivative::kind;
+  using quantity = mechanics::quantity;
 
   void add(std::vector<wanted_function>& wanted, std::size_t count, const std::string& end) const {
-    wanted_function jacobian{.name = "jacobian" + end}, directional{.name = "directional" + end},
-        directional_jacobian{.name = "directional_jacobian" + end}, gradient{.name = "gradient" + end},
-        hessian{.name = "hessian" + end};
-    wanted_result along = derived("rate", {.is = kind::along});
-    along.is_sparse = false;
-    for (std::size_t i = 0; i < count; ++i) along.derivative.along.push_back(by_all_[i].are);
-    directional.results.push_back(along);
+    const auto called = [&](const char* what) {
+      return wanted_function{.name = begin_of_names(of_residual_) + what + end};
+    };
+    wanted_function jacobian = called("jacobian"), directional = called("directional"),
+                    directional_jacobian = called("directional_jacobian"), gradient = called("gradient"),
+                    hessian = called("hessian");
+    std::vector<symbols> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
+    // Beside derivatives by the parameters those of the graph share more.
+    const bool is_by_parameters = !by_all_[count - 1].is_basic();
+    const auto to_second_order = [&](wanted_result found, quantity by, std::vector<symbols> part) {
+      if (of_residual_ || is_by_parameters) return found;
+      found.request.wanted = by;
+      found.derivative = {};
+      found.part = std::move(part);
+      return found;
+    };
+    directional.results.push_back(to_second_order(derived("rate", {.is = kind::along, .along = all}),
+                                                  quantity::directional_derivative, {symbols::state}));
+    directional.results.back().is_sparse = false;
     for (std::size_t i = 0; i < count; ++i) {
       const symbols by = by_all_[i].are;
-      const std::string called = "by_" + by_all_[i].name;
+      const std::string begin = "by_" + by_all_[i].name;
       jacobian.results.push_back(jacobian_by(by_all_[i]));
       directional_jacobian.results.push_back(
-          derived(called, {.is = kind::along_jacobian, .along = along.derivative.along, .by = by}));
-      gradient.results.push_back(derived(called, {.is = kind::weighted, .by = by}));
+          derived(begin, {.is = kind::along_jacobian, .along = all, .by = by}));
+      gradient.results.push_back(to_second_order(derived(begin, {.is = kind::weighted, .by = by}),
+                                                 quantity::weighted_gradient, {by}));
       gradient.results.back().is_sparse = false;
-      for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t k = 0; k < count; ++k) {
+        const symbols and_by = by_all_[k].are;
         hessian.results.push_back(
-            derived(called + '_' + by_all_[k].name,
-                    {.is = kind::weighted_jacobian, .by = by, .and_by = by_all_[k].are}));
+            to_second_order(derived(begin + '_' + by_all_[k].name,
+                                    {.is = kind::weighted_jacobian, .by = by, .and_by = and_by}),
+                            quantity::weighted_hessian, {by, and_by}));
+      }
     }
     for (const wanted_function& each : {jacobian, directional, directional_jacobian, gradient, hessian})
       wanted.push_back(each);
   }
 
-  /// That of the linearized equations, where these have it: it costs less than the chain rule.
-  static wanted_result jacobian_by(const casadi_argument& by) {
-    using mechanics::quantity;
+  /// Of rates that of the linearized equations, where these have it: it costs less than the chain rule.
+  wanted_result jacobian_by(const casadi_argument& by) const {
     wanted_result found = derived("by_" + by.name, {.is = kind::jacobian, .by = by.are});
-    if (by.are != symbols::state && by.are != symbols::inputs) return found;
+    if (of_residual_ || !by.is_basic()) return found;
     found.request.wanted = by.are == symbols::state ? quantity::state_jacobian : quantity::input_jacobian;
     found.derivative = {};
     return found;
   }
 
-  static wanted_result derived(std::string name, wanted_derivative by) {
+  wanted_result derived(std::string name, wanted_derivative by) const {
     return {.name = std::move(name),
-            .request = {.what = deriving::request::kind::result, .wanted = mechanics::quantity::rhs},
+            .request = {.what = deriving::request::kind::result, .wanted = quantity::rhs},
+            .is_residual = of_residual_,
             .derivative = std::move(by),
             .is_sparse = true};
   }
 
+  bool of_residual_;
   const std::vector<casadi_argument>& by_all_;
 };
 

@@ -29,6 +29,7 @@ struct casadi_sparsity {
   /// The transposed one, and where its entries stand in this one.
   std::pair<casadi_sparsity, std::vector<int>> transposed() const {
     std::vector<std::pair<std::pair<int, int>, int>> exchanged;
+    exchanged.reserve(places.size());
     for (const auto& [column, row] : places)
       exchanged.push_back({{row, column}, static_cast<int>(exchanged.size())});
     std::sort(exchanged.begin(), exchanged.end());

@@ -1,5 +1,6 @@
 // kanexpr-export: writes a robot of a file, or a model of a header, for other languages.
 #include <kanexpr/export/by_words.hpp>
+#include <kanexpr/export/shell.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/robot_builder.hpp>
 #ifdef KANEXPR_ROBOTS_READ_SDF
@@ -21,17 +22,29 @@ namespace {
 using namespace kanexpr;
 namespace files = std::filesystem;
 
+using exporting::in_quotes;
+
+/// A program that the environment chooses.
+std::string program_of(const char* variable, const char* otherwise) {
+  const char* const chosen = std::getenv(variable);
+  return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
+}
+
 struct request {
   std::string file{}, system{}, name{}, folder{}, format = "c", scalar = "double", base = "fixed",
                                                   bind_robot = "numbers";
-  std::vector<std::string> bound{}, results{}, expressions{}, include{};
+  std::string step{};
+  std::vector<std::string> bound{}, start{}, results{}, expressions{}, include{};
   bool with_python = false, with_cpp = false, quiet = false;
 
   bool is_of(const char* ending) const { return file.ends_with(ending); }
   bool is_robot() const { return is_of(".urdf") || is_of(".sdf") || is_of(".world"); }
 
   std::vector<std::string> words() const {
-    std::vector<std::string> all{folder, name, "scalar=" + scalar};
+    std::vector<std::string> all{folder, name, "format=" + format, "scalar=" + scalar};
+    if (format == "fmi") all.push_back("compiler=" + program_of("CC", "cc"));
+    if (!step.empty()) all.push_back("step=" + step);
+    for (const std::string& each : start) all.push_back("start=" + each);
     for (const std::string& each : bound) all.push_back("bind=" + each);
     for (const std::string& each : results) all.push_back("results=" + each);
     if (with_python) all.emplace_back("python");
@@ -67,29 +80,9 @@ int write_robot(const request& r) {
   const robots::robot_builder of(read.robot, model);
   if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
   const exporting::by_words given(r.words());
-  if (!given.mistake.empty()) return refuse(given.mistake);
-  const outcome written = write_c(of, given.folder, given.name, given.chosen);
+  const outcome written = given.write([&] { return derive(of); });
   return written ? 0 : refuse(written.cause());
 }
-
-/// A folder that is gone with it.
-class temporary_folder {
-public:
-  temporary_folder() {
-    std::string name = (files::temp_directory_path() / "kanexpr-export-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~temporary_folder() {
-    std::error_code ignored;
-    if (!path_.empty()) files::remove_all(path_, ignored);
-  }
-  temporary_folder(const temporary_folder&) = delete;
-  temporary_folder& operator=(const temporary_folder&) = delete;
-  const files::path& path() const { return path_; }
-
-private:
-  files::path path_{};
-};
 
 /// Whether an expression has a name, and what behind it.
 bool is_named(const std::string& expression) {
@@ -98,17 +91,7 @@ bool is_named(const std::string& expression) {
   return end != 0 && end != std::string::npos && expression[end] == '=' && end + 1 < expression.size();
 }
 
-/// As a word of the shell.
-std::string quoted(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return all + "'";
-}
-
-std::string compiler() {
-  const char* const chosen = std::getenv("CXX");
-  return chosen != nullptr && *chosen != '\0' ? chosen : "c++";
-}
+std::string compiler() { return program_of("CXX", "c++"); }
 
 bool is_clang() {
   return std::system((compiler() + " -dM -E -x c++ /dev/null 2>/dev/null | grep -q __clang__").c_str()) == 0;
@@ -119,12 +102,12 @@ std::string options(const request& r) {
   std::string all = is_clang() ? " -fconstexpr-steps=1000000000 -fbracket-depth=1024"
                                : " -fconstexpr-ops-limit=1000000000 -fconstexpr-loop-limit=10000000";
   all += " -std=c++20 -fconstexpr-depth=2000";
-  for (const std::string& each : r.include) all += " -I" + quoted(each);
+  for (const std::string& each : r.include) all += " -I" + in_quotes(each);
   std::error_code unknown;
   const files::path here = files::read_symlink("/proc/self/exe", unknown).parent_path();
   const files::path beside = here.parent_path() / "include";
-  if (files::exists(beside / "kanexpr" / "export.hpp", unknown)) all += " -I" + quoted(beside.string());
-  return all + " -isystem " + quoted(KANEXPR_EIGEN);
+  if (files::exists(beside / "kanexpr" / "export.hpp", unknown)) all += " -I" + in_quotes(beside.string());
+  return all + " -isystem " + in_quotes(KANEXPR_EIGEN);
 }
 
 /// The program that writes a model; it finds the words of expressions where the system is.
@@ -148,17 +131,18 @@ int write_model(const request& r) {
     return refuse("which system of " + r.file + " is to be exported? --system arm::System says so");
   std::error_code unknown;
   if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
-  if (const exporting::by_words given(r.words()); !given.mistake.empty()) return refuse(given.mistake);
+  if (const exporting::by_words given(r.words()); !given.mistake().empty()) return refuse(given.mistake());
   for (const std::string& each : r.expressions)
     if (!is_named(each)) return refuse(each + " is not name=expression");
-  const temporary_folder with;
+  const exporting::temporary_folder with;
   if (with.path().empty()) return refuse("no folder can be made for the program that writes");
   const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
   std::ofstream(source) << program_for(r);
-  if (std::system((compiler() + options(r) + ' ' + quoted(source) + " -o " + quoted(program)).c_str()) != 0)
+  if (std::system(
+          (compiler() + options(r) + ' ' + in_quotes(source) + " -o " + in_quotes(program)).c_str()) != 0)
     return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() + " says why");
-  std::string call = quoted(program);
-  for (const std::string& each : r.words()) call += ' ' + quoted(each);
+  std::string call = in_quotes(program);
+  for (const std::string& each : r.words()) call += ' ' + in_quotes(each);
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
@@ -174,7 +158,9 @@ int main(int count, char** arguments) {
   app.add_option("-s,--system", r.system, "the system of a header, as in arm::System");
   app.add_option("-n,--name", r.name, "what is written begins with it; without this the name of the file");
   app.add_option("-o,--output", r.folder, "the folder")->required();
-  app.add_option("--format", r.format, "what is written: c")->check(CLI::IsMember({"c"}))->option_text("c");
+  app.add_option("--format", r.format, "what is written; c without this")
+      ->check(CLI::IsMember({"c", "casadi", "fmi"}))
+      ->option_text("c|casadi|fmi");
   app.add_option("--scalar", r.scalar, "the type of numbers; double without this")
       ->check(CLI::IsMember({"double", "float"}))
       ->option_text("double|float");
@@ -182,8 +168,16 @@ int main(int count, char** arguments) {
       ->option_text("PARAMETER=NUMBER")
       ->expected(1)
       ->take_all();
+  app.add_option("--start", r.start,
+                 "the value with which a parameter, an input or a state of an FMU starts; for each anew")
+      ->option_text("SYMBOL=NUMBER")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--step", r.step, "the internal step of an FMU's co-simulation, in s; 0.001 without this")
+      ->option_text("NUMBER");
   app.add_option("--results", r.results,
-                 "a function of one result, or of several with spaces between them; for each anew")
+                 "a function of one result, or of several with spaces between them, of an FMU an output; for "
+                 "each anew")
       ->option_text("RESULTS")
       ->expected(1)
       ->take_all();

@@ -79,8 +79,7 @@ private:
       if (!spins_unseen(p, b.frame) && (!are_rigid(p.left, b.frame) || !are_rigid(p.right, b.frame)))
         return true;
     if (b.about == none || b.about == b.center) return false;
-    for (const vector::part& p :
-         (position_from_origin(m_, b.about) - position_from_origin(m_, b.center)).parts)
+    for (const vector::part& p : position_from(m_, b.center, b.about).parts)
       if (!p.value.is_zero() && (!are_rigid(p.frame, b.frame) || !mechanics::is_fixed(p.value))) return true;
     return false;
   }

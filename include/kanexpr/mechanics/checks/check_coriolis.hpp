@@ -45,7 +45,10 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
     at_rest.replace(u, m.zero());
   }
   sequence<expression> quadratic;
-  for (const expression& b : bias) quadratic.push(at_rest.in(b) - (b + backwards.in(b)) / 2);
+  for (const expression& b : bias) {
+    const expression constant = at_rest.in(b);
+    quadratic.push(constant - (b + backwards.in(b)) / 2);
+  }
   return quadratic;
 }
 

@@ -156,13 +156,15 @@ constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) 
   const vector& v = own.vanishing;
   expression rate = m.zero();
   for (const vector::part& d : own.direction.parts) {
-    rate += dot(express(m, k.acceleration(c.station[i]), v.parts[0].frame, d.frame), d.value) -
-            dot(express(m, k.ground_acceleration(), d.frame), d.value);
+    const expression whole =
+        dot(express(m, k.acceleration(c.station[i]), v.parts[0].frame, d.frame), d.value);
+    rate += whole - dot(express(m, k.ground_acceleration(), d.frame), d.value);
     if (detail::holds_whole_velocity(c, i)) continue;
     const components angular_velocity =
         express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
     const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};
-    rate += dot(express(m, v, d.frame), change + cross(angular_velocity, d.value));
+    const components velocity = express(m, v, d.frame);
+    rate += dot(velocity, change + cross(angular_velocity, d.value));
   }
   return rate;
 }

@@ -56,29 +56,33 @@ public:
 
   /// B = M_di + M_dd A.
   constexpr const symbolic::matrix& coupling() {
-    if (!has_coupling_)
-      coupling_ = mechanics::coupling(*m_.g, free_mass(), speeds_, dependent().on_independent);
+    if (has_coupling_) return coupling_;
+    const symbolic::matrix& mass = free_mass();
+    coupling_ = mechanics::coupling(*m_.g, mass, speeds_, dependent().on_independent);
     has_coupling_ = true;
     return coupling_;
   }
 
   /// M of the independent speeds.
   constexpr const symbolic::matrix& mass() {
-    if (mass_.rows == 0)
-      mass_ = reduced_mass(*m_.g, free_mass(), speeds_, dependent().on_independent, coupling());
-    return mass_;
+    if (mass_.rows != 0) return mass_;
+    const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
+    return mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
   }
 
   /// f in M u̇ = f of the independent speeds.
   constexpr const sequence<expression>& force() {
-    if (force_.empty()) force_ = reduced_force(free_force(), speeds_, dependent(), coupling());
-    return force_;
+    if (!force_.empty()) return force_;
+    const sequence<expression>& free = free_force();
+    const dependent_speeds& solved = dependent();
+    return force_ = reduced_force(free, speeds_, solved, coupling());
   }
 
   /// u̇ of all speeds.
   constexpr const sequence<expression>& accelerations() {
     if (!udot_.empty()) return udot_;
-    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, mass(), force());
+    const symbolic::matrix& m = mass();
+    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, m, force());
     const sequence<expression>& independent = solved.x;
     pivots_ = solved.pivots;
     udot_.resize(m_.speeds.size(), m_.zero());
@@ -153,7 +157,8 @@ public:
   constexpr sequence<expression> noncontributing_forces() {
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
-    return mechanics::noncontributing_forces(constraints_, lambda(), imbalance_of(auxiliary));
+    const symbolic::matrix& of_constraints = lambda();
+    return mechanics::noncontributing_forces(constraints_, of_constraints, imbalance_of(auxiliary));
   }
 
 private:
@@ -184,7 +189,9 @@ private:
     return free_force_;
   }
   constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
-    return imbalance(free_mass(), free_force(), accelerations(), ways);
+    const symbolic::matrix& mass = free_mass();
+    const sequence<expression>& force = free_force();
+    return imbalance(mass, force, accelerations(), ways);
   }
 
   const skeleton& s_;

@@ -14,7 +14,10 @@ constexpr expression kinetic_energy(motion& k) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
     const components v = k.velocity(l.station, l.frame), w = k.angular_velocity(l.frame);
     const components h = to_working.turn(l.mass.first_moment);
-    twice += l.mass.mass * dot(v, v) + 2 * dot(v, cross(w, h)) + dot(w, to_working.turn(l.mass.inertia) * w);
+    expression of_link = l.mass.mass * dot(v, v);
+    of_link += 2 * dot(v, cross(w, h));
+    of_link += dot(w, to_working.turn(l.mass.inertia) * w);
+    twice += of_link;
   }
   return twice / 2;
 }
@@ -45,8 +48,9 @@ constexpr components linear_momentum(motion& k) {
   components total(*m.g);
   for (const link& l : s.links) {
     const path to_working(m, s.body_axes[l.frame], s.working_axes[l.frame]);
-    const components p = l.mass.mass * k.velocity(l.station, l.frame) +
-                         cross(k.angular_velocity(l.frame), to_working.turn(l.mass.first_moment));
+    components p = l.mass.mass * k.velocity(l.station, l.frame);
+    const components w = k.angular_velocity(l.frame), h = to_working.turn(l.mass.first_moment);
+    p += cross(w, h);
     total += express(m, p, s.working_axes[l.frame], mechanism::inertial);
   }
   return total;
@@ -77,7 +81,8 @@ constexpr components angular_momentum(motion& k) {
   for (const body& b : m.bodies) {
     const int n = s.station_of_point[b.center];
     const components v = express(m, k.velocity(n), s.working_axes[s.stations[n].axes], mechanism::inertial);
-    total += cross(position(m, b.center), b.mass * v);
+    const components x = position(m, b.center), momentum = b.mass * v;
+    total += cross(x, momentum);
   }
   for (const body& b : m.bodies) {
     if (b.frame == none) continue;

@@ -14,8 +14,12 @@ constexpr components inertia_demand(const symmetric& i, const components& w, con
   components moment;
   for (int x = 0; x < 3; ++x) {
     const int y = (x + 1) % 3, z = (x + 2) % 3;
-    moment[x] = i(x, x) * alpha[x] + (i(z, z) - i(y, y)) * (w[y] * w[z]) +
-                i(y, z) * (w[y] * w[y] - w[z] * w[z]) + i(z, x) * u(y, x) - i(x, y) * u(z, x);
+    moment[x] = i(x, x) * alpha[x];
+    const expression difference = i(z, z) - i(y, y);
+    moment[x] += difference * (w[y] * w[z]);
+    moment[x] += i(y, z) * difference_of_products(w[y], w[y], w[z], w[z]);
+    moment[x] += i(z, x) * u(y, x);
+    moment[x] -= i(x, y) * u(z, x);
   }
   return moment;
 }
@@ -49,9 +53,12 @@ public:
       const components h = to_working.turn(l.mass.first_moment);
       const symmetric inertia = to_working.turn(l.mass.inertia);
       const components a = k.acceleration(l.station, f);
-      const components demand = l.mass.mass * a + (h.is_zero() ? h : k.acceleration_matrix(f) * h);
+      components demand = l.mass.mass * a;
+      if (!h.is_zero()) demand += k.acceleration_matrix(f) * h;
       force_[l.station] -= k.turn(demand, f, s_.stations[l.station].axes);
-      moment_[f] -= cross(h, a) + inertia_demand(k, inertia, f);
+      components moment = cross(h, a);
+      moment += inertia_demand(k, inertia, f);
+      moment_[f] -= moment;
     }
   }
 

@@ -51,7 +51,8 @@ public:
 
   /// Q + ∂L/∂q − ṗ with Q of what is not in L, f at q̈ = 0 where no rates are given.
   constexpr sequence<expression> forcing(const sequence<expression>& udot = {}) {
-    return sum(forces_of_loads(), inertia_forces(udot));
+    const sequence<expression> of_loads = forces_of_loads();
+    return sum(of_loads, inertia_forces(udot));
   }
 
   /// ∂L/∂q − ṗ with the rates of the speeds that are given.
@@ -68,7 +69,8 @@ public:
 
   /// Q − ∂V/∂q, the generalized forces of all loads.
   constexpr sequence<expression> active_forces() const {
-    return sum(forces_of_loads(), gradient_of(m_, -potential_energy(s_, loads_)).by_coordinates);
+    const sequence<expression> of_loads = forces_of_loads();
+    return sum(of_loads, gradient_of(m_, -potential_energy(s_, loads_)).by_coordinates);
   }
 
   /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of a Lagrangian that the model gives.
@@ -82,8 +84,9 @@ private:
   }
 
   constexpr const lagrangian_gradient& gradient() {
-    if (gradient_.momenta.empty()) gradient_ = gradient_of(m_, kinetic() - potential_energy(s_, loads_));
-    return gradient_;
+    if (!gradient_.momenta.empty()) return gradient_;
+    const expression of_motion = kinetic(), of_place = potential_energy(s_, loads_);
+    return gradient_ = gradient_of(m_, of_motion - of_place);
   }
 
   constexpr sequence<expression> inertia_of(const lagrangian_gradient& l,

@@ -44,7 +44,8 @@ constexpr symbolic::matrix reduced_mass(graph& g, const symbolic::matrix& mass, 
     for (int j = 0; j <= i; ++j) {
       expression sum = mass(free[i], free[j]);
       for (int d = 0; d < bound.size(); ++d)
-        sum += mass(free[i], bound[d]) * on_independent(d, j) + on_independent(d, i) * coupling(d, j);
+        sum += sum_of_products(mass(free[i], bound[d]), on_independent(d, j), on_independent(d, i),
+                               coupling(d, j));
       out(i, j) = out(j, i) = sum;
     }
   return out;

@@ -41,8 +41,7 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
     rigid_mass mass(*m.g);
     mass.mass = b.mass;
     mass.inertia = central_inertia(m, b, b.frame);
-    mass =
-        shifted(mass, express(m, position_from_origin(m, b.center) - position_from_origin(m, at), b.frame));
+    mass = shifted(mass, express(m, position_from(m, at, b.center), b.frame));
     if (b.about == at) mass.inertia = inertia_in(m, b.inertia, b.frame);
     for (int i = 0; i < 3; ++i) all.push(mass.first_moment[i]);
     for (const expression& e : {mass.inertia.xx, mass.inertia.yy, mass.inertia.zz, mass.inertia.xy,
@@ -92,8 +91,10 @@ constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {
       const matrix3 u = acceleration_matrix(w, alpha);
       for (int i = 0; i < 3; ++i) {
         const components force{u(0, i), u(1, i), u(2, i)}, moment = cross(unit(*m.g, i), a);
-        for (int r = 0; r < y.rows; ++r)
-          y(r, first + 1 + i) = dot(partial(r, v), force) + dot(partial(r, w), moment);
+        for (int r = 0; r < y.rows; ++r) {
+          y(r, first + 1 + i) = dot(partial(r, v), force);
+          y(r, first + 1 + i) += dot(partial(r, w), moment);
+        }
       }
       for (int i = 0; i < 6; ++i) {
         symmetric one(*m.g);

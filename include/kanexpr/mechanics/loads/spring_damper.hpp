@@ -20,7 +20,10 @@ struct spring_damper {
     const stretch line = stretch_in(s);
     expression over_length = s.model->zero(); // the force over the distance
     if (how == conservative::by_forces && !stiffness.is_zero()) over_length = pull_of_spring(line.d);
-    if (!damping.is_zero()) over_length += on.known(damping) * rate_of_stretch(on.moving(), line);
+    if (!damping.is_zero()) {
+      const expression factor = on.known(damping);
+      over_length += factor * rate_of_stretch(on.moving(), line);
+    }
     if (over_length.is_zero()) return;
     vector force;
     force.add(line.axes, over_length * line.d);
@@ -87,9 +90,8 @@ private:
 
   /// The vector from the second point to the first, without what both positions share.
   constexpr vector line_in(const mechanism& m) const {
-    const vector whole = position_from_origin(m, point) - position_from_origin(m, other);
     vector d;
-    for (const vector::part& p : whole.parts)
+    for (const vector::part& p : position_from(m, other, point).parts)
       if (!p.value.is_zero()) d.parts.push(p);
     return d;
   }
@@ -104,7 +106,8 @@ private:
   constexpr expression rate_of_stretch(motion& k, const stretch& line) const {
     const skeleton& s = k.skeleton_used();
     const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[other]);
-    return dot(line.d, express(*s.model, v, line.axes)) / dot(line.d, line.d);
+    const expression stretching = dot(line.d, express(*s.model, v, line.axes));
+    return stretching / dot(line.d, line.d);
   }
 };
 

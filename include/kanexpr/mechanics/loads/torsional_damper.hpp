@@ -13,8 +13,8 @@ struct torsional_damper {
   expression damping{};
 
   constexpr void act(force_system& on, conservative) const {
-    on.add_torque(frame, against,
-                  -on.known(damping) * angular_velocity_between(on.skeleton_used(), frame, against));
+    const expression factor = -on.known(damping);
+    on.add_torque(frame, against, factor * angular_velocity_between(on.skeleton_used(), frame, against));
   }
 
   constexpr expression potential_energy(const mechanism& m) const { return m.zero(); }

@@ -12,6 +12,13 @@ constexpr vector position_from_origin(const mechanism& m, int p) {
   return sum;
 }
 
+/// The position of point `p` from another that has the same origin.
+constexpr vector position_from(const mechanism& m, int other, int p) {
+  vector way = position_from_origin(m, p);
+  way.subtract(position_from_origin(m, other));
+  return way;
+}
+
 /// An inertia dyadic in the axes of `frame`. In the axes of a single frame it is symmetric from the start and
 /// turns at half the cost.
 constexpr symmetric inertia_in(const mechanism& m, const dyadic& d, int frame) {
@@ -30,8 +37,7 @@ constexpr symmetric inertia_in(const mechanism& m, const dyadic& d, int frame) {
 constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame) {
   symmetric i = inertia_in(m, b.inertia, frame);
   if (b.about == none || b.about == b.center) return i;
-  vector r = position_from_origin(m, b.about);
-  r.subtract(position_from_origin(m, b.center));
+  const vector r = position_from(m, b.center, b.about);
   rigid_mass point_mass(*m.g);
   point_mass.mass = -b.mass;
   return i + shifted(point_mass, express(m, r, frame)).inertia;
@@ -44,8 +50,7 @@ constexpr vector collect_inertia(const mechanism& m, const body& b, sequence<exp
   for (const dyadic::part& p : b.inertia.parts)
     for (int i = 0; i < 9; ++i) wanted.push(p.value(i / 3, i % 3));
   vector from_center;
-  if (b.about != none && b.about != b.center)
-    from_center = position_from_origin(m, b.about) - position_from_origin(m, b.center);
+  if (b.about != none && b.about != b.center) from_center = position_from(m, b.center, b.about);
   for (const vector::part& p : from_center.parts)
     for (int i = 0; i < 3; ++i) wanted.push(p.value[i]);
   return from_center;

@@ -87,11 +87,13 @@ constexpr components scaled(expression s, const components& v) {
 }
 
 constexpr expression dot(const components& a, const components& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  const expression in_plane = sum_of_products(a.x, b.x, a.y, b.y), along_z = a.z * b.z;
+  return in_plane + along_z;
 }
 
 constexpr components cross(const components& a, const components& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The unit vector along axis `i` (0, 1, 2).

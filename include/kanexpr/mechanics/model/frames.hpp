@@ -44,9 +44,12 @@ constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, ex
   const expression s = sin(angle), c = cos(angle), v = 1 - c;
   f.kind = orientation::about_axis;
   f.direction = a;
-  f.to_parent.row[0] = {c + v * (a.x * a.x), v * (a.x * a.y) - s * a.z, v * (a.z * a.x) + s * a.y};
-  f.to_parent.row[1] = {v * (a.x * a.y) + s * a.z, c + v * (a.y * a.y), v * (a.y * a.z) - s * a.x};
-  f.to_parent.row[2] = {v * (a.z * a.x) - s * a.y, v * (a.y * a.z) + s * a.x, c + v * (a.z * a.z)};
+  f.to_parent.row[0] = {c + v * (a.x * a.x), difference_of_products(v, a.x * a.y, s, a.z),
+                        sum_of_products(v, a.z * a.x, s, a.y)};
+  f.to_parent.row[1] = {sum_of_products(v, a.x * a.y, s, a.z), c + v * (a.y * a.y),
+                        difference_of_products(v, a.y * a.z, s, a.x)};
+  f.to_parent.row[2] = {difference_of_products(v, a.z * a.x, s, a.y), sum_of_products(v, a.y * a.z, s, a.x),
+                        c + v * (a.z * a.z)};
   return m.frames.push(f);
 }
 
@@ -118,8 +121,9 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
 constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, int parent,
                                               const components& s) {
   const expression square = dot(s, s), twice = 2 / (square + 1), half = (1 - square) / 2;
-  const int place = add_frame_by_matrix(
-      m, called, parent, detail::matrix_of_quaternion(twice - 1, twice * s.x, twice * s.y, twice * s.z));
+  const expression e[]{twice - 1, twice * s.x, twice * s.y, twice * s.z};
+  const int place =
+      add_frame_by_matrix(m, called, parent, detail::matrix_of_quaternion(e[0], e[1], e[2], e[3]));
   const expression xy = s.x * s.y, yz = s.y * s.z, zx = s.z * s.x;
   m.frames[place].rates = {{s.x, {half + s.x * s.x, xy - s.z, zx + s.y}},
                            {s.y, {xy + s.z, half + s.y * s.y, yz - s.x}},

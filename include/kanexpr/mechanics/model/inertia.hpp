@@ -43,8 +43,7 @@ struct symmetric {
 };
 
 constexpr components operator*(const symmetric& a, const components& v) {
-  return {a.xx * v.x + a.xy * v.y + a.zx * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
-          a.zx * v.x + a.yz * v.y + a.zz * v.z};
+  return {dot({a.xx, a.xy, a.zx}, v), dot({a.xy, a.yy, a.yz}, v), dot({a.zx, a.yz, a.zz}, v)};
 }
 
 /// Whether an inertia, `symmetric` or a matrix, looks the same from all sides of axis `a`.
@@ -103,9 +102,9 @@ constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
     to.inertia.yy = at.inertia.yy + (z + x);
     to.inertia.zz = at.inertia.zz + (x + y);
   }
-  to.inertia.xy = at.inertia.xy - (r.x * h.y + r.y * k.x);
-  to.inertia.yz = at.inertia.yz - (r.y * h.z + r.z * k.y);
-  to.inertia.zx = at.inertia.zx - (r.z * h.x + r.x * k.z);
+  to.inertia.xy = at.inertia.xy - sum_of_products(r.x, h.y, r.y, k.x);
+  to.inertia.yz = at.inertia.yz - sum_of_products(r.y, h.z, r.z, k.y);
+  to.inertia.zx = at.inertia.zx - sum_of_products(r.z, h.x, r.x, k.z);
   return to;
 }
 

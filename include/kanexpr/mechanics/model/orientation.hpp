@@ -18,8 +18,8 @@ constexpr components turned(const elementary_rotation& h, const components& v) {
   const int b = (h.axis + 1) % 3, d = (h.axis + 2) % 3;
   const expression s = sin(h.angle), c = cos(h.angle);
   components out = v;
-  out[b] = c * v[b] - s * v[d];
-  out[d] = s * v[b] + c * v[d];
+  out[b] = difference_of_products(c, v[b], s, v[d]);
+  out[d] = sum_of_products(s, v[b], c, v[d]);
   return out;
 }
 
@@ -39,12 +39,14 @@ constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   const expression s = sin(h.angle), c = cos(h.angle);
   const expression difference = m(b, b) - m(d, d);
   const expression ss = s * s, sc = s * c;
-  const expression e = ss * difference + (2 * sc) * m(b, d);
+  const expression by_difference = ss * difference, by_product = (2 * sc) * m(b, d);
+  const expression e = by_difference + by_product;
   out(b, b) = m(b, b) - e;
   out(d, d) = m(d, d) + e;
-  out(b, d) = sc * difference + (1 - 2 * ss) * m(b, d);
-  out(a, b) = c * m(a, b) - s * m(d, a);
-  out(d, a) = s * m(a, b) + c * m(d, a);
+  out(b, d) = sc * difference;
+  out(b, d) += (1 - 2 * ss) * m(b, d);
+  out(a, b) = difference_of_products(c, m(a, b), s, m(d, a));
+  out(d, a) = sum_of_products(s, m(a, b), c, m(d, a));
   return out;
 }
 

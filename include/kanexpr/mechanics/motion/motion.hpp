@@ -71,8 +71,8 @@ public:
     components w(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      w = turn(angular_velocity(p), p, f) +
-          express(*m_, s_->relative_angular_velocity[f], s_->working_axes[f]);
+      w = turn(angular_velocity(p), p, f);
+      w += express(*m_, s_->relative_angular_velocity[f], s_->working_axes[f]);
     }
     return omega_[f].keep(w);
   }
@@ -84,7 +84,8 @@ public:
     components a(*m_->g);
     if (f != mechanism::inertial) {
       const int p = s_->turns_in[f];
-      a = turn(angular_acceleration(p), p, f) + rate(s_->relative_angular_velocity[f], f);
+      a = turn(angular_acceleration(p), p, f);
+      a += rate(s_->relative_angular_velocity[f], f);
     }
     return alpha_[f].keep(a);
   }
@@ -103,7 +104,8 @@ public:
     components v(*m_->g);
     if (!at.absolute) {
       v = velocity(at.parent, at.axes);
-      v += cross(angular_velocity(at.frame), s_->offset_in_working_axes(n));
+      const components w = angular_velocity(at.frame), r = s_->offset_in_working_axes(n);
+      v += cross(w, r);
     }
     v += express(*m_, at.relative_velocity, s_->working_axes[at.axes]);
     return velocity_[n].keep(v);
@@ -119,14 +121,18 @@ public:
     } else {
       a = acceleration(at.parent, at.axes);
       const components r = s_->offset_in_working_axes(n);
-      if (at.carried)
+      if (at.carried) {
         a += acceleration_matrix(at.frame) * r;
-      else
-        a += cross(angular_acceleration(at.frame), r) +
-             cross(angular_velocity(at.frame), rate(at.offset(), at.frame));
-      if (!at.relative_velocity.parts.empty())
-        a +=
-            cross(angular_velocity(at.frame), express(*m_, at.relative_velocity, s_->working_axes[at.frame]));
+      } else {
+        components of_offset = cross(angular_acceleration(at.frame), r);
+        const components w = angular_velocity(at.frame), change = rate(at.offset(), at.frame);
+        of_offset += cross(w, change);
+        a += of_offset;
+      }
+      if (!at.relative_velocity.parts.empty()) {
+        const components w = angular_velocity(at.frame);
+        a += cross(w, express(*m_, at.relative_velocity, s_->working_axes[at.frame]));
+      }
     }
     if (!at.relative_velocity.parts.empty()) a += rate(at.relative_velocity, at.axes);
     return acceleration_[n].keep(a);
@@ -155,8 +161,9 @@ public:
     for (const vector::part& p : v.parts) {
       const components own{rate(p.value.x), rate(p.value.y), rate(p.value.z)};
       const components here = express(*m_, p.value, p.frame, s_->working_axes[f]);
-      total += express(*m_, own, p.frame, s_->working_axes[f]) +
-               cross(turn(angular_velocity(p.frame), s_->rigid_with[p.frame], f), here);
+      components of_part = express(*m_, own, p.frame, s_->working_axes[f]);
+      of_part += cross(turn(angular_velocity(p.frame), s_->rigid_with[p.frame], f), here);
+      total += of_part;
     }
     return total;
   }

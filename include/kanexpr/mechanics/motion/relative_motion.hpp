@@ -33,8 +33,9 @@ constexpr vector step_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
   const station& at = s.stations[n];
   vector v = at.relative_velocity;
-  if (!at.absolute)
-    v.add(s.working_axes[at.frame], cross(k.angular_velocity(at.frame), s.offset_in_working_axes(n)));
+  if (at.absolute) return v;
+  const components w = k.angular_velocity(at.frame), r = s.offset_in_working_axes(n);
+  v.add(s.working_axes[at.frame], cross(w, r));
   return v;
 }
 

@@ -32,8 +32,10 @@ constexpr sequence<expression> kinematics_of_parameters(const sequence<parameter
                                                         symbolic::differentiation& along_time) {
   const components half{omega.x / 2, omega.y / 2, omega.z / 2};
   sequence<expression> vanishing;
-  for (const parameter_rate& each : rates)
-    vanishing.push(along_time.of(each.parameter) - dot(each.by_turning, half));
+  for (const parameter_rate& each : rates) {
+    const expression rate = along_time.of(each.parameter);
+    vanishing.push(rate - dot(each.by_turning, half));
+  }
   return vanishing;
 }
 

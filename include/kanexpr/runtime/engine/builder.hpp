@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/engine/derived_from_builder.hpp>
+#include <kanexpr/runtime/engine/own_graph.hpp>
 
 namespace kanexpr::runtime {
 
@@ -209,7 +210,7 @@ KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
     inspect_.fail({unknown.view()});
     return {};
   }
-  return mechanics::position_from_origin(m_, place(point)) - mechanics::position_from_origin(m_, place(from));
+  return mechanics::position_from(m_, place(from), place(point));
 }
 
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
@@ -314,6 +315,13 @@ namespace kanexpr {
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
   return model(
       std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.mistake()));
+}
+
+KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
+  const auto own = std::make_shared<symbolic::graph>();
+  mechanics::multibody_system system(built.system());
+  move_to(*own, system);
+  return model(std::make_shared<derived_from_builder>(own, system, built.mistake()));
 }
 
 } // namespace kanexpr

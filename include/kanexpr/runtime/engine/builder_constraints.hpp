@@ -35,9 +35,9 @@ KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
 KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
   if (!may_vanish(vanishes, direction, "a velocity constraint")) return;
   const int axes = direction.parts[0].frame;
-  const expression value =
-      mechanics::dot(mechanics::express(m_, vanishes, axes), mechanics::express(m_, direction, axes));
-  system_.constraints.on_velocities.push({value, vanishes, direction});
+  const mechanics::components velocity = mechanics::express(m_, vanishes, axes),
+                              along = mechanics::express(m_, direction, axes);
+  system_.constraints.on_velocities.push({mechanics::dot(velocity, along), vanishes, direction});
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {

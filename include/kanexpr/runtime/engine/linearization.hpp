@@ -46,8 +46,8 @@ public:
     if (solve_numbers::are_numbers(explicit_.A) && solve_numbers::are_numbers(explicit_.B)) return explicit_;
     const std::size_t known_problems = failures_.size();
     const explicit_matrices derived = from_derivation();
-    if (failures_.size() == known_problems && operations(derived) < operations(explicit_))
-      explicit_ = derived;
+    const int at_present = operations(explicit_);
+    if (failures_.size() == known_problems && operations(derived) < at_present) explicit_ = derived;
     failures_.resize(known_problems);
     return explicit_;
   }

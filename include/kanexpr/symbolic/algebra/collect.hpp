@@ -26,7 +26,8 @@ KANEXPR_ENGINE rewritten collect(expression e, const sequence<expression>& by, s
        algebra::coefficients<algebra::rational>(sums.front(), is_collected)) {
     const bool negative = algebra::is_all_negative(coefficient);
     const expression magnitude = algebra::sum_in(g, negative ? -coefficient : coefficient);
-    const expression term = magnitude * algebra::side_of(g, powers, 1) / algebra::side_of(g, powers, -1);
+    const expression above = magnitude * algebra::side_of(g, powers, 1);
+    const expression term = above / algebra::side_of(g, powers, -1);
     sum = negative ? sum - term : sum + term;
   }
   return {sum, {}};

@@ -31,7 +31,8 @@ private:
     if (op == operation::divide)
       return b.is_zero() ? over_zero(a) : multiplied(product(a, inverse(b), left_));
     if (is_atomic(op)) return atom<rational>({g_, id});
-    const real_polynomial f = function_of<rational>(op, argument(a), argument(b));
+    const unsigned_argument x = argument(a), y = argument(b);
+    const real_polynomial f = function_of<rational>(op, x, y);
     if (op == operation::sqrt && f.size() == 1 && !f.is_constant()) meanings_[f.terms[0].factors[0].base] = a;
     return f;
   }

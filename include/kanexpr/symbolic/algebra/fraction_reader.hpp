@@ -45,7 +45,8 @@ private:
       return {p, {}};
     }
     if (const auto known = form.function(op, a)) return divided({known->first, {}}, {known->second, {}});
-    const polynomial<C> f = function_of<C>(op, form.argument(a), form.argument(b));
+    const unsigned_argument x = form.argument(a), y = form.argument(b);
+    const polynomial<C> f = function_of<C>(op, x, y);
     if (f.is_constant()) return {f, {}};
     const int base = f.terms.front().factors.front().base;
     form.meets_opaque(base);

@@ -38,7 +38,8 @@ inline expression quotient_in(graph& g, const real_fraction& f) {
     front.factors = times(front.factors, outside.factors, -exponent);
   }
   const expression sum = sum_in(g, is_all_negative(above) ? -above : above);
-  const expression numerator = number_in(g, front.coefficient) * side_of(g, front.factors, 1) * sum;
+  const expression coefficient = number_in(g, front.coefficient);
+  const expression numerator = coefficient * side_of(g, front.factors, 1) * sum;
   const expression quotient = numerator / (side_of(g, front.factors, -1) * divisors);
   return negative ? -quotient : quotient;
 }

@@ -22,10 +22,11 @@ KANEXPR_ENGINE expression simplify(expression e, std::size_t most_terms) {
   graph& g = e.owner();
   const expression written_out(g, expand_solves(g, {e.node()})[0]);
   expression best = written_out;
+  int least = detail::operations(best);
   for (const expression form :
        {expression(cancel(written_out, most_terms)),
         expression(cancel(trigonometric_normal_form(written_out, most_terms), most_terms))})
-    if (detail::operations(form) < detail::operations(best)) best = form;
+    if (const int taken = detail::operations(form); taken < least) best = form, least = taken;
   return best;
 }
 

@@ -33,7 +33,7 @@ inline expression side_of(graph& g, const monomial& m, int sign) {
 inline expression number_in(graph& g, const rational& r) { return constant(g, number_of(r)); }
 
 inline expression term_in(graph& g, const term<rational>& t) {
-  const expression above = number_in(g, t.coefficient) * side_of(g, t.factors, 1);
+  const expression coefficient = number_in(g, t.coefficient), above = coefficient * side_of(g, t.factors, 1);
   return above / side_of(g, t.factors, -1);
 }
 
@@ -92,8 +92,10 @@ template <class C>
 polynomial<C> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
   graph& g = x.magnitude.owner();
   const parity symmetry = is_function(op) ? properties_of(op).symmetry : parity::none;
-  if (symmetry == parity::none)
-    return atom<C>({g, build(g, op, x.value().node(), is_binary(op) ? y.value().node() : 0)});
+  if (symmetry == parity::none) {
+    const expression first = x.value();
+    return atom<C>({g, build(g, op, first.node(), is_binary(op) ? y.value().node() : 0)});
+  }
   const polynomial<C> f = atom<C>(apply(op, x.magnitude));
   return symmetry == parity::odd && x.negative ? -f : f;
 }

@@ -27,7 +27,7 @@ constexpr partials local_partials(graph& g, int id) {
   }
   case form::function: return {slope_of(n.op, expression{g, n.a}, expression{g, id}).node(), zero};
   case form::atan2: {
-    const expression a{g, n.a}, b{g, n.b}, square = a * a + b * b;
+    const expression a{g, n.a}, b{g, n.b}, square = sum_of_products(a, a, b, b);
     return {(b / square).node(), (-(a / square)).node()};
   }
   case form::selection: return {zero, selected(g, n.op, n.a, one)};

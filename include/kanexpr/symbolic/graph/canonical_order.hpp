@@ -5,9 +5,8 @@
 #include <bit>
 #include <cstdint>
 
-/// An order of nodes that follows from what they are. Their numbers depend on the order in which a compiler
-/// evaluates operands, so that a sum over nodes by number may round otherwise in the program than in the
-/// compiler.
+/// An order of nodes that follows from what they are. Their numbers depend on what was formed before, and
+/// where users form expressions, on the order in which a compiler evaluates operands.
 namespace kanexpr::symbolic {
 
 namespace detail {

@@ -6,14 +6,14 @@
 namespace kanexpr::symbolic {
 
 /// √(x² + y²). The squares may overflow, as those of a vector's magnitude may.
-constexpr expression hypot(expression x, expression y) { return sqrt(x * x + y * y); }
+constexpr expression hypot(expression x, expression y) { return sqrt(sum_of_products(x, x, y, y)); }
 
 /// `positive` where the condition is positive, else `other`; not-a-number where the condition is none. What
 /// is not chosen does not matter, even where it has no value, nor does its derivative.
 constexpr expression if_positive(expression condition, expression positive, expression other) {
   if (positive == other) return other;
-  return selected(operation::if_positive, condition, positive) +
-         selected(operation::if_not_positive, condition, other);
+  const expression first = selected(operation::if_positive, condition, positive);
+  return first + selected(operation::if_not_positive, condition, other);
 }
 
 /// The smaller one; where both are equal the second, and not-a-number where one of them is none.
@@ -31,16 +31,16 @@ constexpr expression smooth_abs(expression x, expression width) { return x * tan
 /// width ln(1 + e^(x/width)): max(x, 0) with its corner rounded, at most 0.7 width above it. Of the two
 /// exponentials the one that is at most 1 is taken; both branches have the same derivatives where they meet.
 constexpr expression softplus(expression x, expression width) {
-  const expression least = if_positive(x, -x, x);
-  return selected(operation::if_positive, x, x) + width * log(exp(least / width) + 1);
+  const expression least = if_positive(x, -x, x), above_zero = selected(operation::if_positive, x, x);
+  return above_zero + width * log(exp(least / width) + 1);
 }
 
 /// From 0 at `from` to 1 at `to`, with continuous second derivatives, and constant beyond:
 /// t³ (6 t² − 15 t + 10) of the part t of the way.
 constexpr expression smooth_step(expression x, expression from, expression to) {
   const expression zero = x.number(exactly(0)), one = x.number(exactly(1));
-  const expression t = clamp((x - from) / (to - from), zero, one);
-  return t * t * t * (t * (6 * t - 15) + 10);
+  const expression gone = x - from, t = clamp(gone / (to - from), zero, one), cube = t * t * t;
+  return cube * (t * (6 * t - 15) + 10);
 }
 
 } // namespace kanexpr::symbolic

@@ -103,6 +103,18 @@ private:
   int node_;
 };
 
+/// a b + c d. The operands of `+` have no order among themselves, and nodes are numbered as they are made; so
+/// where several of them make nodes, each gets a name first, here and wherever expressions are formed.
+constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
+  const expression first = a * b, second = c * d;
+  return first + second;
+}
+/// a b − c d.
+constexpr expression difference_of_products(expression a, expression b, expression c, expression d) {
+  const expression first = a * b, second = c * d;
+  return first - second;
+}
+
 constexpr expression apply(operation op, expression a) {
   if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};
   return {a.owner(), apply(a.owner(), op, a.node())};

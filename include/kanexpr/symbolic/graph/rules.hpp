@@ -78,8 +78,10 @@ constexpr int add(graph& g, int a, int b) {
     return graph::one;
   // constants gather in front: (c + x) + y is c + (x + y) only where that meets another constant
   if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
-      nodes[y.a].op == operation::constant)
-    return add(g, g.constant(g.number_at(x.a) + g.number_at(y.a)), add(g, x.b, y.b));
+      nodes[y.a].op == operation::constant) {
+    const int c = g.constant(g.number_at(x.a) + g.number_at(y.a));
+    return add(g, c, add(g, x.b, y.b));
+  }
   return g.find_or_append(a < b ? node{operation::add, a, b} : node{operation::add, b, a});
 }
 
@@ -143,8 +145,10 @@ constexpr int multiply(graph& g, int a, int b) {
   if (x.op == operation::divide && x.b == b) return x.a;
   if (y.op == operation::divide && y.b == a) return y.a;
   if (x.op == operation::multiply && nodes[x.a].op == operation::constant && y.op == operation::multiply &&
-      nodes[y.a].op == operation::constant)
-    return multiply(g, g.constant(g.number_at(x.a) * g.number_at(y.a)), multiply(g, x.b, y.b));
+      nodes[y.a].op == operation::constant) {
+    const int c = g.constant(g.number_at(x.a) * g.number_at(y.a));
+    return multiply(g, c, multiply(g, x.b, y.b));
+  }
   return g.find_or_append(a < b ? node{operation::multiply, a, b} : node{operation::multiply, b, a});
 }
 

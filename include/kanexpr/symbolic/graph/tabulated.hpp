@@ -30,7 +30,8 @@ constexpr expression slope_between(const table_points& p, int before, int behind
   const expression left = 2 * p.length[behind] + p.length[before],
                    right = p.length[behind] + 2 * p.length[before];
   const expression product = p.slope[before] * p.slope[behind], zero = product.number(exactly(0));
-  const expression mean = (left + right) * product / (left * p.slope[behind] + right * p.slope[before]);
+  const expression above = (left + right) * product;
+  const expression mean = above / sum_of_products(left, p.slope[behind], right, p.slope[before]);
   return if_positive(product, mean, zero);
 }
 
@@ -38,10 +39,11 @@ constexpr expression slope_between(const table_points& p, int before, int behind
 /// Moler, Numerical Computing with MATLAB (2004), section 3.6.
 constexpr expression slope_at_end(const table_points& p, int first, int second) {
   const expression h = p.length[first], beside = p.length[second], s = p.slope[first];
-  const expression parabola = ((2 * h + beside) * s - h * p.slope[second]) / (h + beside);
+  const expression above = difference_of_products(2 * h + beside, s, h, p.slope[second]);
+  const expression parabola = above / (h + beside);
   const expression most = 3 * s, zero = s.number(exactly(0));
-  const expression bounded =
-      if_positive(s * p.slope[second], parabola, if_positive(abs(parabola) - abs(most), most, parabola));
+  const expression turns = s * p.slope[second], steepness = abs(parabola), excess = steepness - abs(most);
+  const expression bounded = if_positive(turns, parabola, if_positive(excess, most, parabola));
   return if_positive(parabola * s, bounded, zero);
 }
 
@@ -61,8 +63,8 @@ constexpr expression climbed(const table_points& p, const sequence<expression>& 
   expression sum = p.y[0];
   for (int i = 0; i < passed.size(); ++i) {
     const expression t = i + 1 < passed.size() ? passed[i] - passed[i + 1] : passed[i], h = p.length[i];
-    const expression bend = (3 * p.slope[i] - 2 * d[i] - d[i + 1]) / h,
-                     twist = (d[i] + d[i + 1] - 2 * p.slope[i]) / (h * h);
+    const expression thrice = 3 * p.slope[i], bend = (thrice - 2 * d[i] - d[i + 1]) / h,
+                     ends = d[i] + d[i + 1], excess = ends - 2 * p.slope[i], twist = excess / (h * h);
     sum += t * (d[i] + t * (bend + t * twist));
   }
   return sum;
@@ -93,7 +95,8 @@ constexpr expression periodic(expression x, const expression* points, int count)
   const detail::table_points p(points, count);
   const int last = count - 1;
   const expression middle = (p.x[0] + p.x[last]) / 2, turn = whole_turn / (p.x[last] - p.x[0]),
-                   angle = turn * (x - middle), within = middle + atan2(sin(angle), cos(angle)) / turn;
+                   angle = turn * (x - middle), sine = sin(angle),
+                   within = middle + atan2(sine, cos(angle)) / turn;
   sequence<expression> d, passed;
   for (int i = 0; i <= last; ++i)
     d.push(detail::slope_between(p, i == 0 ? last - 1 : i - 1, i == last ? 0 : i));

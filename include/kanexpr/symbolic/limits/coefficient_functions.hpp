@@ -48,13 +48,15 @@ inline std::optional<coefficient> atan2(const coefficient& y, const coefficient&
     return coefficient(real(elementary::atan2(y.value().value(), x.value().value())), is_exact, at);
   }
   graph& g = y.is_number() ? x.owner() : y.owner();
-  return coefficient(atan2(y.in(g), x.in(g)), at);
+  const expression above = y.in(g);
+  return coefficient(atan2(above, x.in(g)), at);
 }
 
 /// The condition is an expression.
 inline coefficient selected(operation op, const coefficient& condition, const coefficient& x) {
   graph& g = condition.owner();
-  return {selected(op, condition.in(g), x.in(g)), apply(op, condition.at(), x.at())};
+  const expression on = condition.in(g);
+  return {selected(op, on, x.in(g)), apply(op, condition.at(), x.at())};
 }
 
 /// The caller has made sure that the base is not zero.
@@ -71,7 +73,8 @@ inline std::optional<coefficient> power(const coefficient& base, const coefficie
   }
   if (base.is_number() && base.value().negative()) return std::nullopt;
   graph& g = base.is_number() ? exponent.owner() : base.owner();
-  return coefficient(power(base.in(g), exponent.in(g)), at);
+  const expression of = base.in(g);
+  return coefficient(power(of, exponent.in(g)), at);
 }
 
 } // namespace kanexpr::symbolic::taylor

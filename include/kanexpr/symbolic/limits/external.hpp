@@ -42,7 +42,8 @@ inline series called(graph& g, const external_function& f, const std::vector<ser
     if (operands[i].is_constant()) continue;
     const external_function& slope = f.slope(static_cast<int>(i));
     if (!slope.is_given()) return {0, {first}, 1, most};
-    rate = rate + called(g, slope, operands, terms - 1, most) * derivative(operands[i]);
+    const series by_operand = called(g, slope, operands, terms - 1, most);
+    rate = rate + by_operand * derivative(operands[i]);
   }
   return integral(rate, first);
 }

@@ -56,7 +56,8 @@ inline expansion tan(const series& s) {
   if (!cosine) return obstacle::not_real;
   if (cosine->is_zero()) {
     if (s.is_constant()) return obstacle::zero_divisor;
-    return quotient(*sine(s, operation::sin), *sine(s, operation::cos));
+    const series above = *sine(s, operation::sin);
+    return quotient(above, *sine(s, operation::cos));
   }
   const std::optional<coefficient> first = apply(operation::tan, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);

@@ -17,7 +17,8 @@ inline expansion integral_from(const std::optional<coefficient>& f, const expans
 inline expansion log(const series& s) {
   if (s.is_zero() || (s.has_terms() && s.order() != 0)) return obstacle::zero_logarithm;
   if (!s.has_terms()) return obstacle::truncated;
-  return integral_from(apply(operation::log, s[0]), quotient(derivative(s), s));
+  const std::optional<coefficient> first = apply(operation::log, s[0]);
+  return integral_from(first, quotient(derivative(s), s));
 }
 
 inline expansion atan(const series& s) {
@@ -30,7 +31,9 @@ inline expansion atan(const series& s) {
     return series(*side * coefficient(real(right_angle))) - *rest;
   }
   if (s.end() <= 0) return obstacle::truncated;
-  return integral_from(apply(operation::atan, s[0]), quotient(derivative(s), series(coefficient(1)) + s * s));
+  const std::optional<coefficient> first = apply(operation::atan, s[0]);
+  const series rate = derivative(s);
+  return integral_from(first, quotient(rate, series(coefficient(1)) + s * s));
 }
 
 /// The arcsine, or the arccosine. At the ends of its range the rate is a quotient of what vanishes.
@@ -68,8 +71,9 @@ inline expansion atan2(const series& y, const series& x) {
   if (y.end() <= order || x.end() <= order) return obstacle::truncated;
   const bool is_positive = x[order].is_number() && !x[order].value().negative();
   if (!y.has_terms() && !y.is_zero() && !is_positive) return obstacle::truncated;
-  return integral_from(detail::first_angle(y, x, order),
-                       quotient(x * derivative(y) - y * derivative(x), x * x + y * y));
+  const std::optional<coefficient> first = detail::first_angle(y, x, order);
+  const series climb = x * derivative(y), turn = climb - y * derivative(x), square = x * x;
+  return integral_from(first, quotient(turn, square + y * y));
 }
 
 } // namespace kanexpr::symbolic::taylor

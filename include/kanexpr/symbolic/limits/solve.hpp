@@ -81,7 +81,7 @@ private:
     std::vector<generic_values> values;
     for (const series& s : a_) entries.push(s[0].in(g_).node());
     for (const coefficient& c : b) rights.push(c.in(g_).node()), values.push_back(c.at());
-    const int all = solution(g_, op_, factorization(g_, entries, n_), list_of(g_, rights));
+    const int factors = factorization(g_, entries, n_), all = solution(g_, op_, factors, list_of(g_, rights));
     const std::vector<generic_values> x = *solved(values_of_first(), values);
     std::vector<coefficient> found;
     found.reserve(x.size());
@@ -92,7 +92,8 @@ private:
 
   series cofactor(int i, int j) const {
     if (n_ == 2) return i == j ? at(i + 1, j + 1) : -at(i + 1, j + 1);
-    return at(i + 1, j + 1) * at(i + 2, j + 2) - at(i + 1, j + 2) * at(i + 2, j + 1);
+    const series product = at(i + 1, j + 1) * at(i + 2, j + 2);
+    return product - at(i + 1, j + 2) * at(i + 2, j + 1);
   }
 
   obstacle by_cofactors(std::vector<series>& x) const {

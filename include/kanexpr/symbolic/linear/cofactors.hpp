@@ -58,7 +58,8 @@ private:
   constexpr int at(int i, int j, bool transposed) const { return transposed ? at(j, i) : at(i, j); }
   /// p s - q r
   constexpr int minor_of(int p, int q, int r, int s) {
-    return subtract(g_, multiply(g_, p, s), multiply(g_, q, r));
+    const int product = multiply(g_, p, s);
+    return subtract(g_, product, multiply(g_, q, r));
   }
 
   /// The cofactor of an entry, with its sign.

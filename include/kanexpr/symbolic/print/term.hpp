@@ -96,7 +96,7 @@ inline std::strong_ordering compare_names(std::string_view a, std::string_view b
 }
 
 /// Reads a graph as sums of products. The order of terms and of factors follows from names and structure
-/// alone: the numbers of nodes depend on the order in which a compiler evaluates operands.
+/// alone: the numbers of nodes depend on the order in which a user's compiler evaluates operands.
 class term_reader {
 public:
   explicit term_reader(const graph& g) : graph_(g) {}

@@ -23,9 +23,10 @@ private:
     const node n = g_[e.node()]; // the graph grows
     const expression a(g_, n.a), b(g_, is_binary(n.op) && n.op < operation::pair ? n.b : n.a);
     if (n.op == operation::negate) return of(a);
-    if (n.op == operation::add || n.op == operation::subtract) return of(a) + of(b);
     if (n.op == operation::multiply) return product(a, b);
-    return n.op == operation::divide ? of(a) / abs(b) : abs(e);
+    if (n.op != operation::add && n.op != operation::subtract && n.op != operation::divide) return abs(e);
+    const expression first = of(a);
+    return n.op == operation::divide ? first / abs(b) : first + of(b);
   }
 
   /// To first order, so that what is left of sums that nearly vanish does not grow from product to product.
@@ -33,7 +34,8 @@ private:
     const expression left = abs(a), right = abs(b);
     if (of(a).node() == left.node()) return left * of(b);
     if (of(b).node() == right.node()) return of(a) * right;
-    return of(a) * right + left * (of(b) - right);
+    const expression by_a = of(a) * right;
+    return by_a + left * (of(b) - right);
   }
 
   graph& g_;

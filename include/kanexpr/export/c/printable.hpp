@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kanexpr::exporting {
+
+/// Text that comments and XML can hold: UTF-8 without control characters; an underscore stands for each byte
+/// that is none.
+inline std::string printable(std::string_view text) {
+  std::string fit;
+  while (!text.empty()) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
+    bool is_fit = byte(0) < 0x80 ? byte(0) >= ' ' && byte(0) != 0x7f : byte(0) >= 0xc2 && byte(0) < 0xf5;
+    is_fit = is_fit && length <= text.size();
+    for (std::size_t i = 1; is_fit && i < length; ++i) is_fit = (byte(i) & 0xc0u) == 0x80;
+    fit += is_fit ? text.substr(0, length) : "_";
+    text.remove_prefix(is_fit ? length : 1);
+  }
+  return fit;
+}
+
+} // namespace kanexpr::exporting

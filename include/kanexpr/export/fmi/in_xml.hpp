@@ -1,0 +1,23 @@
+#pragma once
+
+#include <kanexpr/export/c/printable.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace kanexpr::exporting {
+
+/// Text as a value of an attribute.
+inline std::string in_xml(std::string_view text) {
+  std::string escaped;
+  for (const char c : printable(text)) switch (c) {
+    case '&': escaped += "&amp;"; break;
+    case '<': escaped += "&lt;"; break;
+    case '>': escaped += "&gt;"; break;
+    case '"': escaped += "&quot;"; break;
+    default: escaped += c;
+    }
+  return escaped;
+}
+
+} // namespace kanexpr::exporting

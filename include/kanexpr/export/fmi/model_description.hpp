@@ -1,0 +1,162 @@
+#pragma once
+
+#include <kanexpr/base/version.hpp>
+#include <kanexpr/export/c/filled.hpp>
+#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/fmi/fmu.hpp>
+#include <kanexpr/export/fmi/in_xml.hpp>
+
+namespace kanexpr::exporting {
+
+/// Writes modelDescription.xml of FMI 3.0, and what tells how to compile the sources.
+class model_description {
+public:
+  explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
+
+  std::string text(const std::string& token) const {
+    return filled(
+        R"(<?xml version="1.0" encoding="UTF-8"?>
+<fmiModelDescription fmiVersion="3.0" modelName="@name@" instantiationToken="{@token@}"
+  generationTool="kanexpr @version@" variableNamingConvention="flat">
+  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@watched@"
+    providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
+  <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
+    fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
+  <LogCategories>
+    <Category name="logStatusDiscard" description="what cannot be computed at a state"/>
+    <Category name="logStatusError" description="calls that are not understood"/>
+  </LogCategories>
+  <ModelVariables>
+@variables@  </ModelVariables>
+  <ModelStructure>
+@structure@  </ModelStructure>
+</fmiModelDescription>
+)",
+        {{"name", system_.name},
+         {"token", token},
+         {"version", version()},
+         {"watched", of_.function(fmu::correction) == nullptr && of_.indicators.empty() ? "false" : "true"},
+         {"step", number(of_.step_length)},
+         {"variables", variables()},
+         {"structure", structure()}});
+  }
+
+  /// buildDescription.xml, which stands beside the sources.
+  std::string build() const {
+    return filled(R"(<?xml version="1.0" encoding="UTF-8"?>
+<fmiBuildDescription fmiVersion="3.0">
+  <BuildConfiguration modelIdentifier="@name@">
+    <SourceFileSet language="C99">
+      <SourceFile name="@name@.c"/>
+      <SourceFile name="@name@_fmi.c"/>
+    </SourceFileSet>
+  </BuildConfiguration>
+</fmiBuildDescription>
+)",
+                  {{"name", system_.name}});
+  }
+
+private:
+  static std::string version() {
+    return std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
+           std::to_string(KANEXPR_VERSION_PATCH);
+  }
+  static std::string number(double value) { return scalar(precision::double_precision).number(value); }
+
+  static std::string variable(const fmu_variable& v, int reference, const std::string& attributes) {
+    std::string text = "    <Float64 name=\"" + in_xml(v.name) + "\" valueReference=\"" +
+                       std::to_string(reference) + "\" " + attributes;
+    if (!v.of.empty()) text += " description=\"" + in_xml(v.of) + " in the model\"";
+    return text + "/>\n";
+  }
+  static std::string start_of(const fmu_variable& v) { return " start=\"" + number(v.start) + '"'; }
+
+  std::string variables() const {
+    std::string text = variable({of_.time, {}, 0}, 0, R"(causality="independent" variability="continuous")");
+    for (int i = 0; i < of_.count_of_states(); ++i) {
+      const fmu_variable& v = of_.states[static_cast<std::size_t>(i)];
+      text +=
+          variable(v, fmu::first_state + i,
+                   std::string(R"(causality="output" variability="continuous" initial=")") +
+                       (of_.dependent[static_cast<std::size_t>(i)] ? "approx\"" : "exact\"") + start_of(v));
+    }
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      text += variable(of_.rates_of_states[static_cast<std::size_t>(i)], of_.first_rate() + i,
+                       R"(causality="local" variability="continuous" initial="calculated" derivative=")" +
+                           std::to_string(fmu::first_state + i) + '"');
+    int reference = of_.first_parameter();
+    for (const fmu_variable& v : of_.parameters)
+      text += variable(v, reference++,
+                       R"(causality="parameter" variability="tunable" initial="exact")" + start_of(v));
+    for (const fmu_variable& v : of_.inputs)
+      text += variable(v, reference++, R"(causality="input" variability="continuous")" + start_of(v));
+    for (const fmu_variable& v : of_.outputs)
+      text += variable(v, reference++, R"(causality="output" variability="continuous" initial="calculated")");
+    for (const fmu_variable& v : of_.indicators)
+      text += variable(v, reference++, R"(causality="local" variability="continuous" initial="calculated")");
+    return text;
+  }
+
+  /// Each unknown with what it depends on.
+  std::string structure() const {
+    std::string text;
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      text += unknown("Output", fmu::first_state + i, ' ' + std::to_string(fmu::first_state + i));
+    for (int i = 0; i < static_cast<int>(of_.outputs.size()); ++i)
+      text += unknown("Output", of_.first_output() + i, measured_depends_on(i));
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      text += unknown("ContinuousStateDerivative", of_.first_rate() + i, rate_depends_on(i));
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      if (of_.dependent[static_cast<std::size_t>(i)]) text += initial_unknown(fmu::first_state + i);
+    for (int i = 0; i < static_cast<int>(of_.outputs.size()); ++i)
+      text += initial_unknown(of_.first_output() + i);
+    for (int i = 0; i < of_.count_of_states(); ++i) text += initial_unknown(of_.first_rate() + i);
+    for (int i = 0; i < static_cast<int>(of_.indicators.size()); ++i)
+      text += unknown("EventIndicator", of_.first_indicator() + i,
+                      measured_depends_on(static_cast<int>(of_.outputs.size()) + i));
+    return text;
+  }
+
+  static std::string unknown(const char* kind, int reference, const std::string& on) {
+    return std::string("    <") + kind + " valueReference=\"" + std::to_string(reference) +
+           "\" dependencies=\"" + (on.empty() ? on : on.substr(1)) + "\"/>\n";
+  }
+  /// At the start parameters count too, and what the constraints give depends on all states: so on whatever
+  /// is known then, which CasADi wants to read in full.
+  std::string initial_unknown(int reference) const {
+    std::string on;
+    for (int i = 0; i < of_.count_of_states(); ++i)
+      if (!of_.dependent[static_cast<std::size_t>(i)]) on += ' ' + std::to_string(fmu::first_state + i);
+    for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on += ' ' + std::to_string(i);
+    return unknown("InitialUnknown", reference, " 0" + on);
+  }
+
+  std::string rate_depends_on(int i) const {
+    return depends_on(of_.function(fmu::jacobian), of_.function(fmu::rates_by_time), i);
+  }
+  std::string measured_depends_on(int i) const {
+    const exported_function* by_all = of_.function(fmu::measured_derivatives);
+    return depends_on(by_all, by_all, i);
+  }
+
+  /// The columns of a row that do not vanish.
+  std::string depends_on(const exported_function* by_state, const exported_function* by_time, int row) const {
+    std::string on;
+    const auto look = [&](const exported_function* f, const char* matrix, int first) {
+      if (f == nullptr) return;
+      for (const exported_result& each : f->results)
+        if (each.name == matrix)
+          for (int j = 0; j < each.columns; ++j)
+            if (!fmu::is_zero(*f, each.first + row * each.columns + j)) on += ' ' + std::to_string(first + j);
+    };
+    look(by_time, "by_time", 0);
+    look(by_state, "by_state", fmu::first_state);
+    look(by_state, "by_inputs", of_.first_input());
+    return on;
+  }
+
+  const fmu& of_;
+  const exported_system& system_;
+};
+
+} // namespace kanexpr::exporting

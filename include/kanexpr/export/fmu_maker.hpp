@@ -1,0 +1,216 @@
+#pragma once
+
+#include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/export/c/printable.hpp>
+#include <kanexpr/export/exporter.hpp>
+#include <kanexpr/export/fmi/fmu.hpp>
+
+#include <set>
+
+namespace kanexpr::exporting {
+
+/// An entry of the state that an event gives a new value: `set<-0.8 * u>(u)`.
+struct changed_value {
+  symbol_name what;
+  wanted_result to{};
+};
+
+template <auto value>
+changed_value set(const symbol_name& what) {
+  return {what, {what.name(), deriving::requested<value>::value}};
+}
+inline changed_value set(const symbol_name& what, symbolic::expression to) {
+  return {what, {what.name(), {}, to}};
+}
+
+/// Something that happens where an expression of the model passes zero, in the words of a simulation.
+struct exported_event {
+  std::string name{};
+  wanted_result watched{};
+  crossing direction = crossing::either;
+  std::vector<changed_value> changes{};
+  after_event then = after_event::go_on;
+};
+
+/// The event that an expression of the model passes zero, or that an equation holds:
+/// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
+template <auto watched>
+exported_event when(const std::string& name, crossing direction = crossing::either,
+                    std::vector<changed_value> changes = {}, after_event then = after_event::go_on) {
+  return {name, {name, deriving::requested<watched>::value}, direction, std::move(changes), then};
+}
+/// The same of what a builder builds.
+inline exported_event when(const std::string& name, symbolic::expression passes_zero,
+                           crossing direction = crossing::either, std::vector<changed_value> changes = {},
+                           after_event then = after_event::go_on) {
+  return {name, {name, {}, passes_zero}, direction, std::move(changes), then};
+}
+
+/// Of an FMU.
+struct fmu_options {
+  std::vector<wanted_function> outputs{}; ///< beside the state
+  std::vector<bound_parameter> bound{};
+  std::vector<named_value> start{}; ///< of states and inputs, else zero, and of all parameters
+  std::vector<exported_event> events{};
+  double step = 1e-3;          ///< of a co-simulation inside, s
+  std::string compiler = "cc"; ///< of C, as a shell calls it; empty: sources alone
+};
+
+struct made_fmu {
+  fmu of{};
+  std::string mistake{};
+};
+
+/// Makes an FMU of a system.
+class fmu_maker {
+public:
+  fmu_maker(std::string name, std::function<model()> derive, const fmu_options& chosen)
+      : name_(std::move(name)), derive_(std::move(derive)), chosen_(chosen) {}
+
+  made_fmu run() {
+    if (!(chosen_.step > 0 && std::isfinite(chosen_.step)))
+      refuse("the internal step of a co-simulation must be positive");
+    gather();
+    if (made_.mistake.empty()) {
+      exported found = exporter(name_, derive_, wanted_).run();
+      made_.of.system = std::move(found.system);
+      made_.mistake = std::move(found.mistake);
+    }
+    if (made_.mistake.empty()) describe();
+    if (made_.mistake.empty()) take_starts();
+    return std::move(made_);
+  }
+
+private:
+  /// What is to be exported.
+  void gather() {
+    const model first = derive_();
+    known_ = first.known();
+    if (!first.mistake().empty()) return refuse(first.mistake());
+    wanted_.bound = chosen_.bound;
+    wanted_.functions = {results(fmu::rates), results(fmu::jacobian)};
+    wanted_function by_time = results(fmu::rates);
+    by_time.name = fmu::rates_by_time, by_time.derivatives = {symbols::time};
+    wanted_.functions.push_back(by_time);
+    wanted_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
+    for (const wanted_function& each : chosen_.outputs) {
+      if (!each.mistake.empty()) return refuse(each.mistake);
+      if (each.step) return refuse(each.name + " is a step, and no output");
+      for (const wanted_result& one : each.results) measured.results.push_back(one);
+    }
+    for (const exported_event& each : chosen_.events) measured.results.push_back(each.watched);
+    for (const exported_event& each : chosen_.events)
+      for (const changed_value& one : each.changes) changes.results.push_back(one.to);
+    if (!measured.results.empty()) {
+      wanted_.functions.push_back(measured);
+      measured.name = fmu::measured_derivatives;
+      measured.derivatives = {symbols::state, symbols::inputs, symbols::time};
+      wanted_.functions.push_back(measured);
+    }
+    if (!changes.results.empty()) wanted_.functions.push_back(changes);
+    wanted_.functions.push_back(fixed_step(fmu::step, {step_method::runge_kutta_4}));
+    if (known_->constraints > 0 || known_->quaternions > 0)
+      wanted_.functions.push_back(fixed_step(fmu::correction, {step_method::corrections_alone}));
+  }
+
+  void describe() {
+    fmu& f = made_.of;
+    const exported_system& s = f.system;
+    f.step_length = chosen_.step;
+    for (int i = 0; i < known_->coordinates + known_->speeds; ++i)
+      f.dependent.push_back(known_->dependent[i]);
+    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
+      for (const std::string& each : *names) f.states.push_back(variable(each));
+    for (int i = 0, last = 0; i < known_->coordinates; ++i)
+      if (known_->quaternion_of[i] > last) {
+        last = known_->quaternion_of[i];
+        f.states[static_cast<std::size_t>(i)].start = 1; // no turn
+      }
+    for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
+    for (const std::string& each : s.inputs) f.inputs.push_back(variable(each));
+    for (const fmu_variable& each : f.states)
+      f.rates_of_states.push_back({variable("der(" + each.name + ')').name, {}, 0});
+    f.time = variable("time").name;
+    describe_measured();
+  }
+
+  void describe_measured() {
+    fmu& f = made_.of;
+    const exported_function* const measured = f.function(fmu::measured);
+    const std::size_t events = chosen_.events.size(),
+                      outputs = measured == nullptr ? 0 : measured->results.size() - events;
+    for (std::size_t k = 0; k < outputs; ++k) {
+      const exported_result& each = measured->results[k];
+      for (int i = 0; i < each.entries(); ++i)
+        f.outputs.push_back(
+            variable(each.entries() == 1 ? each.name : each.name + '[' + std::to_string(i + 1) + ']'));
+    }
+    for (std::size_t k = 0; k < events; ++k) {
+      const exported_event& each = chosen_.events[k];
+      if (measured->results[outputs + k].entries() != 1)
+        return refuse("what event " + each.name + " watches must be a scalar, to pass zero");
+      f.indicators.push_back(variable(each.name));
+      f.directions.push_back(each.direction);
+      f.ends.push_back(each.then == after_event::stop);
+      for (const changed_value& one : each.changes) {
+        const int place = place_of(f.states, one.what.name());
+        if (place < 0)
+          return refuse("event " + each.name + " sets " + one.what.name() +
+                        ", which is neither a coordinate nor a speed");
+        if (f.function(fmu::changes)->results[f.changed.size()].entries() != 1)
+          return refuse("event " + each.name + " sets " + one.what.name() + " to what is no scalar");
+        f.changed.push_back({static_cast<int>(k), place});
+      }
+    }
+  }
+
+  void take_starts() {
+    fmu& f = made_.of;
+    std::set<std::string> given;
+    for (const named_value& each : chosen_.start) {
+      fmu_variable* found = nullptr;
+      for (std::vector<fmu_variable>* among : {&f.states, &f.parameters, &f.inputs})
+        if (const int place = place_of(*among, each.what.name()); place >= 0)
+          found = &(*among)[static_cast<std::size_t>(place)];
+      const std::string& name = each.what.name();
+      if (found == nullptr)
+        return refuse("there is no coordinate, speed, parameter or input " + name +
+                      " that could start with a value");
+      if (!std::isfinite(each.value)) return refuse("the start value of " + name + " is not finite");
+      if (!given.insert(name).second) return refuse(name + " has two start values");
+      found->start = each.value;
+    }
+    for (const fmu_variable& each : f.parameters)
+      if (const std::string& name = called(each); !given.contains(name))
+        return refuse("parameter " + name + " has no start value");
+  }
+
+  static const std::string& called(const fmu_variable& v) { return v.of.empty() ? v.name : v.of; }
+
+  static int place_of(const std::vector<fmu_variable>& among, const std::string& name) {
+    for (std::size_t i = 0; i < among.size(); ++i)
+      if (called(among[i]) == name) return static_cast<int>(i);
+    return -1;
+  }
+
+  /// By its name, or one like it where XML has no room for that or it is taken.
+  fmu_variable variable(const std::string& name) {
+    std::string own = printable(name);
+    while (!names_.insert(own).second) own += '_';
+    return {own, own == name ? std::string() : name, 0};
+  }
+
+  void refuse(std::string because) {
+    if (made_.mistake.empty()) made_.mistake = std::move(because);
+  }
+
+  std::string name_;
+  std::function<model()> derive_;
+  const fmu_options& chosen_;
+  options wanted_{};
+  std::shared_ptr<const deriving::survey> known_{};
+  std::set<std::string> names_{};
+  made_fmu made_{};
+};
+
+} // namespace kanexpr::exporting

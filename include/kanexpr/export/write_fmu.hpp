@@ -1,0 +1,83 @@
+#pragma once
+
+#include <kanexpr/export/archive.hpp>
+#include <kanexpr/export/fmi/library.hpp>
+#include <kanexpr/export/fmi/model_description.hpp>
+#include <kanexpr/export/fmi/source_file.hpp>
+#include <kanexpr/export/fmu_maker.hpp>
+#include <kanexpr/export/write_c.hpp>
+
+namespace kanexpr {
+
+namespace exporting {
+
+/// Whether an FMU was written.
+class [[nodiscard]] written_fmu : public outcome {
+public:
+  using outcome::outcome;
+
+  /// A sentence where it holds sources and no library.
+  const std::string& note() const { return note_; }
+  void set_note(std::string why) { note_ = std::move(why); }
+
+private:
+  std::string note_{};
+};
+
+namespace detail {
+
+inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& folder,
+                             const std::string& compiler) {
+  if (!made.mistake.empty()) return written_fmu(made.mistake);
+  if (const std::string mistake = mistake_of_numbers(made.of.system, precision::double_precision);
+      !mistake.empty())
+    return written_fmu(mistake);
+  const std::string& name = made.of.system.name;
+  const c_file model(made.of.system, precision::double_precision);
+  const model_description description(made.of);
+  const fmu_source source(made.of);
+  const std::string header = model.header(), code = model.source();
+  // of all that says what the model is
+  const std::string token = token_of({description.text({}), source.text({}), header, code});
+  const std::vector<file_text> sources{
+      {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
+  const library compiled = compiled_library(name, sources, compiler);
+  if (!compiled.mistake.empty()) return written_fmu(compiled.mistake);
+  archive all;
+  all.add("modelDescription.xml", description.text(token));
+  all.add("sources/buildDescription.xml", description.build());
+  for (const file_text& each : sources) all.add("sources/" + each.path.string(), each.text);
+  if (!compiled.bytes.empty())
+    all.add("binaries/" + library::platform() + '/' + name + library::ending(), compiled.bytes);
+  const outcome written = write_files({{folder / (name + ".fmu"), all.bytes()}});
+  if (!written) return written_fmu(written.cause());
+  written_fmu done;
+  if (!compiled.note.empty()) done.set_note(name + ".fmu " + compiled.note);
+  return done;
+}
+
+} // namespace detail
+
+} // namespace exporting
+
+/// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the machine that one
+/// works on, or says why not; nothing is left half-written. The library is compiled by `chosen.compiler`;
+/// where there is none, the FMU holds sources alone, and `note()` says so. The functions of `chosen` are its
+/// outputs.
+template <class System>
+exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
+                                 const exporting::fmu_options& chosen = {}) {
+  return exporting::detail::write_fmu(exporting::fmu_maker(
+                                          name, [] { return kanexpr::derive<System>(); }, chosen)
+                                          .run(),
+                                      folder, chosen.compiler);
+}
+
+/// The same of what a builder built.
+inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
+                                        const std::string& name, const exporting::fmu_options& chosen = {}) {
+  return exporting::detail::write_fmu(
+      exporting::fmu_maker(name, [&] { return derive(of); }, chosen).run(), folder, chosen.compiler);
+}
+
+} // namespace kanexpr

@@ -1,0 +1,354 @@
+"""FMUs by the functions of FMI 3.0, as a tool calls them: fmi_test.py FOLDER, which has modules of the same models."""
+
+import ctypes
+import math
+import pathlib
+import sys
+import threading
+import xml.etree.ElementTree as xml
+import zipfile
+
+folder = pathlib.Path(sys.argv[1])
+sys.path.insert(0, sys.argv[1])
+sys.dont_write_bytecode = True
+
+import bead
+import sliding
+
+OK, DISCARD, ERROR = 0, 2, 3
+double, flag, size = ctypes.c_double, ctypes.c_bool, ctypes.c_size_t
+Log = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p)
+
+
+class Fmu:
+    def __init__(self, name):
+        with zipfile.ZipFile(folder / f"{name}.fmu") as archive:
+            assert archive.testzip() is None
+            assert {f"sources/{name}{end}" for end in (".c", ".h", "_fmi.c")} < set(archive.namelist())
+            archive.extractall(folder / "fmus" / name)
+        description = xml.parse(folder / "fmus" / name / "modelDescription.xml").getroot()
+        self.token = description.get("instantiationToken")
+        variables = list(description.find("ModelVariables"))
+        self.names = [each.get("name") for each in variables]
+        assert [int(each.get("valueReference")) for each in variables] == list(range(len(variables)))
+        assert len(set(self.names)) == len(self.names)
+        self.of_model = {each.get("name"): each.get("description") for each in variables if each.get("description")}
+        self.start = {each.get("name"): float(each.get("start")) for each in variables if each.get("start")}
+        self.attributes = {each.get("name"): each.attrib for each in variables}
+        of_rates = [int(each.get("valueReference"))
+                    for each in description.find("ModelStructure").iter("ContinuousStateDerivative")]
+        self.states = [self.names[int(variables[i].get("derivative"))] for i in of_rates]
+        self.rates = [self.names[i] for i in of_rates]
+        self.indicators = len(list(description.find("ModelStructure").iter("EventIndicator")))
+        [library] = (folder / "fmus" / name / "binaries").glob(f"*/{name}.*")
+        self.library = ctypes.CDLL(str(library))
+        self.library.fmi3GetVersion.restype = ctypes.c_char_p
+        assert self.library.fmi3GetVersion() == b"3.0"
+        for kind in ("ModelExchange", "CoSimulation", "ScheduledExecution"):
+            getattr(self.library, "fmi3Instantiate" + kind).restype = ctypes.c_void_p
+
+    def references(self, names):
+        return (ctypes.c_uint32 * len(names))(*map(self.names.index, names)), size(len(names))
+
+
+class Instance:
+    def __init__(self, fmu, kind, token=None):
+        self.fmu, self.told = fmu, []
+        self.log = Log(lambda _, status, category, message: self.told.append((status, message.decode())))
+        given = [b"one", (token or fmu.token).encode(), None, flag(False), flag(True)]
+        if kind == "CoSimulation":
+            given += [flag(False), flag(False), None, size(0)]
+        given += [None, self.log]
+        if kind == "CoSimulation":
+            given.append(None)
+        self.pointer = ctypes.c_void_p(getattr(fmu.library, "fmi3Instantiate" + kind)(*given))
+
+    def status(self, function, *given):
+        return getattr(self.fmu.library, "fmi3" + function)(self.pointer, *given)
+
+    def __getattr__(self, function):
+        def call(*given):
+            status = self.status(function, *given)
+            assert status == OK, (function, status, self.told)
+        return call
+
+    def initialize(self, tolerance=None, **values):
+        self.EnterInitializationMode(flag(tolerance is not None), double(tolerance or 0), double(0), flag(False), double(0))
+        self.set(values)
+        self.ExitInitializationMode()
+        return self
+
+    def set(self, values):
+        references, count = self.fmu.references(list(values))
+        self.SetFloat64(references, count, (double * len(values))(*values.values()), count)
+
+    def get(self, *names):
+        references, count = self.fmu.references(names)
+        found = (double * len(names))()
+        self.GetFloat64(references, count, found, count)
+        return list(found)
+
+    def row(self, function, count):
+        found = (double * count)()
+        getattr(self, "Get" + function)(found, size(count))
+        return list(found)
+
+    def state(self):
+        return self.row("ContinuousStates", len(self.fmu.states))
+
+    def at(self, t, x):
+        self.SetTime(double(t))
+        self.SetContinuousStates((double * len(x))(*x), size(len(x)))
+
+    def rates(self):
+        return self.row("ContinuousStateDerivatives", len(self.fmu.states))
+
+    def product(self, which, unknowns, knowns, seed):
+        (u, count), (k, known_count) = self.fmu.references(unknowns), self.fmu.references(knowns)
+        found = (double * (len(unknowns) if which == "Directional" else len(knowns)))()
+        self.status(f"Get{which}Derivative", u, count, k, known_count, (double * len(seed))(*seed), size(len(seed)),
+                    found, size(len(found)))
+        return list(found)
+
+    def events(self):
+        """Whether there was anything to change, and whether the motion ends."""
+        again, ends, nominals, changed, has_time = [flag() for _ in range(5)]
+        self.UpdateDiscreteStates(*map(ctypes.byref, (again, ends, nominals, changed, has_time)), ctypes.byref(double()))
+        assert not again and not nominals and not has_time
+        return changed.value, ends.value
+
+    def wants_event_mode(self):
+        wanted, ends = flag(), flag()
+        self.CompletedIntegratorStep(flag(True), ctypes.byref(wanted), ctypes.byref(ends))
+        assert not ends
+        return wanted.value
+
+    def step(self, t, length):
+        reached = double()
+        status = self.status("DoStep", double(t), double(length), flag(True), *[ctypes.byref(flag()) for _ in range(3)],
+                             ctypes.byref(reached))
+        return status, reached.value
+
+    def free(self):
+        self.fmu.library.fmi3FreeInstance(self.pointer)
+
+
+def near(found, expected, tolerance):
+    assert len(found) == len(expected)
+    assert all(abs(a - b) <= tolerance * max(1, abs(b)) for a, b in zip(found, expected)), (found, expected)
+
+
+def exchange(fmu, **values):
+    made = Instance(fmu, "ModelExchange").initialize(**values)
+    made.events()
+    made.EnterContinuousTimeMode()
+    return made
+
+
+def stepped(fmu, x, count, **values):
+    """A co-simulation by its internal step."""
+    made, motion = Instance(fmu, "CoSimulation").initialize(**x, **values), []
+    for k in range(count):
+        status, reached = made.step(k / 8, 1 / 8)
+        assert (status, reached) == (OK, (k + 1) / 8), made.told
+        motion.append(made.get(*fmu.states))
+    made.free()
+    return motion
+
+
+# Rates, outputs and derivatives of a pendulum against closed forms; start values; tunable parameters.
+pendulum = Fmu("pendulum")
+assert pendulum.start == {"q": 0.3, "u": 0, "m": 2, "l": 0.5, "g": 9.81, "c": 0.1, "T": 0}
+assert all(pendulum.attributes[p]["variability"] == "tunable" for p in "mlgc")
+one = exchange(pendulum)
+assert one.state() == [0.3, 0.0]
+for q, u, T, l in ((0.4, 0.7, 0.0, 0.5), (-2.0, 1.1, 0.3, 0.8)):
+    one.EnterEventMode()
+    one.set({"T": T, "l": l})
+    one.EnterContinuousTimeMode()
+    one.at(0.5, [q, u])
+    inertia = 2 * l * l
+    near(one.rates(), [u, (T - 0.1 * u) / inertia - 9.81 / l * math.sin(q)], 1e-14)
+    near(one.get("tip[1]", "tip[2]", "tip[3]", "kinetic_energy", "time"),
+         [l * math.cos(q), l * math.sin(q), 0, inertia * u * u / 2, 0.5], 1e-14)
+    unknowns, knowns = ["der(q)", "der(u)", "kinetic_energy"], ["q", "u", "T"]
+    slopes = [[0, 1, 0], [-9.81 / l * math.cos(q), -0.1 / inertia, 1 / inertia], [0, inertia * u, 0]]
+    for k in range(3):
+        seed = [float(i == k) for i in range(3)]
+        near(one.product("Directional", unknowns, knowns, seed), [row[k] for row in slopes], 1e-14)
+        near(one.product("Adjoint", unknowns, knowns, seed), slopes[k], 1e-14)
+assert not one.wants_event_mode()
+
+# What does not exist is discarded, and said.
+one.EnterEventMode()
+one.set({"m": 0})
+one.EnterContinuousTimeMode()
+assert one.status("GetContinuousStateDerivatives", (double * 2)(), size(2)) == DISCARD
+assert one.told[0] == (DISCARD, "the mass matrix is singular at this state: its elimination fails at the speed u")
+one.set({"m": 2})
+one.rates()
+
+# What is not understood is an error.
+references, count = pendulum.references(["der(q)"])
+assert one.status("SetFloat64", references, count, (double * 1)(), count) == ERROR
+assert one.told[-1] == (ERROR, "this variable cannot be set")
+assert one.status("GetString", references, count, None, count) == ERROR
+assert one.told[-1] == (ERROR, "fmi3GetString is not supported")
+assert one.status("ExitInitializationMode") == ERROR
+one.Terminate()
+one.Reset()
+one.initialize(q=1.5)
+assert one.get("q", "m", "l") == [1.5, 2, 0.5], "reset to the values of the model"
+one.free()
+other = Instance(pendulum, "ModelExchange", token="{another}")
+assert not other.pointer and other.told == [(ERROR, "the instantiation token is that of another model description")]
+
+# Names that XML or C do not have
+strange = Fmu("strange")
+assert strange.states == ["time", "ω <&>"] and strange.rates == ["der(time)_", "der(ω <&>)"]
+assert strange.names[0] == "time_"
+assert strange.of_model == {'"a_b_': '"a_b_ in the model', "der(ω <&>)_": "der(ω <&>) in the model"}
+one = exchange(strange)
+one.at(0.7, [0.2, 3.0])
+near(one.get("time", "time_", '"a_b_', "der(ω <&>)_"), [0.2, 0.7, 0.6, 0.04], 1e-15)
+near(one.rates(), [3, 2 * math.sin(1.4) * math.cos(0.2) / 6 - 9.81 / 2 * math.sin(0.2)], 1e-14)
+near(one.product("Directional", ["der(ω <&>)"], ["time_"], [1.0]), [4 * math.cos(1.4) * math.cos(0.2) / 6], 1e-13)
+one.free()
+
+# Events that end the motion, and those without an end, at which it stays where it was
+one = Instance(strange, "CoSimulation").initialize()
+ends, reached = flag(), double()
+one.DoStep(double(0), double(1), flag(True), ctypes.byref(flag()), ctypes.byref(ends), ctypes.byref(flag()),
+           ctypes.byref(reached))
+assert ends and abs(reached.value - 0.5) < 1e-15
+one.free()
+one = Instance(strange, "CoSimulation").initialize(**{"time": 0.01, "ω <&>": -1.0})
+status, reached = one.step(0, 1)
+assert status == DISCARD and one.told == [(DISCARD, "more than 100 events happen in one internal step")]
+assert 0.0099 < reached < 0.0101
+near(one.get("time", "time_"), [0, reached], 1e-12)
+one.free()
+
+# A ball that bounces, by closed forms
+ball = Fmu("ball")
+restitution, g, height = 0.8, 9.81, 1.2
+
+
+def bounced(t):
+    v, fallen = 0.0, math.sqrt(2 * height / g)
+    if t < fallen:
+        return [height - g * t * t / 2, -g * t]
+    t, v = t - fallen, restitution * g * fallen
+    while t > 2 * v / g:
+        t, v = t - 2 * v / g, restitution * v
+    return [v * t - g * t * t / 2, v - g * t]
+
+
+assert ball.indicators == 1
+one = Instance(ball, "CoSimulation").initialize()
+for k in range(80):
+    assert one.step(0.05 * k, 0.05)[0] == OK
+    near(one.get("h", "v"), bounced(0.05 * (k + 1)), 1e-10)
+one.free()
+
+# The same as a tool integrates it, whose steps are exact here
+one = exchange(ball)
+x, t, bounces = one.state(), 0.0, 0
+assert x == [height, 0.0]
+
+
+def moved(x, s):
+    return [x[0] + x[1] * s - g * s * s / 2, x[1] - g * s]
+
+
+while t < 2 and bounces < 9:
+    step = min(0.01, 2 - t)
+    one.at(t + step, moved(x, step))
+    if one.row("EventIndicators", 1)[0] < 0:
+        low, step = 0.0, step
+        for _ in range(60):
+            middle = (low + step) / 2
+            one.at(t + middle, moved(x, middle))
+            low, step = (low, middle) if one.row("EventIndicators", 1)[0] < 0 else (middle, step)
+        one.at(t + step, moved(x, step))
+        assert one.wants_event_mode()
+        one.EnterEventMode()
+        assert one.events() == (True, False) and one.events() == (False, False)
+        one.EnterContinuousTimeMode()
+        bounces += 1
+    assert not one.wants_event_mode()
+    t, x = t + step, one.state()
+assert bounces == 3
+near(x, bounced(2), 1e-9)
+one.free()
+
+# Steps of a co-simulation are those of the module in C, to the last bit: with the time and an input, and with a
+# constraint and a quaternion.
+x, motion = [0.4, -0.2], []
+for k in range(20):
+    [x] = [bead.runge_kutta_4(x, 1 / 8, [2, 1.5, 9.81], [0.7], t=k / 8)]
+    motion.append(x)
+assert stepped(Fmu("bead"), {"s": 0.4, "v": -0.2}, 20) == motion
+
+slider = Fmu("sliding")
+one = exchange(slider)
+start = one.state()
+
+
+def off_constraints(x):
+    [e0, e1, e2, e3] = x[:4]
+    return [e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3 - 1, 2 * 0.5 * (e1 * e3 - e0 * e2) + 0.2]
+
+
+near(off_constraints(start), [0, 0], 1e-14)
+assert slider.attributes["e2"]["initial"] == slider.attributes["u2"]["initial"] == "approx"
+assert slider.attributes["e1"]["initial"] == "exact"
+motion, x = [], start
+for k in range(20):
+    x = sliding.runge_kutta_4(x, 1 / 8, [-0.2])
+    motion.append(x)
+assert stepped(slider, {}, 20) == motion
+
+# A tool that loses the constraints is asked to come back to them, by its own tolerance.
+for tolerance, drift, is_far in ((None, 1e-7, True), (None, 1e-9, False), (1e-4, 1e-5, False), (1e-4, 1e-3, True)):
+    one.Reset()
+    one.initialize(tolerance)
+    assert one.events() == (False, False)
+    one.EnterContinuousTimeMode()
+    one.at(0.1, start)
+    assert not one.wants_event_mode()
+    lost = [start[0], start[1], start[2] + drift, start[3] - drift, *start[4:]]
+    one.at(0.1, lost)
+    assert one.wants_event_mode() is is_far
+    assert one.state() == lost, "nothing moves before the event"
+    one.EnterEventMode()
+    assert one.events() == (is_far, False)
+    if is_far:
+        near(off_constraints(one.state()), [0, 0], 10 * drift * drift + 1e-14)
+        near(one.state(), start, 10 * drift)
+one.EnterContinuousTimeMode()
+one.at(0.1, [0.1, 0.1, 0.1, 0.1, 0, 0, 0])
+assert one.status("CompletedIntegratorStep", flag(True), ctypes.byref(flag()), ctypes.byref(flag())) == DISCARD
+assert "norm" in one.told[-1][1], one.told[-1]
+one.free()
+one = Instance(slider, "ModelExchange")
+one.EnterInitializationMode(flag(False), double(0), double(0), flag(False), double(0))
+one.set({"h": -2})
+assert one.status("ExitInitializationMode") == ERROR
+assert one.told[-1][0] == DISCARD, one.told
+one.free()
+
+# Threads with an instance each
+alone, together = [stepped(slider, {"u1": 0.1 * k}, 40) for k in range(4)], [None] * 4
+
+
+def work(k):
+    together[k] = stepped(slider, {"u1": 0.1 * k}, 40)
+
+
+threads = [threading.Thread(target=work, args=[k]) for k in range(4)]
+for each in threads:
+    each.start()
+for each in threads:
+    each.join()
+assert together == alone and alone[0] != alone[1]
