@@ -8,7 +8,7 @@ namespace kanexpr::exporting {
 /// speeds what inverse dynamics leaves, M u̇ − f, in those of the dependent ones the rates of the constraints.
 /// No multipliers are in it, and nothing was solved for u̇.
 inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
-  const mechanics::general_form& form = of.linearized_freely().form();
+  const mechanics::general_form& form = of.linearized().freely().form();
   const symbolic::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
   const int coordinates = form.q.size();
   symbolic::matrix residual(g, coordinates + form.u.size(), 1);
