@@ -1,3 +1,4 @@
+// builds: g++
 // Second derivatives of steps against complex steps through their first ones.
 #include "compiled/complex_steps.hpp"
 
