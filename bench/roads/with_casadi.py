@@ -1,4 +1,4 @@
-"""What CasADi makes of exported models: with_casadi.py FOLDER SESSION, with their libraries and the guide's session."""
+"""What CasADi makes of exported models: with_casadi.py FOLDER GUIDE, with their libraries and the guide's code."""
 
 import contextlib
 import io
@@ -7,13 +7,14 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import casadi as ca
 import numpy as np
 
 import by_sympy
 
-session = Path(sys.argv[2]).resolve()
+guide = Path(sys.argv[2]).resolve()
 os.chdir(sys.argv[1])
 random = np.random.default_rng(5)
 
@@ -174,22 +175,21 @@ def integrated_implicitly(name):
     return ca.Function("end", [x, p], [end, ca.jacobian(end, x), ca.jacobian(end, p)])
 
 
-def acados_files(f, name):
-    """Files as acados generates them, by casadi_function_generation.py of its interface, from `model.f_expl_expr`,
-    `model.f_impl_expr` and `model.disc_dyn_expr`; compiled beside the library that they call."""
-    x, u, p = symbols_of(f)
+def acados_files(model, options):
+    """Files as acados generates them, by casadi_function_generation.py of its interface, from the expressions of a model,
+    compiled with the library that they call."""
+    x, xdot, u, p, z, t = model.x, model.xdot, model.u, model.p, ca.MX.sym("z", 0), ca.MX.sym("t", 0)
+    rate, residual, step = model.f_expl_expr, model.f_impl_expr, model.disc_dyn_expr
+    library = options.model_external_shared_lib_name
+    link = [f"-L{options.model_external_shared_lib_dir}", f"-l{library}", "-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined", "-lm"]
     nx, nu = x.numel(), u.numel()
     Sx, Su, weights = ca.MX.sym("Sx", nx, nx), ca.MX.sym("Su", nx, nu), ca.MX.sym("lambdaX", nx)
-    xdot, z, t = ca.MX.sym("xdot", nx), ca.MX.sym("z", 0), ca.MX.sym("t", 0)
-    rate = f(x, u, p)
     xu, ux = ca.vertcat(x, u), ca.vertcat(u, x)
     S = ca.vertcat(ca.horzcat(Sx, Su), ca.horzcat(ca.DM.zeros(nu, nx), ca.DM.eye(nu)))
     adjoint = ca.jtimes(rate, xu, weights, True)
     hessian = ca.mtimes(ca.transpose(S), ca.jtimes(adjoint, xu, S))
     hessian = ca.vertcat(*(hessian[i, j] for j in range(nx + nu) for i in range(j, nx + nu)))
-    step = external_of(name, f"{name}_step")(x, u, p, 0.01)
     adjoint_of_step = ca.jtimes(step, ux, weights, True)
-    residual = external_of(name, f"{name}_implicit")(x, xdot, u, p)
     by_x, by_xdot, by_u, by_z = (ca.jacobian(residual, each) for each in (x, xdot, u, z))
     given = [x, xdot, u, z, t, p]
     x_xdot_z_u = ca.vertcat(x, xdot, z, u)
@@ -211,25 +211,23 @@ def acados_files(f, name):
         "impl_dae_hess": ([x, xdot, u, z, weights, t, p], [ca.jacobian(adjoint_of_residual, x_xdot_z_u)]),
     }
     for end, (given, wanted) in functions.items():
-        called = f"{name}_{end}"
+        called = f"{model.name}_{end}"
         direct = ca.Function(called, given, wanted)
         direct.generate(called, {"mex": False, "casadi_int": "int", "casadi_real": "double", "force_canonical": False})
         text = Path(f"{called}.c").read_text()
-        assert any(f"{name}{end}(" in text for end in ("", "_step", "_implicit")), "it calls what was exported"
-        subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"{called}.c", "-o", f"lib{called}.so", "-L.", f"-l:{name}.so",
-                        "-Wl,-rpath,$ORIGIN", "-lm"], check=True)
+        assert any(f"{library}{end}(" in text for end in ("", "_step", "_implicit")), "it calls what was exported"
+        subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"{called}.c", "-o", f"lib{called}.so", *link], check=True)
         symbols = subprocess.run(["nm", "-D", f"lib{called}.so"], check=True, capture_output=True, text=True).stdout
         for symbol in ("", "_work", "_sparsity_in", "_sparsity_out", "_n_in", "_n_out"):
             assert re.search(rf" T {called}{symbol}$", symbols, re.M), symbol
         # CasADi reads 64-bit integers; the same text with these
         direct.generate(f"{called}_wide.c")
-        subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"{called}_wide.c", "-o", f"{called}_wide.so", "-L.",
-                        f"-l:{name}.so", "-Wl,-rpath,$ORIGIN", "-lm"], check=True)
+        subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"{called}_wide.c", "-o", f"{called}_wide.so", *link], check=True)
         generated = ca.external(called, f"./{called}_wide.so")
         at = [random.uniform(0.5, 1.5, (direct.size1_in(i), direct.size2_in(i))) for i in range(direct.n_in())]
         for a, b in zip(generated.call(at), direct.call(at)):
             assert difference(a, b) < 1e-14
-    print(f"acados: {', '.join(functions)} of {name} have their symbols, and the values of CasADi")
+    print(f"acados: {', '.join(functions)} have their symbols, and the values of CasADi")
 
 
 for each in ("cart", "double_pendulum", "sleigh"):
@@ -261,10 +259,13 @@ worst = max(difference(a, b) for a, b in zip(integrated_implicitly("cart")(*star
 assert worst < 1e-7, worst
 print(f"IDAS with the implicit form: the same within {worst:.1e}")
 
-acados_files(external("cart"), "cart")
+told_acados = {"model": SimpleNamespace(), "ocp": SimpleNamespace(code_gen_options=SimpleNamespace())}
+subprocess.run(["sh", "-eu", guide / "acados-library.sh"], check=True)
+exec((guide / "acados.python").read_text(), told_acados)
+acados_files(told_acados["model"], told_acados["ocp"].code_gen_options)
 
 with contextlib.redirect_stdout(io.StringIO()):
     of_session = {}
-    exec(session.read_text(), of_session)
+    exec((guide / "session.python").read_text(), of_session)
 assert np.abs(of_session["found"][:, -1] - [0, np.pi / 2, 0, 0]).max() < 1e-7
 print(f"the session of the guide: {of_session['problem'].stats()['iter_count']} iterations")

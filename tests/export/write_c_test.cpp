@@ -14,6 +14,7 @@
 #include <iterator>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include <sys/resource.h>
 
@@ -266,6 +267,33 @@ TEST(WriteCasadi, TellsTheMistakeOfAModel) {
   b.kinematic_equation(b.dot(q) - 2 * u);
   const folder to;
   EXPECT_EQ(write_casadi(b, to.path, "arm").cause(), derive(b).mistake());
+}
+
+/// A result of one entry, 2 or 3, at a place; a dense one, 1, before it and what a check needs, 4, behind.
+exported_function with_entry_at(int row, int column, int value) {
+  exported_function f;
+  f.results = {{"dense", 1, 1, 0}, {"sparse", 2, 2, 1}};
+  f.results[1].is_sparse = true;
+  f.results[1].row_of = {row}, f.results[1].column_of = {column};
+  for (const int number : {1, value, 4})
+    f.code.results.push(f.code.lines.push({.a = f.code.numbers.push(symbolic::exactly(number))}));
+  return f;
+}
+
+TEST(CommonShapes, PutsZerosWhereTheOtherHasAnEntry) {
+  exported_function one = with_entry_at(0, 1, 2), other = with_entry_at(1, 0, 3);
+  common_shapes::give(one, other);
+  const auto values = [](const exported_function& f) {
+    std::vector<double> all;
+    for (const int line : f.code.results) all.push_back(f.code.numbers[f.code.lines[line].a].value());
+    return all;
+  };
+  EXPECT_EQ(values(one), (std::vector<double>{1, 0, 2, 4}));
+  EXPECT_EQ(values(other), (std::vector<double>{1, 3, 0, 4}));
+  for (const exported_function& f : {one, other}) {
+    EXPECT_EQ(f.results[1].row_of, (std::vector<int>{1, 0}));
+    EXPECT_EQ(f.results[1].column_of, (std::vector<int>{0, 1}));
+  }
 }
 
 TEST(WriteCasadi, LeavesNothingHalfWritten) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/casadi/step_in_c.hpp>
 #include <kanexpr/export/casadi/step_shapes.hpp>
