@@ -1,4 +1,4 @@
-"""FMUs by the functions of FMI 3.0, as a tool calls them: fmi_test.py FOLDER, which has modules of the same models."""
+"""FMUs by the functions of FMI 3.0, as a tool calls them: fmi_test.py FOLDER, with modules of the same models in fmus/modules."""
 
 import ctypes
 import math
@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 import zipfile
 
 folder = pathlib.Path(sys.argv[1])
-sys.path.insert(0, sys.argv[1])
+sys.path.insert(0, str(folder / "fmus" / "modules"))
 sys.dont_write_bytecode = True
 
 import bead
