@@ -77,7 +77,8 @@ public:
   /// What the dependent coordinates were solved for in its directions.
   constexpr sequence<symbolic::solved_block> coordinate_blocks() const {
     const std::optional<linearizer>& any = in_full_ ? in_full_ : reduced_;
-    return any ? any->variations().coordinate_blocks() : sequence<symbolic::solved_block>();
+    if (!any) return {};
+    return any->variations().coordinate_blocks();
   }
 
   /// What the mass matrix was divided by.
