@@ -21,7 +21,7 @@ COUNT = 2000
 def traced(model):
     """Pinocchio's algorithm of a model as a function of CasADi. What traces it is compiled once, in minutes."""
     libraries = Path(ca.__file__).resolve().parent
-    tracer = Shop(".").build("g++", HERE / "pinocchio.cpp",
+    tracer = Shop(Path.cwd()).build("g++", HERE / "pinocchio.cpp",
                              ["-O0", "-std=c++20", "-DNDEBUG", *with_pinocchio.flags(), "-isystem", f"{libraries}/include"],
                              with_pinocchio.uses(), link=[f"-L{libraries}", f"-Wl,-rpath,{libraries}", "-lcasadi"])
     subprocess.run([tracer.path, model, "."], check=True)

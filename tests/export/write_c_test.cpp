@@ -249,10 +249,10 @@ std::string cause_for_casadi(const std::string& name, const casadi_options& chos
 }
 
 TEST(WriteCasadi, NamesWhatCannotBeExported) {
-  for (const char* const name : {"_arm", "arm__1", "7arms", "", "jac", "sin", "while"})
+  for (const char* const name : {"_arm", "arm_", "arm__1", "7arms", "", "jac", "sin", "while"})
     EXPECT_EQ(cause_for_casadi(name),
               std::string("a function of CasADi needs a name that begins with a letter, "
-                          "has no two underscores in a row and is none of C's or "
+                          "has no two underscores in a row and none at its end, and is none of C's or "
                           "CasADi's words; \"") +
                   name + "\" is none");
   EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k that could be bound to a number");

@@ -10,8 +10,8 @@ namespace kanexpr {
 namespace exporting {
 
 struct casadi_options {
-  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
-  step_method step = step_method::runge_kutta_4;
+  std::vector<bound_parameter> bound{};          ///< are numbers in what is exported
+  step_method step = step_method::runge_kutta_4; ///< of `name`_step, without corrections
 };
 
 namespace detail {
@@ -22,16 +22,19 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   known.reserve_words();
   known.reserve_words_of_mathematics();
   for (const char* own : {"null", "jac", "hess"}) known.reserve(own);
-  if (!name.empty() && name[0] != '_' && name.find("__") == name.npos && known.of(name) == name) return {};
+  const bool has_two = (name + "_step").find("__") != name.npos;
+  if (!name.empty() && name[0] != '_' && !has_two && known.of(name) == name) return {};
   return "a function of CasADi needs a name that begins with a letter, has no two underscores in a row and "
-         "is "
-         "none of C's or CasADi's words; \"" +
+         "none "
+         "at its end, and is none of C's or CasADi's words; \"" +
          name + "\" is none";
 }
 
-inline bool holds_time(const exported_function& f) {
-  return std::any_of(f.code.arguments.begin(), f.code.arguments.end(),
-                     [](const lower::load& l) { return l.from == symbolic::symbol_kind::time; });
+inline bool holds_time(const exported_system& s) {
+  for (const exported_function& f : s.functions)
+    for (const lower::load& from : f.code.arguments)
+      if (from.from == symbolic::symbol_kind::time) return true;
+  return false;
 }
 
 inline std::string helpers_for_casadi(const std::string& library, int most) {
@@ -49,15 +52,16 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
                             const std::string& name, const casadi_options& chosen) {
   if (const std::string mistake = mistake_of_casadi_name(name); !mistake.empty()) return outcome(mistake);
   std::vector<casadi_argument> arguments, of_residual;
-  options wanted{{casadi_kernels(false, arguments).column()}, chosen.bound};
-  const exported rates = exporter(name + "_casadi", derive, wanted).run();
-  if (!rates.mistake.empty()) return outcome(rates.mistake);
-  const exported_system& s = rates.system;
+  options wanted{{casadi_kernels(false, arguments).column(), casadi_kernels(true, arguments).column()},
+                 chosen.bound};
+  const exported columns = exporter(name + "_casadi", derive, wanted).run();
+  if (!columns.mistake.empty()) return outcome(columns.mistake);
+  const exported_system& s = columns.system;
   const int states = static_cast<int>(s.coordinates.size() + s.speeds.size());
   arguments = {{"x", symbols::state, states},
                {"r", symbols::inputs, static_cast<int>(s.inputs.size())},
                {"p", symbols::parameters, static_cast<int>(s.parameters.size())}};
-  if (holds_time(s.functions[0])) arguments.push_back({"t", symbols::time, 1});
+  if (holds_time(s)) arguments.push_back({"t", symbols::time, 1});
   of_residual = arguments;
   of_residual.insert(of_residual.begin() + 1, {"xdot", symbols::rates, states});
   wanted.functions = casadi_kernels(false, arguments).all();
@@ -89,7 +93,9 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
 
 /// Writes the rates of a system's state for CasADi, a function `name`(x, r, p) with exact first and second
 /// derivatives: `folder`/`name`_casadi.c and .h, which a compiler of C makes a shared library of. States are
-/// the coordinates and then the speeds; a system that changes with time takes it as a fourth argument, t.
+/// the coordinates and then the speeds; a system that changes with time takes it as a last argument, t. The
+/// library also has a step, `name`_step(x, r, p, h), and the residual of the implicit form,
+/// `name`_implicit(x, xdot, r, p), in the same way.
 /// Says why not where it cannot; nothing is left half-written.
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,
