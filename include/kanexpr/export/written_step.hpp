@@ -72,7 +72,7 @@ public:
     const int entries = result.results.empty() ? 0 : result.results[0].entries();
     for (std::size_t i = 0; i < result.checks.size(); ++i) {
       const int place = entries + 2 * static_cast<int>(i);
-      check(result.checks[i], values[place], values[place + 1]);
+      note(result.checks[i], values[place], values[place + 1]);
     }
     return written_vector::of(values, entries);
   }
@@ -80,7 +80,7 @@ public:
   const written_equations& held(const value&, const written_vector&) const { return *this; }
 
   status finite(const value& asked, std::string_view cause) const {
-    check({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
+    note({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
     return {};
   }
 
@@ -98,8 +98,8 @@ public:
       const value square = lower::squared_norm(x, places);
       const exported_check range{.cause = std::string(compiled::far_from_norm_1(known_, k).view()),
                                  .of_order = true};
-      check(range, square, least * least);
-      check(range, -square, -(most * most));
+      note(range, square, least * least);
+      note(range, -square, -(most * most));
       lower::divide_by_norm(x, places, square);
     }
     return {};
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  void check(exported_check one, const value& measure, const value& scale) const {
+  void note(exported_check one, const value& measure, const value& scale) const {
     into_.checks.push_back(std::move(one));
     into_.measures.emplace_back(measure, scale);
   }

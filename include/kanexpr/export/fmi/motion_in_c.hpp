@@ -100,8 +100,9 @@ static fmi3Status to_constraints(instance *of) {
     way = way_to_next(of);
     go_to_next(of);
   }
+  if (!(way <= close)) return say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
   of->known |= is_on_constraints;
-  return way <= close ? fmi3OK : say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
+  return fmi3OK;
 }
 
 /* Until the initialization is over, what is asked for follows from what is independent. */
