@@ -60,6 +60,7 @@ TEST(WriteC, NamesWhatCannotBeExported) {
             "there is no parameter k that could be bound to a number");
   EXPECT_EQ(cause_of("arm", {{.bound = {{"m", std::numeric_limits<double>::infinity()}}}}),
             "parameter m is bound to no finite number");
+  EXPECT_EQ(cause_of("arm", {{.bound = {{"m", 1}, {"m", 2}}}}), "parameter m is bound twice");
   c_options huge{{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}}};
   EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that double has no room for");
   huge = {{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}}}, precision::single_precision};
@@ -80,9 +81,34 @@ TEST(WriteC, LeavesNothingHalfWritten) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.cause(), (to.path / "arm.c").string() + " cannot be written");
   EXPECT_FALSE(std::filesystem::exists(to.path / "arm.h"));
-  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.c.part"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";
   EXPECT_EQ(write_c<simple_pendulum::System>("/proc/none/of/these", "arm").cause(),
             "/proc/none/of/these/arm.h cannot be written");
+}
+
+TEST(WriteC, LeavesFilesOfNamesLikeItsOwn) {
+  const folder to;
+  std::filesystem::create_directories(to.path);
+  std::ofstream(to.path / "arm.c.1.part") << "of the user";
+  ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "arm"));
+  EXPECT_EQ(to.text_of("arm.c.1.part"), "of the user");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 3) << "something is left";
+}
+
+TEST(WriteC, TakesBackWhatItReplacedWhereTheNextFileCannotBe) {
+  const folder to;
+  std::filesystem::create_directories(to.path);
+  const file_text first{to.path / "arm.h", "new"}, second{to.path / "arm.c", "new"};
+  std::ofstream(first.path) << "before";
+  exporting::detail::changes_of_files changes;
+  ASSERT_TRUE(changes.write(first) && changes.write(second));
+  std::filesystem::remove(to.path / "arm.c.1.part");
+  EXPECT_TRUE(changes.place(0, first.path));
+  EXPECT_EQ(to.text_of("arm.h"), "new");
+  EXPECT_FALSE(changes.place(1, second.path));
+  changes.take_back();
+  EXPECT_EQ(to.text_of("arm.h"), "before");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";
 }
 
 /// No file may have more bytes, as on a disk that is full.
@@ -374,7 +400,7 @@ TEST(WriteFmu, LeavesNothingHalfWritten) {
   std::filesystem::create_directories(to.path / "arm.fmu"); // where the file should be
   const written_fmu written = write_fmu<simple_pendulum::System>(to.path, "arm", with_starts());
   EXPECT_EQ(written.cause(), (to.path / "arm.fmu").string() + " cannot be written");
-  EXPECT_FALSE(std::filesystem::exists(to.path / "arm.fmu.part"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";
   EXPECT_EQ(write_fmu<simple_pendulum::System>("/proc/none/of/these", "arm", with_starts()).cause(),
             "/proc/none/of/these/arm.fmu cannot be written");
 }

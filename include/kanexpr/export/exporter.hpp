@@ -75,6 +75,8 @@ private:
       if (place == parameters.end())
         return refuse("there is no parameter " + b.name + " that could be bound to a number");
       if (!std::isfinite(b.value)) return refuse("parameter " + b.name + " is bound to no finite number");
+      if (is_bound_[static_cast<std::size_t>(place - parameters.begin())])
+        return refuse("parameter " + b.name + " is bound twice");
       is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {

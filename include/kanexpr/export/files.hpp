@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -15,39 +16,93 @@ struct file_text {
   std::string text{};
 };
 
-/// Writes all of the files or none of them: each first under another name. What was there before stays where
-/// none can be written.
-inline outcome write_files(const std::vector<file_text>& files) {
-  namespace fs = std::filesystem;
-  const auto beside = [](const file_text& f) {
-    fs::path other = f.path;
-    return other += ".part";
-  };
-  std::vector<fs::path> made; // files, and folders behind those around them
-  const auto give_up = [&](const fs::path& at) {
+namespace detail {
+
+/// A name beside a file that nothing has.
+inline std::filesystem::path free_name_beside(const std::filesystem::path& file) {
+  for (int i = 1;; ++i) {
+    std::filesystem::path other = file;
+    other += "." + std::to_string(i) + ".part";
+    std::error_code unknown;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(other, unknown))) return other;
+  }
+}
+
+/// What was moved or made on the way to files, to be taken back.
+class changes_of_files {
+public:
+  using path = std::filesystem::path;
+
+  /// Makes the folders around a file that are not there.
+  void make_folders_of(const path& file) {
+    path folder;
+    std::error_code failed;
+    for (const path& part : file.parent_path()) {
+      folder /= part;
+      if (!std::filesystem::exists(folder, failed) && std::filesystem::create_directory(folder, failed))
+        made_.push_back(folder);
+    }
+  }
+
+  /// Writes a text beside its file.
+  bool write(const file_text& f) {
+    const path part = free_name_beside(f.path);
+    std::ofstream to(part, std::ios::binary);
+    to << f.text;
+    to.close();
+    written_.push_back(part);
+    std::error_code unknown;
+    return to && !std::filesystem::is_directory(f.path, unknown);
+  }
+
+  /// Moves the text that was written as number `i` to its file; what stood there moves away first.
+  bool place(std::size_t i, const path& file) {
+    std::error_code failed;
+    if (std::filesystem::exists(std::filesystem::symlink_status(file, failed))) {
+      const path before = free_name_beside(file);
+      std::filesystem::rename(file, before, failed);
+      if (failed) return false;
+      replaced_.emplace_back(before, file);
+    }
+    std::filesystem::rename(written_[i], file, failed);
+    if (!failed) made_.push_back(file);
+    return !failed;
+  }
+
+  void keep() {
     std::error_code ignored;
-    for (const file_text& f : files) fs::remove(beside(f), ignored);
-    for (; !made.empty(); made.pop_back()) fs::remove(made.back(), ignored);
+    for (const auto& [before, file] : replaced_) std::filesystem::remove(before, ignored);
+  }
+
+  void take_back() {
+    std::error_code ignored;
+    for (const path& part : written_) std::filesystem::remove(part, ignored);
+    for (; !made_.empty(); made_.pop_back()) std::filesystem::remove(made_.back(), ignored);
+    for (const auto& [before, file] : replaced_) std::filesystem::rename(before, file, ignored);
+  }
+
+private:
+  std::vector<path> written_{}, made_{};
+  std::vector<std::pair<path, path>> replaced_{};
+};
+
+} // namespace detail
+
+/// Writes all of the files or none of them: each first under another name. What was there before stays where
+/// one cannot be written.
+inline outcome write_files(const std::vector<file_text>& files) {
+  detail::changes_of_files changes;
+  const auto give_up = [&](const std::filesystem::path& at) {
+    changes.take_back();
     return outcome(at.string() + " cannot be written");
   };
   for (const file_text& f : files) {
-    std::error_code failed;
-    fs::path folder;
-    for (const fs::path& part : f.path.parent_path()) {
-      folder /= part;
-      if (!fs::exists(folder, failed) && fs::create_directory(folder, failed)) made.push_back(folder);
-    }
-    std::ofstream to(beside(f), std::ios::binary);
-    to << f.text;
-    to.close();
-    if (!to || fs::is_directory(f.path, failed)) return give_up(f.path);
+    changes.make_folders_of(f.path);
+    if (!changes.write(f)) return give_up(f.path);
   }
-  for (const file_text& f : files) {
-    std::error_code failed;
-    fs::rename(beside(f), f.path, failed);
-    if (failed) return give_up(f.path);
-    made.push_back(f.path);
-  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (!changes.place(i, files[i].path)) return give_up(files[i].path);
+  changes.keep();
   return {};
 }
 
