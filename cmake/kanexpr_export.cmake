@@ -40,6 +40,21 @@ function(kanexpr_export name)
     message(FATAL_ERROR "kanexpr_export: START and STEP are of the format fmi")
   endif()
 
+  if("casadi" IN_LIST export_FORMATS AND export_WITH_PYTHON)
+    message(FATAL_ERROR "kanexpr_export: Python would take the library ${name}.so of the format casadi for the module ${name}; "
+      "call kanexpr_export once more, with another name or OUTPUT")
+  endif()
+  if("fmi" IN_LIST export_FORMATS AND "${export_RESULTS}" MATCHES "runge_kutta_4|semi_implicit_euler")
+    message(FATAL_ERROR "kanexpr_export: ${CMAKE_MATCH_0} is a step, and no output of the format fmi; call kanexpr_export once more for it")
+  endif()
+  if("fmi" IN_LIST export_FORMATS AND DEFINED export_STEP AND NOT export_STEP GREATER 0)
+    message(FATAL_ERROR "kanexpr_export: STEP is a length of time above 0, not ${export_STEP}")
+  endif()
+  if("casadi" IN_LIST export_FORMATS AND NOT name MATCHES "^[A-Za-z](_?[A-Za-z0-9]+)*$")
+    message(FATAL_ERROR "kanexpr_export: a function of CasADi needs a name that begins with a letter and has no two underscores in "
+      "a row nor one at its end, not ${name}")
+  endif()
+
   set(chosen "")
   if(export_SCALAR STREQUAL "float")
     string(APPEND chosen "  chosen.number = kanexpr::exporting::precision::single_precision;\n")
@@ -98,7 +113,7 @@ function(kanexpr_export name)
     endif()
     string(APPEND chosen
       "  chosen.functions.push_back(kanexpr::exporting::expression<(${CMAKE_MATCH_2})>(\"${CMAKE_MATCH_1}\"));\n")
-    if(export_SYSTEM MATCHES "^(.+)::[^:]+$")
+    if(export_SYSTEM MATCHES "^([^<]+)::[^:<]+(<.*)?$")
       set(words "  using namespace ${CMAKE_MATCH_1};\n")
     endif()
   endforeach()
@@ -131,6 +146,7 @@ int main(int, char** arguments) {
   else()
     target_link_libraries(${name}_export PRIVATE kanexpr::kanexpr)
   endif()
+  target_compile_options(${name}_export PRIVATE -O0) # it runs once
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export
     COMMENT "Writing ${name}" VERBATIM)
   if("casadi" IN_LIST export_FORMATS)

@@ -134,10 +134,10 @@ int main(int, char** arguments) {
   dynamics.with_python = true;
   dynamics.functions = {results("udot"), results("inverse_dynamics")};
   c_options bound{
-      {.functions = {results("udot"), results("mass_matrix forcing"),
-                     expression<kanexpr::position_of<simple_pendulum::P, simple_pendulum::O>>("tip")},
-       .bound = {{"g", 9.81}, {"m", 2}}},
-      precision::single_precision};
+      .functions = {results("udot"), results("mass_matrix forcing"),
+                    expression<kanexpr::position_of<simple_pendulum::P, simple_pendulum::O>>("tip")},
+      .bound = {{"g", 9.81}, {"m", 2}},
+      .number = precision::single_precision};
   using namespace kanexpr;
   using namespace simple_pendulum;
 #include <docs/export/c/write.cpp>

@@ -45,7 +45,7 @@ std::string cause_of(const std::string& name, const c_options& chosen) {
   return written.cause();
 }
 
-c_options with(std::vector<wanted_function> functions) { return {{.functions = std::move(functions)}}; }
+c_options with(std::vector<wanted_function> functions) { return {.functions = std::move(functions)}; }
 
 TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "no result is called velocity");
@@ -56,14 +56,15 @@ TEST(WriteC, NamesWhatCannotBeExported) {
             "a step cannot have fewer corrections than none");
   EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
-  EXPECT_EQ(cause_of("arm", {{.bound = {{"k", 1}}}}),
+  EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}),
             "there is no parameter k that could be bound to a number");
-  EXPECT_EQ(cause_of("arm", {{.bound = {{"m", std::numeric_limits<double>::infinity()}}}}),
+  EXPECT_EQ(cause_of("arm", {.bound = {{"m", std::numeric_limits<double>::infinity()}}}),
             "parameter m is bound to no finite number");
-  EXPECT_EQ(cause_of("arm", {{.bound = {{"m", 1}, {"m", 2}}}}), "parameter m is bound twice");
-  c_options huge{{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}}};
+  EXPECT_EQ(cause_of("arm", {.bound = {{"m", 1}, {"m", 2}}}), "parameter m is bound twice");
+  c_options huge{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}};
   EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that double has no room for");
-  huge = {{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}}}, precision::single_precision};
+  huge = {
+      .functions = {results("mass_matrix")}, .bound = {{"m", 1e308}}, .number = precision::single_precision};
   EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that float has no room for");
   EXPECT_EQ(cause_of("math", {}), "what is exported needs a name that is one in C, of letters, digits and "
                                   "underscores; \"math\" is none");

@@ -50,6 +50,8 @@ add_test(NAME export_python COMMAND sh -eu -c "cd '${folder}'
   PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. python3 '${guide}/session.python'
   python3 '${CMAKE_CURRENT_SOURCE_DIR}/export/python_test.py' '${folder}'")
 
+add_test(NAME export_refused COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/export/refused.cmake)
+
 # From C++11 on
 add_test(NAME export_cpp COMMAND sh -eu -c "
   '${CMAKE_CXX_COMPILER}' -std=c++11 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -I '${folder}' -I '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets' \

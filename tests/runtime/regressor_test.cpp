@@ -13,6 +13,7 @@
 #include <models/rolling_disc_constrained.hpp>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -279,6 +280,16 @@ TEST(base_parameters, need_the_parameters_of_the_model) {
             "base parameters are asked for with 0 parameters of 10");
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 0.01}).cause(),
             "which inertial parameters follow from others is not clear with a tolerance of 0.01");
+  VectorXd p = VectorXd::Ones(10);
+  p(2) = 1e6; // a length, in micrometres
+  EXPECT_EQ(kanexpr::find_base_parameters(m, p).cause(),
+            "which inertial parameters follow from others is not clear with a tolerance of 1e-09");
+  p(2) = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(kanexpr::find_base_parameters(m, p).cause(), testing::EndsWith(" is not finite"));
+  EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(11)).cause(),
+            "base parameters are asked for with 11 parameters of 10");
+  EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 2}).cause(),
+            "base parameters need a tolerance between 0 and 1, not 2");
 }
 
 } // namespace

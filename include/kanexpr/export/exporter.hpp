@@ -36,8 +36,8 @@ struct exported {
 /// Derives each function by itself, so that its code is that of the compiled one, whatever else is exported.
 class exporter {
 public:
-  exporter(std::string name, std::function<model()> derive, const options& chosen)
-      : derive_(std::move(derive)), chosen_(chosen) {
+  exporter(std::string name, std::function<model()> derive, options chosen)
+      : derive_(std::move(derive)), chosen_(std::move(chosen)) {
     made_.system.name = std::move(name);
   }
 
@@ -317,7 +317,7 @@ private:
   void refuse(std::string because) { made_.mistake = std::move(because); }
 
   std::function<model()> derive_;
-  const options& chosen_;
+  options chosen_;
   std::shared_ptr<const deriving::survey> known_{};
   std::vector<std::optional<double>> is_bound_{};
   std::vector<int> place_{}; ///< of a parameter among those that are not bound

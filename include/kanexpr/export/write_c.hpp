@@ -11,10 +11,14 @@ namespace kanexpr {
 
 namespace exporting {
 
-struct c_options : options {
+struct c_options {
+  std::vector<wanted_function> functions = default_results();
+  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
   precision number = precision::double_precision;
   bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
   bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
+
+  operator options() const { return {functions, bound}; }
 };
 
 namespace detail {

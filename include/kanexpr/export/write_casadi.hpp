@@ -106,7 +106,8 @@ outcome write_casadi(const std::filesystem::path& folder, const std::string& nam
 /// The same of what a builder built.
 inline outcome write_casadi(const runtime::builder& of, const std::filesystem::path& folder,
                             const std::string& name, const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name, chosen);
+  return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name,
+                                         chosen);
 }
 
 } // namespace kanexpr

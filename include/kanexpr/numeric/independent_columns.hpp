@@ -14,7 +14,7 @@ struct independent_columns {
   std::vector<Eigen::Index> kept{};
   Eigen::MatrixXd combination{}; ///< K in A = A_kept K
   /// Beside the length of a column: the shortest remainder that counts, and the longest that does not. Far
-  /// apart they tell that the choice is sure.
+  /// apart they tell that the choice is sure. A column too short beside the longest leaves it unsure.
   double shortest_kept = 1, longest_left = 0;
 };
 
@@ -29,7 +29,11 @@ inline independent_columns independent_columns_of(const Eigen::MatrixXd& a, doub
                                         by_kept = Eigen::MatrixXd::Zero(columns, columns);
   independent_columns found;
   for (Eigen::Index j = 0; j < columns; ++j) {
-    if (length(j) <= least * longest) continue;
+    if (!(length(j) > 0)) continue;
+    if (length(j) <= least * longest) { // rounding, or a column in other units
+      found.shortest_kept = (std::min)(found.shortest_kept, length(j) / longest);
+      continue;
+    }
     const Eigen::Index rank = static_cast<Eigen::Index>(found.kept.size());
     Eigen::VectorXd left = a.col(j) / length(j), along = Eigen::VectorXd::Zero(rank);
     for (int twice = 0; twice < 2; ++twice)

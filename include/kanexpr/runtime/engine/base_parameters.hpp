@@ -97,10 +97,18 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
   };
   const symbolic::matrix y = m.get(mechanics::quantity::regressor);
   if (!m.mistake().empty()) return refuse(mechanics::sentence({m.mistake()}));
-  if (static_cast<int>(p.size()) < m.mechanism().parameters.size())
+  if (!(options.tolerance > 0 && options.tolerance < 1))
+    return refuse(
+        numeric::with_number("base parameters need a tolerance between 0 and 1, not ", options.tolerance));
+  if (static_cast<int>(p.size()) != m.mechanism().parameters.size())
     return refuse(mechanics::sentence(
         {"base parameters are asked for with ", mechanics::counted(static_cast<int>(p.size())).view(),
          " parameters of ", mechanics::counted(m.mechanism().parameters.size()).view()}));
+  for (int i = 0; i < m.mechanism().parameters.size(); ++i)
+    if (!std::isfinite(p[static_cast<std::size_t>(i)]))
+      return refuse(mechanics::sentence(
+          {"parameter ", m.graph().symbol_at(m.mechanism().parameters[i].node()).called.view(),
+           " is not finite"}));
   random_regressors states(m, p, options.seed);
   const Eigen::MatrixXd all = states.draw(y.columns);
   if (all.rows() == 0)
