@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -68,6 +69,20 @@ robots::read_robot robot_of(const std::string& file) {
 #endif
 }
 
+/// Those of a file, and of a robot at rest, where the command tells no others.
+void add_start_values(std::vector<std::string>& words, const request& r, const robots::robot_builder& of) {
+  const auto add = [&](const std::string& symbol, double value) {
+    for (const auto* told : {&r.start, &r.bound})
+      for (const std::string& each : *told)
+        if (each.starts_with(symbol + '=')) return;
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    words.push_back("start=" + symbol + '=' + std::string(digits, end));
+  };
+  for (const auto& [symbol, value] : of.at_rest()) add(symbol, value);
+  for (const auto& [symbol, value] : of.values()) add(symbol, value);
+}
+
 int write_robot(const request& r) {
   if (!r.expressions.empty()) return refuse("the file of a robot has no words for an expression");
   robots::model_options model;
@@ -79,8 +94,10 @@ int write_robot(const request& r) {
   if (!read) return refuse(read.cause());
   const robots::robot_builder of(read.robot, model);
   if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
-  const exporting::by_words given(r.words());
-  const outcome written = given.write([&] { return derive(of); });
+  std::vector<std::string> words = r.words();
+  if (r.format == "fmi") add_start_values(words, r, of);
+  const exporting::by_words given(words);
+  const outcome written = given.write([&] { return runtime::derive_in_own_graph(of); });
   return written ? 0 : refuse(written.cause());
 }
 
