@@ -186,7 +186,8 @@ def check_step(f, step, method):
 
 
 def check_failures(library, name):
-    """Of a pendulum: no sine is known beyond 131072 rad. All results depend on the angle but for some derivatives."""
+    """Of a pendulum whose mass matrix is a number, all results of which depend on the angle: no sine is known beyond
+    131072 rad."""
     for f in (each for end in ("", "_implicit", "_step") for each in functions(library, name + end)):
         for angle, is_known in ((131071, True), (131073, False), (-131073, False), (math.inf, False), (math.nan, False)):
             given = [[0.5] * rows for rows, _, _ in f.shapes[0]]
@@ -194,8 +195,7 @@ def check_failures(library, name):
             status, results = f.raw(given)
             assert status == (0 if is_known else 1), (f.name, angle)
             assert is_known == all(math.isfinite(entry) for each in results for entry in each)
-            by_r = [k for k, called in enumerate(f.names[1]) if called in ("jac_rate_r", "jac_residual_r")]
-            assert not by_r or f.raw(given, wanted=by_r)[0] == 0, "what is not wanted does no harm"
+            assert f.raw(given, wanted=())[0] == 0, "where nothing is wanted, nothing fails"
 
 
 def check_all(name, *more, method=runge_kutta):
@@ -210,10 +210,10 @@ random.seed(4)
 check_all("cart")
 check_all("disc", method=semi_implicit_euler)
 check_all("a")
-check_all("driven", "t")
+driven = check_all("driven", "t")
 pendulum = check_all("bound_pendulum", method=semi_implicit_euler)
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
 assert status == 0
 near(rate, [0.0, -9.81 / 0.5 * math.sin(0.3)], 1e-14)
 assert pendulum.raw([[0.3, 0.0], [0.0], None])[0] != 0, "without a length there are no rates"
-check_failures(pendulum.library, "bound_pendulum")
+check_failures(driven.library, "driven")
