@@ -95,10 +95,14 @@ def near(found, expected, tolerance=1e-8):
     assert all(abs(a - b) <= tolerance * scale for a, b in zip(found, expected)), (found, expected)
 
 
+def functions(library, name):
+    """A function, and its derivatives in the order of `check`."""
+    return [Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_")]
+
+
 def check(library, name, arguments, result):
     """A function with its derivatives: these against differences of those of lower order."""
-    f, jacobian, forward, of_forward, adjoint, of_adjoint = (
-        Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_"))
+    f, jacobian, forward, of_forward, adjoint, of_adjoint = functions(library, name)
     assert f.names[0] == arguments and f.names[1] == [result]
     n = len(arguments)
     at = [[random.uniform(0.5, 1.5) * (0.1 if called == "h" else 1) for _ in range(rows)]
@@ -181,6 +185,19 @@ def check_step(f, step, method):
     near(flat(step.dense([x, r, p, [h], *t])[0]), expected, 1e-14)
 
 
+def check_failures(library, name):
+    """Of a pendulum whose mass matrix is a number, all results of which depend on the angle: no sine is known beyond
+    131072 rad."""
+    for f in (each for end in ("", "_implicit", "_step") for each in functions(library, name + end)):
+        for angle, is_known in ((131071, True), (131073, False), (-131073, False), (math.inf, False), (math.nan, False)):
+            given = [[0.5] * rows for rows, _, _ in f.shapes[0]]
+            given[0][0] = angle
+            status, results = f.raw(given)
+            assert status == (0 if is_known else 1), (f.name, angle)
+            assert is_known == all(math.isfinite(entry) for each in results for entry in each)
+            assert f.raw(given, wanted=())[0] == 0, "where nothing is wanted, nothing fails"
+
+
 def check_all(name, *more, method=runge_kutta):
     library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
     f = check(library, name, ["x", "r", "p", *more], "rate")
@@ -193,9 +210,10 @@ random.seed(4)
 check_all("cart")
 check_all("disc", method=semi_implicit_euler)
 check_all("a")
-check_all("driven", "t")
-pendulum = check_all("bound_pendulum")
+driven = check_all("driven", "t")
+pendulum = check_all("bound_pendulum", method=semi_implicit_euler)
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
 assert status == 0
 near(rate, [0.0, -9.81 / 0.5 * math.sin(0.3)], 1e-14)
 assert pendulum.raw([[0.3, 0.0], [0.0], None])[0] != 0, "without a length there are no rates"
+check_failures(driven.library, "driven")

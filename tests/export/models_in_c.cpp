@@ -147,8 +147,8 @@ int main(int, char** arguments) {
   c_options steps;
   steps.with_python = steps.with_cpp = true;
   steps.functions = {results("runge_kutta_4"), fixed_step("euler", {step_method::semi_implicit_euler, 2})};
-  return is_bound_written && write_for_casadi(folder, {bound.bound}) && write_fmus(folder, bound) &&
-                 write<quaternions::Sliding>(folder, "sliding", steps) &&
+  return is_bound_written && write_for_casadi(folder, {bound.bound, step_method::semi_implicit_euler}) &&
+                 write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&

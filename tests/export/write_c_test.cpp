@@ -276,11 +276,12 @@ std::string cause_for_casadi(const std::string& name, const casadi_options& chos
 }
 
 TEST(WriteCasadi, NamesWhatCannotBeExported) {
-  for (const char* const name : {"_arm", "arm_", "arm__1", "7arms", "", "jac", "sin", "while"})
+  for (const char* const name : {"_arm", "arm_", "arm__1", "7arms", "", "jac", "while", "main", "sinl",
+                                 "sinf64x", "double_t", "M_PI_2", "abs", "memcpy", "wcsxfrm", "link"})
     EXPECT_EQ(cause_for_casadi(name),
               std::string("a function of CasADi needs a name that begins with a letter, "
-                          "has no two underscores in a row and none at its end, and is none of C's or "
-                          "CasADi's words; \"") +
+                          "has no two underscores in a row and none at its end, and is none of the "
+                          "words of C, of its library and of CasADi; \"") +
                   name + "\" is none");
   EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k that could be bound to a number");
   EXPECT_EQ(cause_for_casadi("arm", {{{"m", 1e300}, {"l", 1e300}}}),

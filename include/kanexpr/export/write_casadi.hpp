@@ -21,12 +21,12 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
   known.reserve_words_of_mathematics();
+  known.reserve_words_of_the_library();
   for (const char* own : {"null", "jac", "hess"}) known.reserve(own);
   const bool has_two = (name + "_step").find("__") != name.npos;
   if (!name.empty() && name[0] != '_' && !has_two && known.of(name) == name) return {};
   return "a function of CasADi needs a name that begins with a letter, has no two underscores in a row and "
-         "none "
-         "at its end, and is none of C's or CasADi's words; \"" +
+         "none at its end, and is none of the words of C, of its library and of CasADi; \"" +
          name + "\" is none";
 }
 
@@ -44,6 +44,14 @@ inline std::string helpers_for_casadi(const std::string& library, int most) {
 static const double @library@_zeros[@most@] = {0};
 static const double *@library@_given(const double *argument) { return argument ? argument : @library@_zeros; }
 static double *@library@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
+/* Whether what is wanted of `count` results are numbers, of each as many as `entries` says. */
+static int @library@_are_finite(double **results, int count, const int *entries) {
+  int k, i;
+  for (k = 0; k < count; ++k)
+    for (i = 0; results[k] && i < entries[k]; ++i)
+      if (!isfinite(results[k][i])) return 0;
+  return 1;
+}
 )",
                 {{"library", library}, {"most", std::to_string(most)}});
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/export/c/library_words.hpp>
+
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,16 +24,23 @@ public:
   /// What no variable of a function may be called.
   void reserve_words() {
     for (const std::string_view word :
-         {"alignas",   "alignof",  "and",      "and_eq",   "asm",      "auto",    "bitand",    "bitor",
-          "bool",      "break",    "case",     "catch",    "char",     "class",   "compl",     "concept",
-          "const",     "continue", "decltype", "default",  "delete",   "do",      "double",    "else",
-          "enum",      "explicit", "export",   "extern",   "false",    "float",   "for",       "friend",
-          "goto",      "if",       "inline",   "int",      "long",     "mutable", "namespace", "new",
-          "noexcept",  "not",      "not_eq",   "nullptr",  "operator", "or",      "or_eq",     "private",
-          "protected", "public",   "register", "requires", "restrict", "return",  "short",     "signed",
-          "sizeof",    "static",   "struct",   "switch",   "template", "this",    "throw",     "true",
-          "try",       "typedef",  "typeid",   "typename", "typeof",   "union",   "unsigned",  "using",
-          "virtual",   "void",     "volatile", "while",    "xor",      "xor_eq",  "linux",     "unix"})
+         {"alignas",      "alignof",       "and",          "and_eq",     "asm",          "auto",
+          "bitand",       "bitor",         "bool",         "break",      "case",         "catch",
+          "char",         "class",         "compl",        "concept",    "const",        "continue",
+          "decltype",     "default",       "delete",       "do",         "double",       "else",
+          "enum",         "explicit",      "export",       "extern",     "false",        "float",
+          "for",          "friend",        "goto",         "if",         "inline",       "int",
+          "long",         "mutable",       "namespace",    "new",        "noexcept",     "not",
+          "not_eq",       "nullptr",       "operator",     "or",         "or_eq",        "private",
+          "protected",    "public",        "register",     "requires",   "restrict",     "return",
+          "short",        "signed",        "sizeof",       "static",     "struct",       "switch",
+          "template",     "this",          "throw",        "true",       "try",          "typedef",
+          "typeid",       "typename",      "typeof",       "union",      "unsigned",     "using",
+          "virtual",      "void",          "volatile",     "while",      "xor",          "xor_eq",
+          "linux",        "unix",          "char8_t",      "char16_t",   "char32_t",     "wchar_t",
+          "consteval",    "constexpr",     "constinit",    "const_cast", "dynamic_cast", "reinterpret_cast",
+          "static_cast",  "static_assert", "thread_local", "co_await",   "co_return",    "co_yield",
+          "typeof_unqual"})
       reserve(word);
   }
 
@@ -65,29 +74,27 @@ public:
       reserve(word);
   }
 
-  /// What math.h declares.
+  /// What math.h has.
   void reserve_words_of_mathematics() {
-    for (const std::string_view word :
-         {"acos",   "asin",     "atan",    "atan2",     "cos",        "sin",   "tan",       "acosh",
-          "asinh",  "atanh",    "cosh",    "sinh",      "tanh",       "exp",   "exp2",      "expm1",
-          "frexp",  "ilogb",    "ldexp",   "log",       "log10",      "log1p", "log2",      "logb",
-          "modf",   "scalbn",   "scalbln", "cbrt",      "fabs",       "hypot", "pow",       "sqrt",
-          "erf",    "erfc",     "lgamma",  "tgamma",    "ceil",       "floor", "nearbyint", "rint",
-          "lrint",  "llrint",   "round",   "lround",    "llround",    "trunc", "fmod",      "remainder",
-          "remquo", "copysign", "nan",     "nextafter", "nexttoward", "fdim",  "fmax",      "fmin",
-          "fma",    "j0",       "j1",      "jn",        "y0",         "y1",    "yn",        "gamma",
-          "signgam"}) {
-      reserve(word);
-      reserve(std::string(word) + 'f');
-    }
-    for (const std::string_view macro :
-         {"INFINITY",  "NAN",         "HUGE_VAL",     "HUGE_VALF", "HUGE_VALL", "FP_NAN",   "FP_ZERO",
-          "FP_NORMAL", "FP_INFINITE", "FP_SUBNORMAL", "isnan",     "isinf",     "isfinite", "isnormal",
-          "signbit",   "fpclassify",  "isgreater",    "isless",    "M_PI",      "M_E",      "NULL"})
-      reserve(macro);
+    for (const char* const number : {"", "f", "l", "f16", "f32", "f32x", "f64", "f64x", "f128"})
+      reserve_all(functions_of_mathematics, number);
+    reserve_all(other_words_of_mathematics);
   }
 
+  /// And what no function may be called that others link with.
+  void reserve_words_of_the_library() { reserve_all(words_of_the_library); }
+
 private:
+  void reserve_all(std::string_view words, std::string_view end = {}) {
+    constexpr std::string_view spaces = " \n";
+    for (std::size_t begin; (begin = words.find_first_not_of(spaces)) != words.npos;) {
+      words.remove_prefix(begin);
+      const std::string_view word = words.substr(0, words.find_first_of(spaces));
+      reserve(std::string(word).append(end));
+      words.remove_prefix(word.size());
+    }
+  }
+
   static bool is_letter(unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   }

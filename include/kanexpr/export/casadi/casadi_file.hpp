@@ -28,8 +28,11 @@ public:
   }
 
   std::string text() const {
-    return column().text() + jacobian().text() + forward().text() + jacobian_of_forward().text() +
-           adjoint().text() + jacobian_of_adjoint().text();
+    std::string all;
+    for (const casadi_function& each :
+         {column(), jacobian(), forward(), jacobian_of_forward(), adjoint(), jacobian_of_adjoint()})
+      all += each.text(library_);
+    return all;
   }
 
 private:

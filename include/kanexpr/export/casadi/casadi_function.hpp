@@ -22,10 +22,17 @@ struct casadi_function {
   int scratch = 0;    ///< numbers in `w`
   std::string body{}; ///< of `arg`, `res` and `w`; it returns 0, or else there is no result
 
-  std::string text() const {
+  /// `library` begins the names of what all functions share.
+  std::string text(const std::string& library) const {
     return filled(R"(
-int @name@(const double **arg, double **res, long long *iw, double *w, int mem) {
+static int @name@_found(const double **arg, double **res, double *w) {
 @body@}
+int @name@(const double **arg, double **res, long long *iw, double *w, int mem) {
+  static const int entries[] = {@entries@};
+  (void)iw;
+  (void)mem;
+  return @name@_found(arg, res, w) || !@library@_are_finite(res, @n_out@, entries);
+}
 long long @name@_n_in(void) { return @n_in@; }
 long long @name@_n_out(void) { return @n_out@; }
 const char *@name@_name_in(long long i) {
@@ -53,7 +60,9 @@ int @name@_work(long long *arg, long long *res, long long *iw, long long *w) {
 }
 )",
                   {{"name", name},
-                   {"body", "  (void)iw;\n  (void)mem;\n" + body},
+                   {"library", library},
+                   {"body", body},
+                   {"entries", listed(entries())},
                    {"n_in", std::to_string(in.size())},
                    {"n_out", std::to_string(out.size())},
                    {"names_in", names(in)},
@@ -70,6 +79,12 @@ int @name@_work(long long *arg, long long *res, long long *iw, long long *w) {
   }
 
 private:
+  std::vector<int> entries() const {
+    std::vector<int> counts;
+    for (const casadi_port& each : out) counts.push_back(each.shape.entries());
+    return counts;
+  }
+
   static std::string names(const std::vector<casadi_port>& ports) {
     std::string all;
     for (const casadi_port& each : ports) all += (all.empty() ? "\"" : ", \"") + each.name + '"';

@@ -16,8 +16,11 @@ public:
   using step_writer::step_writer;
 
   std::string text() const {
-    return in(step_in_c) + in(second_order_of_step_in_c) + value().text() + jacobian().text() +
-           forward().text() + jacobian_of_forward().text() + adjoint().text() + jacobian_of_adjoint().text();
+    std::string all = in(step_in_c) + in(second_order_of_step_in_c);
+    for (const casadi_function& each :
+         {value(), jacobian(), forward(), jacobian_of_forward(), adjoint(), jacobian_of_adjoint()})
+      all += each.text(library_);
+    return all;
   }
 
 private:
