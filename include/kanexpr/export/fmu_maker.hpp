@@ -195,6 +195,7 @@ private:
 
   /// By its name, or one like it where XML has no room for that or it is taken.
   fmu_variable variable(const std::string& name) {
+    if (name.empty()) refuse("each output and each event of an FMU needs a name");
     std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';
     return {own, own == name ? std::string() : name, 0};
