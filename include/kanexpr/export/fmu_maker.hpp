@@ -96,9 +96,15 @@ private:
     for (const wanted_function& each : chosen_.outputs) {
       if (!each.mistake.empty()) return refuse(each.mistake);
       if (each.step) return refuse(each.name + " is a step, and no output");
-      for (const wanted_result& one : each.results) measured.results.push_back(one);
+      for (const wanted_result& one : each.results) {
+        if (one.name.empty()) return refuse("an output of an FMU needs a name");
+        measured.results.push_back(one);
+      }
     }
-    for (const exported_event& each : chosen_.events) measured.results.push_back(each.watched);
+    for (const exported_event& each : chosen_.events) {
+      if (each.name.empty()) return refuse("an event of an FMU needs a name");
+      measured.results.push_back(each.watched);
+    }
     for (const exported_event& each : chosen_.events)
       for (const changed_value& one : each.changes) changes.results.push_back(one.to);
     if (!measured.results.empty()) {
@@ -195,7 +201,6 @@ private:
 
   /// By its name, or one like it where XML has no room for that or it is taken.
   fmu_variable variable(const std::string& name) {
-    if (name.empty()) refuse("each output and each event of an FMU needs a name");
     std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';
     return {own, own == name ? std::string() : name, 0};
