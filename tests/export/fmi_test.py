@@ -72,15 +72,22 @@ class Instance:
             assert status == OK, (function, status, self.told)
         return call
 
+    def enter_initialization(self, tolerance=None, start=0):
+        return self.status("EnterInitializationMode", flag(tolerance is not None), double(tolerance or 0), double(start),
+                           flag(False), double(0))
+
     def initialize(self, tolerance=None, **values):
-        self.EnterInitializationMode(flag(tolerance is not None), double(tolerance or 0), double(0), flag(False), double(0))
+        assert self.enter_initialization(tolerance) == OK
         self.set(values)
         self.ExitInitializationMode()
         return self
 
-    def set(self, values):
+    def status_of_set(self, values):
         references, count = self.fmu.references(list(values))
-        self.SetFloat64(references, count, (double * len(values))(*values.values()), count)
+        return self.status("SetFloat64", references, count, (double * len(values))(*values.values()), count)
+
+    def set(self, values):
+        assert self.status_of_set(values) == OK, self.told
 
     def get(self, *names):
         references, count = self.fmu.references(names)
@@ -106,9 +113,9 @@ class Instance:
     def product(self, which, unknowns, knowns, seed):
         (u, count), (k, known_count) = self.fmu.references(unknowns), self.fmu.references(knowns)
         found = (double * (len(unknowns) if which == "Directional" else len(knowns)))()
-        self.status(f"Get{which}Derivative", u, count, k, known_count, (double * len(seed))(*seed), size(len(seed)),
-                    found, size(len(found)))
-        return list(found)
+        status = self.status(f"Get{which}Derivative", u, count, k, known_count, (double * len(seed))(*seed), size(len(seed)),
+                             found, size(len(found)))
+        return list(found) if status == OK else status
 
     def events(self):
         """Whether there was anything to change, and whether the motion ends."""
@@ -188,6 +195,10 @@ assert one.told[0] == (DISCARD, "the mass matrix is singular at this state: its 
 one.set({"m": 2})
 one.rates()
 
+# Angles may be of any size, as in a simulation.
+one.at(0.5, [2e5, 0.0])
+near(one.rates(), [0, 0.3 / inertia - 9.81 / 0.8 * math.sin(2e5)], 1e-14)
+
 # What is not understood is an error.
 references, count = pendulum.references(["der(q)"])
 assert one.status("SetFloat64", references, count, (double * 1)(), count) == ERROR
@@ -249,6 +260,63 @@ one = Instance(ball, "CoSimulation").initialize()
 for k in range(80):
     assert one.step(0.05 * k, 0.05)[0] == OK
     near(one.get("h", "v"), bounced(0.05 * (k + 1)), 1e-10)
+one.free()
+
+# On the ground at the start: it meets it at once where it goes down, and later where it goes up. A ball at rest there meets it
+# again and again, and does not fall through.
+for v, rebound in ((-1.0, 0.8), (1.0, 1.0)):
+    one = Instance(ball, "CoSimulation").initialize(h=0, v=v)
+    assert one.step(0, 0.05)[0] == OK
+    near(one.get("h", "v"), [rebound * 0.05 - g * 0.05**2 / 2, rebound - g * 0.05], 1e-10)
+    assert one.step(0.05, 0.2)[0] == OK
+    assert one.get("h")[0] > 0
+    one.free()
+    one = exchange(ball, h=0, v=v)
+    assert one.row("EventIndicators", 1)[0] > 0, "a change of sign is to come"
+    one.at(1e-3, [v * 1e-3, v])
+    assert (one.row("EventIndicators", 1)[0] < 0) is one.wants_event_mode() is (v < 0)
+    one.free()
+for x in ({"h": 0, "v": 0}, {"h": 1e-7, "v": -1e-5}):
+    one = Instance(ball, "CoSimulation").initialize(**x)
+    assert one.step(0, 0.05)[0] == DISCARD
+    assert one.told == [(DISCARD, "more than 100 events happen in one internal step")]
+    assert abs(one.get("h")[0]) < 1e-7
+    one.free()
+
+# What an event sets passes nothing, however far it jumps; what passes later happens. Internal steps are as long as steps at
+# most, and those without an end are refused.
+lift = Fmu("lift")
+one = Instance(lift, "CoSimulation").initialize()
+assert one.step(0, 1.5)[0] == OK
+near(one.get("h", "v"), [4.5, -1], 1e-11)
+assert one.step(1.5, 1)[0] == OK
+near(one.get("h", "v"), [3.5, -1], 1e-11)
+one.free()
+one, t = Instance(lift, "CoSimulation").initialize(), 0.0
+for _ in range(1000):
+    status, t = one.step(t, 9e-10)
+    assert status == OK
+near(one.get("h"), [1 - t], 1e-12)
+for length, why in ((math.inf, "a step has a positive, finite length"), (math.nan, "a step has a positive, finite length"),
+                    (1e300, "a step holds at most 1e10 internal steps"),
+                    (1e-30, "an internal step is shorter than what numbers can add to the time")):
+    assert one.step(t, length) == (ERROR, t) and one.told[-1] == (ERROR, why)
+assert one.step(math.inf, 1) == (ERROR, t)
+
+# What is refused changes nothing.
+h = one.get("h")
+assert one.enter_initialization(start=77) == ERROR and one.get("time") == [t]
+assert one.status_of_set({"h": 3}) == ERROR and one.told[-1] == (ERROR, "the state of a co-simulation goes on by steps")
+assert one.status("SetContinuousStates", (double * 2)(3, 3), size(2)) == ERROR
+assert one.status("CompletedIntegratorStep", flag(True), ctypes.byref(flag()), ctypes.byref(flag())) == ERROR
+assert one.get("h") == h
+one.free()
+one = exchange(ball)
+assert one.status_of_set({"h": 3, "der(v)": 1}) == ERROR and one.get("h") == [height]
+one.Terminate()
+assert one.status_of_set({"g": 1}) == ERROR and one.told[-1] == (ERROR, "after fmi3Terminate nothing can be set")
+assert one.status("SetTime", double(5)) == one.status("SetContinuousStates", (double * 2)(), size(2)) == ERROR
+assert one.get("g", "h", "time") == [g, height, 0]
 one.free()
 
 # The same as a tool integrates it, whose steps are exact here
@@ -332,7 +400,7 @@ assert one.status("CompletedIntegratorStep", flag(True), ctypes.byref(flag()), c
 assert "norm" in one.told[-1][1], one.told[-1]
 one.free()
 one = Instance(slider, "ModelExchange")
-one.EnterInitializationMode(flag(False), double(0), double(0), flag(False), double(0))
+assert one.enter_initialization() == OK
 one.set({"h": -2})
 for _ in range(2):
     assert one.status("ExitInitializationMode") == ERROR
@@ -340,6 +408,44 @@ for _ in range(2):
 one.set({"h": -0.2, **dict(zip(slider.states, start))})
 one.ExitInitializationMode()
 near(one.state(), start, 1e-14)
+one.free()
+
+# A linkage: no derivatives before dependent coordinates are found; other lengths between steps, at which it closes again or says
+# that it cannot.
+linkage = Fmu("four_bar")
+
+
+def gap(of):
+    q1, q2, q3, l1 = of.get("q1", "q2", "q3", "l1")
+    return [l1 * math.cos(q1) + 3 * math.cos(q1 + q2) + 2.5 * math.cos(q1 + q2 + q3) - 4,
+            l1 * math.sin(q1) + 3 * math.sin(q1 + q2) + 2.5 * math.sin(q1 + q2 + q3)]
+
+
+one = Instance(linkage, "ModelExchange")
+assert one.enter_initialization() == OK
+for which in ("Directional", "Adjoint"):
+    assert one.product(which, ["der(u1)"], ["q1"], [1.0]) == ERROR
+assert one.told[-1] == (ERROR, "until the initialization is over there are no derivatives, as states follow from others")
+one.ExitInitializationMode()
+near(gap(one), [0, 0], 1e-13)
+assert len(one.product("Directional", ["der(u1)"], ["q1"], [1.0])) == 1
+one.set({"l1": 1.4})
+assert one.events() == (True, False)
+near(gap(one), [0, 0], 1e-13)
+one.free()
+one = Instance(linkage, "CoSimulation").initialize()
+assert one.step(0, 0.1)[0] == OK
+one.set({"l1": 1.4})
+near(gap(one), [0, 0], 1e-13)
+one.set({"l1": 1.0})
+assert one.step(0.1, 1e-3)[0] == OK
+near(gap(one), [0, 0], 1e-12)
+before = one.get("q1", "q2", "q3")
+one.set({"l1": 40})
+assert one.step(0.101, 1e-3)[0] == DISCARD
+assert one.told[-1][0] == DISCARD
+one.set({"l1": 1.0})
+assert one.get("q1", "q2", "q3") == before, "nothing has moved"
 one.free()
 
 # Threads with an instance each

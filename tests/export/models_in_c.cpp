@@ -110,17 +110,39 @@ bool write_ball_fmu(const char* folder) {
   return is_whole(ball);
 }
 
+/// A lift without weight that jumps up where it arrives, past where another event looks, in long steps
+/// inside.
+bool write_lift_fmu(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto h = b.coordinate("h"), v = b.speed("v");
+  b.kinematic_equation(b.dot(h) - v);
+  const auto N = b.inertial_frame();
+  b.particle("Lift", b.offset("P", b.origin("O"), b.along(N, h, 0, 0)), b.number(1));
+  using kanexpr::crossing;
+  return is_whole(
+      kanexpr::write_fmu(b, folder, "lift",
+                         {.start = {{"h", 1}, {"v", -1}},
+                          .events = {when("arrival", h, crossing::falling, {set("h", b.number(5))}),
+                                     when("four", h - 4, crossing::rising, {set("v", b.number(7))})},
+                          .step = 1}));
+}
+
 bool write_fmus(const char* folder, const options& of_bound) {
   const fmu_options bound{.outputs = of_bound.functions,
                           .bound = of_bound.bound,
                           .start = {{"q", 0.3}, {"l", 0.5}, {"c", 0.1}},
                           .step = 0.01};
-  fmu_options beaded, sliding;
+  fmu_options beaded, sliding, linked;
+  linked.start = {{"q1", 0.3}, {"q2", 0.5}, {"q3", -1.8}, {"u1", 1},   {"g", 9.81}, {"l0", 4},
+                  {"l1", 1},   {"l2", 3},   {"l3", 2.5},  {"d1", 0.5}, {"d2", 1.5}, {"d3", 1.2},
+                  {"m1", 1},   {"m2", 2},   {"m3", 1.5},  {"I1", 0.1}, {"I2", 0.5}, {"I3", 0.3}};
   beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
   beaded.step = sliding.step = 0.125; // all sums of such are exact
   sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
   return is_whole(kanexpr::write_fmu<simple_pendulum::System>(folder, "bound_pendulum", bound)) &&
          write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&
+         write_lift_fmu(folder) &&
+         is_whole(kanexpr::write_fmu<four_bar::System>(folder, "four_bar", linked)) &&
          is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) &&
          is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
 }

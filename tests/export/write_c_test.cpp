@@ -366,6 +366,8 @@ TEST(WriteFmu, NamesWhatCannotBeExported) {
   EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("velocity")}; }), "no result is called velocity");
   EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("runge_kutta_4")}; }),
             "runge_kutta_4 is a step, and no output");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {expression<q>("")}; }), "an output of an FMU needs a name");
+  EXPECT_EQ(of([](fmu_options& o) { o.events = {when<q>("")}; }), "an event of an FMU needs a name");
   EXPECT_EQ(of([](fmu_options& o) {
               o.events = {when<position_of<simple_pendulum::P, simple_pendulum::O>>("fall")};
             }),

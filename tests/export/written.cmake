@@ -9,7 +9,7 @@ list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABL
 set(names iiwa iiwa_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
 set(names_of_steps sliding sliding_in_float bead bead_in_float)
 set(names_of_all ${names} ${names_of_steps})
-set(fmus bound_pendulum pendulum ball bead sliding strange)
+set(fmus bound_pendulum pendulum ball bead sliding strange lift four_bar)
 list(TRANSFORM fmus REPLACE "(.+)" "${folder}/\\1.fmu")
 list(TRANSFORM names_of_all REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
 add_custom_command(OUTPUT ${files} ${files_for_casadi} ${fmus} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)

@@ -96,9 +96,15 @@ private:
     for (const wanted_function& each : chosen_.outputs) {
       if (!each.mistake.empty()) return refuse(each.mistake);
       if (each.step) return refuse(each.name + " is a step, and no output");
-      for (const wanted_result& one : each.results) measured.results.push_back(one);
+      for (const wanted_result& one : each.results) {
+        if (one.name.empty()) return refuse("an output of an FMU needs a name");
+        measured.results.push_back(one);
+      }
     }
-    for (const exported_event& each : chosen_.events) measured.results.push_back(each.watched);
+    for (const exported_event& each : chosen_.events) {
+      if (each.name.empty()) return refuse("an event of an FMU needs a name");
+      measured.results.push_back(each.watched);
+    }
     for (const exported_event& each : chosen_.events)
       for (const changed_value& one : each.changes) changes.results.push_back(one.to);
     if (!measured.results.empty()) {

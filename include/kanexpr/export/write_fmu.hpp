@@ -36,7 +36,8 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
   const c_file model(made.of.system, precision::double_precision);
   const model_description description(made.of);
   const fmu_source source(made.of);
-  const std::string header = model.header(), code = model.source();
+  const std::string header = model.header(),
+                    code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
   // of all that says what the model is
   const std::string token = token_of({description.text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
@@ -73,7 +74,9 @@ exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std:
                                       folder, chosen.compiler);
 }
 
-/// The same of what a builder built.
+/// The same of what a builder built. Its expressions may be outputs and events, so that the model is derived
+/// beside them: the order of sums in the sources, and the last bits, may depend on the compiler of the
+/// program.
 inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
                                         const std::string& name, const exporting::fmu_options& chosen = {}) {
   return exporting::detail::write_fmu(

@@ -66,7 +66,8 @@ inline constexpr std::string_view sum_of_float = R"(#if defined(__ARM_FEATURE_FM
 
 inline constexpr std::string_view sine_and_cosine = R"(
 /* Reduction to a quadrant by Cody and Waite's method, then minimax polynomials: less than 1.5 ulp off up to
-   131072 rad, and NaN beyond. With @name@_SINES_OF_THE_LIBRARY math.h takes its place. */
+   131072 rad, and NaN beyond. With @name@_ANGLES_WITHOUT_END math.h takes over there, with
+   @name@_SINES_OF_THE_LIBRARY everywhere. */
 @name@_INLINE void @name@_sine_and_cosine(@number@ angle, @number@ *sine, @number@ *cosine) {
 #if defined(@name@_SINES_OF_THE_LIBRARY)
   *sine = @sin@(angle);
@@ -76,6 +77,13 @@ inline constexpr std::string_view sine_and_cosine = R"(
   @name@_bits given, magnitude, along, across;
   @bits@ quadrant, exchanged;
   @number@ offset, rest, square, cube, falling;
+#if defined(@name@_ANGLES_WITHOUT_END)
+  if (!(angle <= @farthest@ && angle >= -@farthest@)) {
+    *sine = @sin@(angle);
+    *cosine = @cos@(angle);
+    return;
+  }
+#endif
   given.number = angle;
   magnitude.number = @farthest@;
   magnitude.bits = (given.bits & ~sign) | (0 - ((magnitude.bits - (given.bits & ~sign)) >> @last@));

@@ -15,6 +15,7 @@ static void start(instance *of) {
   of->tolerance = 1e-8; /* where none is told */
   of->mode = instantiated;
   of->known = 0;
+  of->may_be_off = false;
 }
 
 static instance *made(const char *given_token, void *environment, log_message log, bool is_stepped) {
@@ -75,11 +76,14 @@ static fmi3Status go(instance *of, enum mode from, enum mode to, const char *fun
 EXPORTED fmi3Status fmi3EnterInitializationMode(void *given, bool has_tolerance, double tolerance, double from, bool has_end,
                                                 double end) {
   instance *const of = (instance *)given;
+  const fmi3Status status =
+      go(of, instantiated, initialization, "fmi3EnterInitializationMode is for what was instantiated or reset");
   (void)has_end, (void)end;
+  if (status != fmi3OK) return status;
   if (has_tolerance && tolerance > 0) of->tolerance = tolerance;
   of->t = from;
   of->known = 0;
-  return go(of, instantiated, initialization, "fmi3EnterInitializationMode is for what was instantiated or reset");
+  return fmi3OK;
 }
 
 EXPORTED fmi3Status fmi3ExitInitializationMode(void *given) {
@@ -87,7 +91,7 @@ EXPORTED fmi3Status fmi3ExitInitializationMode(void *given) {
   fmi3Status status;
   if (of->mode != initialization)
     return say(of, fmi3Error, "fmi3ExitInitializationMode is for initialization mode");
-  if (prepare(of) != fmi3OK || (indicators > 0 && look_at_indicators(of) != fmi3OK)) return fmi3Error;
+  if (prepare(of) != fmi3OK || (indicators > 0 && begin_indicators(of) != fmi3OK)) return fmi3Error;
   status = go(of, initialization, of->is_stepped ? step_mode : event_mode, "");
   return status;
 }
@@ -122,7 +126,7 @@ EXPORTED fmi3Status fmi3UpdateDiscreteStates(void *given, bool *again, bool *end
   if (drifts) {
     const fmi3Status status = look_for_drift(of, states_changed);
     if (status != fmi3OK) return status;
-    if (*states_changed) go_to_next(of);
+    if (*states_changed && to_constraints(of) != fmi3OK) return fmi3Discard;
   }
   return indicators > 0 ? handle_events(of, states_changed, ends) : fmi3OK;
 }
@@ -137,6 +141,8 @@ EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *e
   fmi3Status status = fmi3OK;
   (void)is_final;
   *enter_event_mode = *ends = false;
+  if (((instance *)of)->mode != continuous_time)
+    return say((instance *)of, fmi3Error, "fmi3CompletedIntegratorStep is for continuous-time mode");
   if (drifts) status = look_for_drift((instance *)of, &is_far);
   if (status == fmi3OK) status = follow_indicators((instance *)of, &any);
   *enter_event_mode = is_far || any;
@@ -146,18 +152,22 @@ EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *e
 EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_final, bool *event, bool *ends, bool *early,
                                double *reached) {
   instance *const of = (instance *)given;
-  const double count = ceil(length / internal_step - 1e-9);
-  double i;
-  fmi3Status status = fmi3OK;
+  const double most = 1e10; /* internal steps, years of a computer's time */
+  double count, i;
+  fmi3Status status;
   (void)is_final;
   *event = *ends = *early = false;
   *reached = of->t;
   if (of->mode != step_mode) return say(of, fmi3Error, "fmi3DoStep is for step mode");
-  if (!(length > 0)) return say(of, fmi3Error, "a step has a positive length");
-  if (!(fabs(from - of->t) <= 1e-9 * (length + fabs(from))))
+  if (!(length > 0) || !isfinite(length)) return say(of, fmi3Error, "a step has a positive, finite length");
+  if (!isfinite(from) || !(fabs(from - of->t) <= 1e-9 * (length + fabs(from))))
     return say(of, fmi3Error, "a step begins where the last one ended");
-  for (i = 0; i < count && status == fmi3OK && !*ends; ++i)
-    status = step_with_events(of, length / (count > 1 ? count : 1), ends);
+  count = fmax(1, ceil(length / internal_step - 1e-9));
+  if (count > most) return say(of, fmi3Error, "a step holds at most 1e10 internal steps");
+  if (!(from + length / count > from))
+    return say(of, fmi3Error, "an internal step is shorter than what numbers can add to the time");
+  status = prepare(of);
+  for (i = 0; i < count && status == fmi3OK && !*ends; ++i) status = step_with_events(of, length / count, ends);
   if (status == fmi3OK && !*ends) of->t = from + length;
   *reached = of->t;
   return status;
@@ -166,6 +176,8 @@ EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_
 
 /// Values and derivatives.
 inline constexpr std::string_view values = R"(
+static const char after_the_end[] = "after fmi3Terminate nothing can be set";
+
 static bool is_among(int reference, int first, int end) { return reference >= first && reference < end; }
 
 static fmi3Status value(instance *of, fmi3ValueReference of_variable, double *found) {
@@ -184,8 +196,10 @@ static fmi3Status value(instance *of, fmi3ValueReference of_variable, double *fo
     *found = of->p[i - FIRST_PARAMETER];
   else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
     *found = of->r[i - FIRST_INPUT];
-  else if (is_among(i, FIRST_OUTPUT, END))
+  else if (is_among(i, FIRST_OUTPUT, FIRST_OUTPUT + outputs))
     *found = of->measured[i - FIRST_OUTPUT];
+  else if (is_among(i, FIRST_OUTPUT + outputs, END))
+    *found = indicator(of, i - FIRST_OUTPUT - outputs);
   else
     return say(of, fmi3Error, "there is no variable of this value reference");
   return fmi3OK;
@@ -202,29 +216,35 @@ EXPORTED fmi3Status fmi3GetFloat64(void *given, const fmi3ValueReference *of_var
   return status;
 }
 
+/* The value of a variable that a tool may set; null: it may not. */
+static double *settable(instance *of, fmi3ValueReference of_variable) {
+  const int i = (int)of_variable;
+  if (is_among(i, FIRST_STATE, FIRST_RATE)) return of->mode == step_mode ? NULL : &of->x[i - FIRST_STATE];
+  if (is_among(i, FIRST_PARAMETER, FIRST_INPUT)) return &of->p[i - FIRST_PARAMETER];
+  return is_among(i, FIRST_INPUT, FIRST_OUTPUT) ? &of->r[i - FIRST_INPUT] : NULL;
+}
+
 EXPORTED fmi3Status fmi3SetFloat64(void *given, const fmi3ValueReference *of_variables, size_t count,
                                    const double *values, size_t size) {
   instance *const of = (instance *)given;
   size_t k;
   if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
-  for (k = 0; k < count; ++k) {
-    const int i = (int)of_variables[k];
-    if (is_among(i, FIRST_STATE, FIRST_RATE))
-      of->x[i - FIRST_STATE] = values[k];
-    else if (is_among(i, FIRST_PARAMETER, FIRST_INPUT))
-      of->p[i - FIRST_PARAMETER] = values[k];
-    else if (is_among(i, FIRST_INPUT, FIRST_OUTPUT))
-      of->r[i - FIRST_INPUT] = values[k];
-    else
-      return say(of, fmi3Error, "this variable cannot be set");
-  }
+  if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
+  for (k = 0; k < count; ++k)
+    if (settable(of, of_variables[k]) == NULL)
+      return say(of, fmi3Error, is_among((int)of_variables[k], FIRST_STATE, FIRST_RATE)
+                                    ? "the state of a co-simulation goes on by steps"
+                                    : "this variable cannot be set");
+  for (k = 0; k < count; ++k) *settable(of, of_variables[k]) = values[k];
   of->known = 0;
+  of->may_be_off = drifts && of->mode == step_mode;
   return fmi3OK;
 }
 
 EXPORTED fmi3Status fmi3SetTime(void *given, double time) {
   instance *const of = (instance *)given;
   if (of->is_stepped) return say(of, fmi3Error, "the time of a co-simulation goes on by steps");
+  if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
   of->t = time;
   of->known = 0;
   return fmi3OK;
@@ -233,6 +253,8 @@ EXPORTED fmi3Status fmi3SetTime(void *given, double time) {
 EXPORTED fmi3Status fmi3SetContinuousStates(void *given, const double *x, size_t count) {
   instance *const of = (instance *)given;
   int i;
+  if (of->is_stepped) return say(of, fmi3Error, "the state of a co-simulation goes on by steps");
+  if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
   if (count != states) return say(of, fmi3Error, "these are not as many states as there are");
   for (i = 0; i < states; ++i) of->x[i] = x[i];
   of->known = 0;
@@ -261,9 +283,13 @@ EXPORTED fmi3Status fmi3GetContinuousStateDerivatives(void *given, double *rates
 
 EXPORTED fmi3Status fmi3GetEventIndicators(void *given, double *found, size_t count) {
   instance *const of = (instance *)given;
+  int i;
   fmi3Status status = prepare(of);
   if (status == fmi3OK && indicators > 0) status = find_measured(of);
-  return status == fmi3OK ? copied(of, count, indicators, of->measured + outputs, found) : status;
+  if (status == fmi3OK && count != indicators)
+    status = say(of, fmi3Error, "these are not as many indicators as there are");
+  for (i = 0; status == fmi3OK && i < indicators; ++i) found[i] = indicator(of, i);
+  return status;
 }
 
 EXPORTED fmi3Status fmi3GetNominalsOfContinuousStates(void *given, double *nominals, size_t count) {
@@ -317,7 +343,10 @@ static fmi3Status products(instance *of, const fmi3ValueReference *unknowns, siz
                            bool is_adjoint) {
   const size_t size = is_adjoint ? known_count : unknown_count;
   size_t i, j;
-  fmi3Status status = prepare(of);
+  fmi3Status status;
+  if (drifts && of->mode <= initialization)
+    return say(of, fmi3Error, "until the initialization is over there are no derivatives, as states follow from others");
+  status = prepare(of);
   for (i = 0; i < size; ++i) found[i] = 0;
   for (i = 0; i < unknown_count && status == fmi3OK; ++i)
     for (j = 0; j < known_count && status == fmi3OK; ++j) {

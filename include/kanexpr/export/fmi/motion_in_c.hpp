@@ -41,7 +41,9 @@ typedef struct {
   double measured_by_time[ROOM(measured_count)];
   double next[ROOM(states)];
   double tolerance; /* of the solver */
+  bool may_be_off; /* the constraints, as something was set since the last step */
   bool is_positive[ROOM(indicators)]; /* by indicator, when events were looked for last */
+  double level[ROOM(indicators)];     /* what counts as zero of it, where it is about to pass zero or to return */
 } instance;
 
 static fmi3Status say(const instance *of, fmi3Status status, const char *message) {
@@ -88,27 +90,41 @@ static void go_to_next(instance *of) {
   of->known = 0;
 }
 
-/* Steps of Newton's method, each of which squares what is left. */
+static const double close_to_constraints = 1e-9;
+
+/* Steps of Newton's method, each of which squares what is left. Where they fail, nothing has moved. */
 static fmi3Status to_constraints(instance *of) {
   enum { most_steps = 100 };
-  const double close = 1e-9;
-  double way = drifts ? 2 * close : 0;
-  int done;
-  for (done = 0; !(way <= close) && done < most_steps; ++done) {
-    const fmi3Status status = find_correction(of);
-    if (status != fmi3OK) return status;
+  double way = drifts ? 2 * close_to_constraints : 0, before[ROOM(states)];
+  fmi3Status status = fmi3OK;
+  int done, i;
+  for (i = 0; i < states; ++i) before[i] = of->x[i];
+  for (done = 0; !(way <= close_to_constraints) && done < most_steps; ++done) {
+    if ((status = find_correction(of)) != fmi3OK) break;
     way = way_to_next(of);
     go_to_next(of);
   }
-  if (!(way <= close)) return say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
-  of->known |= is_on_constraints;
-  return fmi3OK;
+  if (status == fmi3OK && !(way <= close_to_constraints))
+    status = say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
+  if (status == fmi3OK) {
+    of->known |= is_on_constraints;
+  } else {
+    for (i = 0; i < states; ++i) of->x[i] = before[i];
+    of->known = 0;
+  }
+  return status;
 }
 
-/* Until the initialization is over, what is asked for follows from what is independent. */
+/* Until the initialization is over, and after a tool has changed a parameter or an input of a co-simulation, what is
+   asked for follows from what is independent. A state on the constraints stays as it is, to the last bit. */
 static fmi3Status prepare(instance *of) {
-  if (of->mode > initialization || (of->known & is_on_constraints)) return fmi3OK;
-  return to_constraints(of);
+  fmi3Status status = fmi3OK;
+  if (of->mode <= initialization) return (of->known & is_on_constraints) ? fmi3OK : to_constraints(of);
+  if (!of->may_be_off) return fmi3OK;
+  if ((status = find_correction(of)) == fmi3OK && !(way_to_next(of) <= close_to_constraints))
+    status = to_constraints(of);
+  of->may_be_off = status != fmi3OK;
+  return status;
 }
 
 /* Whether a solver lost the constraints by more than its tolerance; the next state has them. */
@@ -118,40 +134,123 @@ static fmi3Status look_for_drift(instance *of, bool *is_far) {
   return status;
 }
 
+static double indicator(const instance *of, int i) { return of->measured[outputs + i] - of->level[i]; }
+
+/* Notes on which side of zero an indicator is. */
+static void look_at(instance *of, int i) {
+  const double found = of->measured[outputs + i], level = of->level[i];
+  if (!((level < found && found <= 0) || (0 <= found && found <= level && level > 0))) of->level[i] = 0;
+  of->is_positive[i] = indicator(of, i) > 0;
+}
+
 static fmi3Status look_at_indicators(instance *of) {
   const fmi3Status status = find_measured(of);
   int i;
   if (status == fmi3OK)
-    for (i = 0; i < indicators; ++i) of->is_positive[i] = of->measured[outputs + i] > 0;
+    for (i = 0; i < indicators; ++i) look_at(of, i);
   return status;
 }
 
-static bool passes(const instance *of, int indicator) {
-  const bool is_positive = of->measured[outputs + indicator] > 0;
-  return is_positive != of->is_positive[indicator] &&
-         (direction[indicator] == 0 || (direction[indicator] > 0) == is_positive);
+/* How much an indicator changes where the state and the time change by what cannot be told from rounding. */
+static double rounding_of(const instance *of, int i) {
+  const int row = outputs + i;
+  double sum = fabs(of->measured_by_time[row]) * (1 + fabs(of->t));
+  int j;
+  for (j = 0; indicators > 0 && j < states; ++j)
+    sum += fabs(of->measured_by_state[row * states + j]) * (1 + fabs(of->x[j]));
+  return 1e-12 * sum;
 }
 
-/* All that happens at this instant. The values of all changes are those of the state before. */
+/* Lets an indicator that is zero, as far as can be told, pass zero again: it counts as on the side from which it would
+   come. The derivatives are known. */
+static void wait_for(instance *of, int i, int direction_of_passing) {
+  const double found = of->measured[outputs + i], rounding = rounding_of(of, i);
+  if (fabs(found) <= 1000 * rounding)
+    of->level[i] = direction_of_passing < 0 ? fmin(found, 0) - rounding : fmax(found, 0) + rounding;
+}
+
+/* At the start there is nothing to pass from: an indicator that is zero there passes zero if it leaves it in the
+   direction of its event. */
+static fmi3Status begin_indicators(instance *of) {
+  fmi3Status status = find_measured(of);
+  double largest = 0;
+  int i;
+  for (i = 0; i < states; ++i) largest = fmax(largest, fabs(of->x[i]));
+  for (i = 0; status == fmi3OK && i < indicators; ++i) {
+    const double found = of->measured[outputs + i];
+    of->level[i] = 0;
+    if (direction[i] * found < 0 || direction[i] == 0 || fabs(found) > 1e-9 * (1 + largest)) continue;
+    if ((status = find_measured_derivatives(of)) == fmi3OK) wait_for(of, i, direction[i]);
+  }
+  return status == fmi3OK ? look_at_indicators(of) : status;
+}
+
+/* In which direction an indicator has passed zero; 0: it has not, or not as its event wants. */
+static int passed(const instance *of, int i) {
+  const bool is_positive = indicator(of, i) > 0;
+  if (is_positive == of->is_positive[i] || (direction[i] != 0 && (direction[i] > 0) != is_positive)) return 0;
+  return is_positive ? 1 : -1;
+}
+
+/* The rates of indicators while inputs hold. */
+static fmi3Status find_slopes(instance *of, double *slopes) {
+  fmi3Status status = find_rates(of);
+  int i, j;
+  if (status == fmi3OK) status = find_measured_derivatives(of);
+  for (i = 0; status == fmi3OK && i < indicators; ++i) {
+    slopes[i] = of->measured_by_time[outputs + i];
+    for (j = 0; indicators > 0 && j < states; ++j)
+      slopes[i] += of->measured_by_state[(outputs + i) * states + j] * of->rates[j];
+  }
+  return status;
+}
+
+/* All that happens at this instant. The values of all changes are those of the state before. An indicator that its
+   event has turned round, or brought to rest, may pass zero again at once. */
 static fmi3Status handle_events(instance *of, bool *is_changed, bool *ends) {
   fmi3Status status = find_measured(of);
-  bool are_known = false; /* the changes */
+  int happened[ROOM(indicators)], has_changed[ROOM(indicators)];
+  double before[ROOM(indicators)], after[ROOM(indicators)];
+  bool any = false; /* changes */
   int i;
   if (status != fmi3OK) return status;
-  for (i = 0; i < indicators; ++i)
-    if (passes(of, i)) *ends = *ends || ends_motion[i];
+  for (i = 0; i < indicators; ++i) {
+    happened[i] = passed(of, i);
+    has_changed[i] = 0;
+    *ends = *ends || (happened[i] != 0 && ends_motion[i]);
+  }
   for (i = 0; i < change_count; ++i)
-    if (passes(of, changed_by[i])) {
-      if (!are_known && (status = find_changes(of)) != fmi3OK) return status;
-      are_known = true;
-      of->x[changed_place[i]] = of->changes[i];
-    }
-  if (are_known) {
+    if (happened[changed_by[i]] != 0) has_changed[changed_by[i]] = any = true;
+  if (any) {
+    if ((status = find_slopes(of, before)) != fmi3OK || (status = find_changes(of)) != fmi3OK) return status;
+    for (i = 0; i < change_count; ++i)
+      if (happened[changed_by[i]] != 0) of->x[changed_place[i]] = of->changes[i];
     *is_changed = true;
     of->known = 0;
     if ((status = to_constraints(of)) != fmi3OK) return status;
+    if ((status = find_slopes(of, after)) != fmi3OK || (status = find_measured(of)) != fmi3OK) return status;
+    for (i = 0; i < indicators; ++i)
+      if (has_changed[i] && after[i] * happened[i] <= 1e-6 * fabs(before[i])) wait_for(of, i, happened[i]);
   }
   return look_at_indicators(of);
+}
+
+static fmi3Status pass_any(instance *of, bool *any) {
+  const fmi3Status status = indicators > 0 ? find_measured(of) : fmi3OK;
+  int i;
+  *any = false;
+  for (i = 0; status == fmi3OK && i < indicators; ++i) *any = *any || passed(of, i) != 0;
+  return status;
+}
+
+/* Between events an indicator may pass zero the other way. */
+static fmi3Status follow_indicators(instance *of, bool *any) {
+  const fmi3Status status = pass_any(of, any);
+  int i;
+  if (status == fmi3OK)
+    for (i = 0; i < indicators; ++i)
+      if (passed(of, i) == 0) look_at(of, i);
+  return status;
 }
 
 static fmi3Status advance(instance *of, const double *from, double t, double h) {
@@ -164,24 +263,6 @@ static fmi3Status advance(instance *of, const double *from, double t, double h) 
   go_to_next(of);
   of->t = t + h;
   return fmi3OK;
-}
-
-static fmi3Status pass_any(instance *of, bool *any) {
-  const fmi3Status status = indicators > 0 ? find_measured(of) : fmi3OK;
-  int i;
-  *any = false;
-  for (i = 0; status == fmi3OK && i < indicators; ++i) *any = *any || passes(of, i);
-  return status;
-}
-
-/* Between events an indicator may pass zero the other way. */
-static fmi3Status follow_indicators(instance *of, bool *any) {
-  const fmi3Status status = pass_any(of, any);
-  int i;
-  if (status == fmi3OK)
-    for (i = 0; i < indicators; ++i)
-      if (!passes(of, i)) of->is_positive[i] = of->measured[outputs + i] > 0;
-  return status;
 }
 
 /* A step with the events that it holds, each found by halving. Where it fails, nothing has moved since the last of
