@@ -237,6 +237,23 @@ TEST(WriteC, WritesTheSameInWhateverOrderABuilderWasGivenTerms) {
   EXPECT_EQ(code_of_pendulum(to, true), code_of_pendulum(to, false));
 }
 
+TEST(WriteC, WritesExpressionsOfABuilder) {
+  const folder to;
+  runtime::builder b("N"), other("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), l = b.parameter("l");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto P = b.offset("P", b.origin("O"), b.along(b.rotated("A", N, q, b.along(N, 0, 0, 1)), l, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  const auto written = [&](const wanted_function& wanted) {
+    return write_c(b, to.path, "arm", with({wanted}));
+  };
+  ASSERT_TRUE(written(exporting::expression("height", l * cos(q))));
+  EXPECT_THAT(to.text_of("arm.c"), HasSubstr("arm_height("));
+  EXPECT_EQ(written(exporting::expression("turn", other.coordinate("turn"))).cause(),
+            "turn is no expression of what is exported");
+}
+
 struct doubled {
   template <class T>
   T operator()(const T& x) const {

@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/copied.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <cmath>
@@ -226,11 +227,13 @@ private:
       return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
                                                         : found;
     }
-    symbolic::matrix one(from.graph(), 1, 1);
-    if (each.written.lives_in(from.graph()))
-      one(0, 0) = from.in_motion(each.written);
-    else
-      refuse(each.name + " is no expression of what is exported");
+    symbolic::graph& own = from.graph();
+    const int symbols = own.symbols().size();
+    symbolic::expression e = each.written;
+    if (!e.lives_in(own)) e = {own, symbolic::copied(e.owner(), {e.node()}, own)[e.node()]};
+    if (own.symbols().size() > symbols) refuse(each.name + " is no expression of what is exported");
+    symbolic::matrix one(own, 1, 1);
+    one(0, 0) = from.in_motion(e);
     return one;
   }
 

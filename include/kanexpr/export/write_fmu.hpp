@@ -74,13 +74,13 @@ exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std:
                                       folder, chosen.compiler);
 }
 
-/// The same of what a builder built. Its expressions may be outputs and events, so that the model is derived
-/// beside them: the order of sums in the sources, and the last bits, may depend on the compiler of the
-/// program.
+/// The same of what a builder built. Its expressions may be outputs and events.
 inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
                                         const std::string& name, const exporting::fmu_options& chosen = {}) {
-  return exporting::detail::write_fmu(
-      exporting::fmu_maker(name, [&] { return derive(of); }, chosen).run(), folder, chosen.compiler);
+  return exporting::detail::write_fmu(exporting::fmu_maker(
+                                          name, [&] { return runtime::derive_in_own_graph(of); }, chosen)
+                                          .run(),
+                                      folder, chosen.compiler);
 }
 
 } // namespace kanexpr
