@@ -319,6 +319,18 @@ assert one.status("SetTime", double(5)) == one.status("SetContinuousStates", (do
 assert one.get("g", "h", "time") == [g, height, 0]
 one.free()
 
+# A solver may end a step where an indicator is zero to the last bit: it has passed zero there, whatever its direction.
+one = exchange(lift, h=3.5, v=1)
+for t, x, passes in ((1, [3.75, 1], False), (2, [4, 1], True), (3, [4.5, 7], False), (4, [4, 7], False), (5, [4.5, 7], False),
+                     (6, [3.5, 7], False), (7, [4, 6], True)):
+    one.at(t, x)
+    assert one.wants_event_mode() == passes, (t, x)
+    if passes:
+        one.EnterEventMode()
+        assert one.events() == (True, False) and one.state() == [4, 7] and one.events() == (False, False)
+        one.EnterContinuousTimeMode()
+one.free()
+
 # The same as a tool integrates it, whose steps are exact here
 one = exchange(ball)
 x, t, bounces = one.state(), 0.0, 0

@@ -43,6 +43,7 @@ typedef struct {
   double tolerance; /* of the solver */
   bool may_be_off; /* the constraints, as something was set since the last step */
   bool is_positive[ROOM(indicators)]; /* by indicator, when events were looked for last */
+  bool is_zero[ROOM(indicators)];     /* then: what leaves zero does not pass it */
   double level[ROOM(indicators)];     /* what counts as zero of it, where it is about to pass zero or to return */
 } instance;
 
@@ -141,6 +142,7 @@ static void look_at(instance *of, int i) {
   const double found = of->measured[outputs + i], level = of->level[i];
   if (!((level < found && found <= 0) || (0 <= found && found <= level && level > 0))) of->level[i] = 0;
   of->is_positive[i] = indicator(of, i) > 0;
+  of->is_zero[i] = indicator(of, i) == 0;
 }
 
 static fmi3Status look_at_indicators(instance *of) {
@@ -185,10 +187,11 @@ static fmi3Status begin_indicators(instance *of) {
   return status == fmi3OK ? look_at_indicators(of) : status;
 }
 
-/* In which direction an indicator has passed zero; 0: it has not, or not as its event wants. */
+/* In which direction an indicator has passed zero, or come to it; 0: it has not, or not as its event wants. */
 static int passed(const instance *of, int i) {
-  const bool is_positive = indicator(of, i) > 0;
-  if (is_positive == of->is_positive[i] || (direction[i] != 0 && (direction[i] > 0) != is_positive)) return 0;
+  const double found = indicator(of, i);
+  const bool is_positive = found == 0 ? !of->is_positive[i] : found > 0;
+  if (of->is_zero[i] || is_positive == of->is_positive[i] || (direction[i] != 0 && (direction[i] > 0) != is_positive)) return 0;
   return is_positive ? 1 : -1;
 }
 
