@@ -1,3 +1,4 @@
+// builds: g++
 // Steps of tests/export/models_in_c.cpp, compiled as C, beside the compiled ones.
 #include "bead.hpp"
 
