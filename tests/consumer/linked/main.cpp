@@ -23,7 +23,8 @@ int main() {
   const given::state at{{q, 0.3}, {dot(q), -1.2}};
   const given::parameters values{{l, 0.7}, {m, 2}};
   const auto kinetic = given::kinetic_energy(at, values);
-  if (kinetic.status || !kinetic.status.cause().starts_with("energies, momenta, the mass centre and the regressor"))
+  if (kinetic.status ||
+      !kinetic.status.cause().starts_with("energies, momenta, the mass centre and the regressor"))
     return 2;
   const auto rates = given::udot(at, values);
   return rates.status && rates(0) < 0 ? 0 : 3;
