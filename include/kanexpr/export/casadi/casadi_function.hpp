@@ -81,6 +81,7 @@ int @name@_work(long long *arg, long long *res, long long *iw, long long *w) {
 private:
   std::vector<int> entries() const {
     std::vector<int> counts;
+    counts.reserve(out.size());
     for (const casadi_port& each : out) counts.push_back(each.shape.entries());
     return counts;
   }

@@ -66,6 +66,7 @@ private:
                     directional_jacobian = called("directional_jacobian"), gradient = called("gradient"),
                     hessian = called("hessian");
     std::vector<symbols> all;
+    all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
     // Beside derivatives by the parameters those of the graph share more.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();

@@ -15,13 +15,17 @@ struct pattern {
   std::vector<char> entries{};
 
   pattern() = default;
-  pattern(int rows_, int columns_)
-      : rows(rows_), columns(columns_), entries(static_cast<std::size_t>(rows_ * columns_), 0) {}
-  char& operator()(int i, int j) { return entries[static_cast<std::size_t>(i * columns + j)]; }
-  char operator()(int i, int j) const { return entries[static_cast<std::size_t>(i * columns + j)]; }
+  pattern(int rows_, int columns_) : rows(rows_), columns(columns_), entries(place(rows_, 0), 0) {}
+  char& operator()(int i, int j) { return entries[place(i, j)]; }
+  char operator()(int i, int j) const { return entries[place(i, j)]; }
 
   void add_row(int i, const pattern& from, int row) {
     for (int j = 0; j < columns; ++j) (*this)(i, j) |= from(row, j);
+  }
+
+private:
+  std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(j);
   }
 };
 
