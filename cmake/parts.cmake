@@ -13,6 +13,12 @@ if(NOT TARGET SUNDIALS::cvode)
   set(kanexpr_simulate_lacks "SUNDIALS 6.4 was not found")
 endif()
 
+find_package(Threads QUIET)
+set(kanexpr_ensemble_lacks "${kanexpr_simulate_lacks}")
+if(NOT kanexpr_ensemble_lacks AND NOT TARGET Threads::Threads)
+  set(kanexpr_ensemble_lacks "threads were not found")
+endif()
+
 find_package(nlohmann_json 3.2 QUIET)
 set(kanexpr_animate_lacks "")
 if(NOT nlohmann_json_FOUND)

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace kanexpr {
+
+/// Puts values one behind another as bytes of this machine, for a file or another process.
+class bytes_writer {
+public:
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  void put(T value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void put(std::string_view text) {
+    put(static_cast<std::uint64_t>(text.size()));
+    bytes_ += text;
+  }
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  void put(const std::vector<T>& values) {
+    put(static_cast<std::uint64_t>(values.size()));
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+
+  const std::string& bytes() const { return bytes_; }
+
+private:
+  std::string bytes_{};
+};
+
+/// Takes them out in the same order. Where they end too early what is asked for is zero or empty, and so is
+/// all that follows.
+class bytes_reader {
+public:
+  explicit bytes_reader(std::string_view bytes) : left_(bytes) {}
+
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  T get() {
+    T value{};
+    if (const std::string_view from = take(sizeof value); !from.empty())
+      std::memcpy(&value, from.data(), sizeof value);
+    return value;
+  }
+  std::string get_text() { return std::string(take(get<std::uint64_t>())); }
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  std::vector<T> get_all() {
+    const auto count = get<std::uint64_t>();
+    if (count > left_.size() / sizeof(T)) {
+      fail();
+      return {};
+    }
+    std::vector<T> values(static_cast<std::size_t>(count));
+    const std::string_view from = take(count * sizeof(T));
+    if (!from.empty()) std::memcpy(values.data(), from.data(), from.size());
+    return values;
+  }
+
+  /// Whether nothing was missing.
+  explicit operator bool() const { return is_sound_; }
+  bool is_at_end() const { return is_sound_ && left_.empty(); }
+
+private:
+  std::string_view take(std::uint64_t count) {
+    if (count > left_.size()) fail();
+    if (!is_sound_) return {};
+    const std::string_view taken = left_.substr(0, static_cast<std::size_t>(count));
+    left_.remove_prefix(taken.size());
+    return taken;
+  }
+  void fail() { is_sound_ = false, left_ = {}; }
+
+  std::string_view left_;
+  bool is_sound_ = true;
+};
+
+} // namespace kanexpr

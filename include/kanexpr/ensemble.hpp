@@ -1,0 +1,6 @@
+#pragma once
+
+/// Many simulations of one system. Link kanexpr::ensemble.
+
+#include <kanexpr/ensemble/ensemble.hpp>
+#include <kanexpr/simulate.hpp>

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <kanexpr/ensemble/checkpoint.hpp>
+#include <kanexpr/ensemble/collector.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace kanexpr {
+
+namespace ensembles {
+
+inline constexpr std::size_t most_failures_held = 1000;
+
+KANEXPR_ENSEMBLES collector::collector(const study_layout& layout, std::string known_by,
+                                       const ensemble_options& options)
+    : layout_(layout), known_by_(std::move(known_by)), options_(options) {
+  found_.planned = layout.runs;
+  found_.reductions = options.reduce;
+}
+
+KANEXPR_ENSEMBLES bool collector::begin() {
+  const outcome begun = begin_files();
+  return begun || fail(begun);
+}
+
+KANEXPR_ENSEMBLES outcome collector::begin_files() {
+  noted_ = std::chrono::steady_clock::now();
+  for (const reduction& each : found_.reductions) {
+    const auto column = std::ranges::find(layout_.columns, each.column, &column_label::name);
+    if (column == layout_.columns.end())
+      return outcome("the study has no column " + each.column + " to reduce");
+    if (const auto* bins = std::get_if<kanexpr::histogram>(&each.what);
+        bins && !(bins->bins() > 0 && bins->edge(0) < bins->edge(bins->bins())))
+      return outcome("the histogram of " + each.column +
+                     " needs a bin at least, and must begin below its end");
+    reduced_.push_back(static_cast<std::size_t>(column - layout_.columns.begin()));
+  }
+  columns_.resize(options_.hold ? layout_.columns.size() : 0);
+  if (options_.checkpoint) {
+    noted before = read_note(options_.checkpoint->text());
+    if (!before) return before;
+    if (before.content) return go_on_from(*before.content);
+    // Before anything else is written: a checkpoint that cannot be is no surprise after an hour.
+    if (outcome can = note(options_.checkpoint->text(), {}); !can) return can;
+    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) return gone;
+  }
+  for (const auto& each : options_.files) {
+    if (outcome begun = each->begin(layout_); !begun) return begun;
+    ++begun_;
+  }
+  return {};
+}
+
+KANEXPR_ENSEMBLES bool collector::take(std::vector<finished_run>&& runs) {
+  if (!found_.failure.empty()) return false;
+  try {
+    for (finished_run& each : runs) {
+      for (const auto& file : options_.files)
+        if (outcome taken = file->take(each); !taken) return fail(taken);
+      take_one(std::move(each));
+    }
+    if (options_.progress)
+      options_.progress(static_cast<double>(found_.done), 0, static_cast<double>(found_.planned));
+    using seconds = std::chrono::duration<double>;
+    if (options_.checkpoint &&
+        seconds(std::chrono::steady_clock::now() - noted_).count() >= options_.checkpoint_every)
+      if (outcome noted = note_now(); !noted) return fail(noted);
+  } catch (const std::exception& thrown) {
+    return fail(outcome("the results of the study could not be taken: " + std::string(thrown.what())));
+  }
+  return true;
+}
+
+KANEXPR_ENSEMBLES void collector::take_one(finished_run&& one) {
+  ++found_.done;
+  if (one.end == run_end::failed) {
+    ++found_.failed;
+    if (found_.failures.size() < most_failures_held)
+      found_.failures.push_back({one.run, one.time, one.state, one.failure});
+  } else {
+    for (std::size_t i = 0; i < reduced_.size(); ++i) found_.reductions[i].take(one.values[reduced_[i]]);
+  }
+  for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i].push_back(one.values[i]);
+  if (options_.hold && !(layout_.samples.empty() && layout_.events.empty())) {
+    one.values = {}, one.state = {}, one.failure = {};
+    held_.push_back(std::move(one));
+  }
+}
+
+KANEXPR_ENSEMBLES outcome collector::note_now() {
+  bytes_writer all;
+  all.put(known_by_);
+  for (const auto& file : options_.files) {
+    std::string position;
+    if (outcome flushed = file->flush(position); !flushed) return flushed;
+    all.put(position);
+  }
+  all.put(static_cast<std::uint64_t>(found_.done)), all.put(static_cast<std::uint64_t>(found_.failed));
+  all.put(static_cast<std::uint64_t>(found_.failures.size()));
+  for (const failed_run& each : found_.failures) {
+    all.put(static_cast<std::uint64_t>(each.run)), all.put(each.time);
+    all.put(each.state), all.put(each.cause);
+  }
+  for (const reduction& each : found_.reductions) each.write(all);
+  for (const std::vector<double>& each : columns_) all.put(each);
+  all.put(static_cast<std::uint64_t>(held_.size()));
+  for (const finished_run& each : held_) each.write(all);
+  outcome done = note(options_.checkpoint->text(), all.bytes());
+  noted_ = std::chrono::steady_clock::now();
+  return done;
+}
+
+KANEXPR_ENSEMBLES outcome collector::go_on_from(const std::string& noted) {
+  const std::string& path = options_.checkpoint->text();
+  bytes_reader all(noted);
+  if (all.get_text() != known_by_)
+    return outcome(path +
+                   " is of another study, or of another build of this program; remove it to begin anew");
+  std::vector<std::string> positions;
+  while (positions.size() < options_.files.size()) positions.push_back(all.get_text());
+  found_.done = static_cast<std::size_t>(all.get<std::uint64_t>());
+  found_.failed = static_cast<std::size_t>(all.get<std::uint64_t>());
+  for (auto left = all.get<std::uint64_t>(); left > 0 && all; --left) {
+    failed_run one{};
+    one.run = static_cast<std::size_t>(all.get<std::uint64_t>()), one.time = all.get<double>();
+    one.state = all.get_all<double>(), one.cause = all.get_text();
+    found_.failures.push_back(std::move(one));
+  }
+  for (reduction& each : found_.reductions) each.read(all);
+  for (std::vector<double>& each : columns_) each = all.get_all<double>();
+  for (auto left = all.get<std::uint64_t>(); left > 0 && all; --left)
+    held_.push_back(finished_run::read(all));
+  if (!all.is_at_end() || found_.done > layout_.runs) return outcome(path + " is damaged");
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (outcome opened = options_.files[i]->go_on(layout_, positions[i]); !opened) return opened;
+    ++begun_;
+  }
+  return {};
+}
+
+KANEXPR_ENSEMBLES ensemble_results collector::end() {
+  if (options_.checkpoint && found_.failure.empty() && found_.done < found_.planned)
+    if (outcome noted = note_now(); !noted) fail(noted);
+  for (std::size_t i = 0; i < begun_; ++i)
+    if (outcome ended = options_.files[i]->end(); !ended && found_.failure.empty()) fail(ended);
+  if (options_.checkpoint && found_)
+    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) fail(gone);
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (outcome added = found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); !added) fail(added);
+  for (const finished_run& each : held_) {
+    if (!layout_.samples.empty()) found_.trajectories.push_back(trajectory_of(each));
+    if (layout_.events.empty()) continue;
+    found_.events.emplace_back();
+    for (const auto& [which, when] : each.events)
+      found_.events.back().push_back({when, layout_.events[which]});
+  }
+  return std::move(found_);
+}
+
+KANEXPR_ENSEMBLES table collector::trajectory_of(const finished_run& one) const {
+  table path;
+  const std::size_t width = layout_.samples.size();
+  for (std::size_t i = 0; i < width; ++i) {
+    std::vector<double> column;
+    for (std::size_t at = i; at < one.samples.size(); at += width) column.push_back(one.samples[at]);
+    static_cast<void>(path.add(layout_.samples[i].name, std::move(column))); // names differ
+  }
+  return path;
+}
+
+KANEXPR_ENSEMBLES bool collector::fail(const outcome& done) {
+  found_.failure = done.cause();
+  return false;
+}
+
+} // namespace ensembles
+
+KANEXPR_ENSEMBLES std::string ensemble_results::cause() const {
+  if (!failure.empty() || done == planned) return failure;
+  return "the study was ended after " + std::to_string(done) + " of " + std::to_string(planned) + " runs";
+}
+
+} // namespace kanexpr

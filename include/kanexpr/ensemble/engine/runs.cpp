@@ -1,0 +1,2 @@
+#include <kanexpr/ensemble/engine/distribution.hpp>
+#include <kanexpr/ensemble/engine/runs.hpp>

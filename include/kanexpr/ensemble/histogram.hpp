@@ -1,0 +1,58 @@
+#pragma once
+
+#include <kanexpr/base/bytes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kanexpr {
+
+/// How many numbers fall into each of equal bins from a number to another, which belongs to none of them.
+class histogram {
+public:
+  histogram() = default;
+  histogram(double from, double to, std::size_t bins) : from_(from), to_(to), counts_(bins) {}
+
+  void take(double number) {
+    if (std::isnan(number)) {
+      ++missing_;
+    } else if (number < from_) {
+      ++below_;
+    } else if (number >= to_) {
+      ++above_;
+    } else {
+      const double part = (number - from_) / (to_ - from_) * static_cast<double>(bins());
+      ++counts_[(std::min)(static_cast<std::size_t>(part), bins() - 1)];
+    }
+  }
+
+  std::size_t bins() const { return counts_.size(); }
+  std::uint64_t count(std::size_t bin) const { return counts_[bin]; }
+  /// Where a bin begins; that behind the last is the end.
+  double edge(std::size_t bin) const {
+    return bin == bins() ? to_
+                         : from_ + (to_ - from_) * static_cast<double>(bin) / static_cast<double>(bins());
+  }
+  std::uint64_t below() const { return below_; }
+  std::uint64_t above() const { return above_; }
+  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
+
+  void write(bytes_writer& out) const {
+    out.put(from_), out.put(to_), out.put(counts_);
+    out.put(below_), out.put(above_), out.put(missing_);
+  }
+  void read(bytes_reader& in) {
+    from_ = in.get<double>(), to_ = in.get<double>(), counts_ = in.get_all<std::uint64_t>();
+    below_ = in.get<std::uint64_t>(), above_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>();
+  }
+
+private:
+  double from_ = 0, to_ = 0;
+  std::vector<std::uint64_t> counts_{};
+  std::uint64_t below_ = 0, above_ = 0, missing_ = 0;
+};
+
+} // namespace kanexpr

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <kanexpr/base/bytes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace kanexpr {
+
+/// Mean, variance and extremes of numbers as they come (Welford, Technometrics 4, 1962). What is not a number
+/// is counted and left out.
+class statistics {
+public:
+  void take(double number) {
+    if (std::isnan(number)) {
+      ++missing_;
+      return;
+    }
+    ++count_;
+    const double before = number - mean_;
+    mean_ += before / static_cast<double>(count_);
+    squares_ += before * (number - mean_);
+    least_ = (std::min)(least_, number), greatest_ = (std::max)(greatest_, number);
+  }
+
+  std::uint64_t count() const { return count_; }
+  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
+  /// Not a number where there are none.
+  double mean() const { return count_ > 0 ? mean_ : none; }
+  /// Of the population that the numbers are drawn from, with n − 1; not a number below two numbers.
+  double variance() const { return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : none; }
+  double deviation() const { return std::sqrt(variance()); }
+  /// How far the mean of so many draws is from that of all, as a standard deviation.
+  double error_of_mean() const { return std::sqrt(variance() / static_cast<double>(count_)); }
+  double least() const { return count_ > 0 ? least_ : none; }
+  double greatest() const { return count_ > 0 ? greatest_ : none; }
+
+  void write(bytes_writer& out) const {
+    out.put(count_), out.put(missing_), out.put(mean_), out.put(squares_), out.put(least_),
+        out.put(greatest_);
+  }
+  void read(bytes_reader& in) {
+    count_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>();
+    mean_ = in.get<double>(), squares_ = in.get<double>();
+    least_ = in.get<double>(), greatest_ = in.get<double>();
+  }
+
+private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::uint64_t count_ = 0, missing_ = 0;
+  double mean_ = 0, squares_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double greatest_ = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace kanexpr

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/ensemble/run_values.hpp>
+#include <kanexpr/ensemble/runs.hpp>
+#include <kanexpr/simulate/simulation_options.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kanexpr {
+
+/// The unit of what a symbol or a factor says, for the columns of tables: `{q1, "rad"}`.
+struct unit_of {
+  varied_name what;
+  std::string unit;
+};
+
+/// A set of simulations of one system, and what is kept of each.
+template <class System>
+struct study {
+  kanexpr::runs runs = {};                  ///< what differs
+  std::vector<named_value> state = {};      ///< what does not, at the start
+  std::vector<named_value> parameters = {}; ///< and of the parameters
+  std::vector<named_value> inputs = {};     ///< and of inputs, where they are constants
+  time_span span = {};
+  simulation_options<System> simulation = {}; ///< of all runs; its functions are called by many threads
+
+  /// Changes the options of a run by what it is given, as for a push or another controller.
+  std::function<void(const run_values&, simulation_options<System>&)> for_each_run = {};
+
+  std::vector<kept<System>> keep = {};
+  bool keep_trajectories = false; ///< all samples of all runs
+  bool keep_events = false;       ///< which happened when
+  std::vector<unit_of> units = {};
+  std::string name = {}; ///< in files; empty: that of the system
+};
+
+} // namespace kanexpr
