@@ -17,7 +17,7 @@ namespace kanexpr::ensembles {
 class collector {
 public:
   /// `known_by` tells the study from others.
-  collector(const study_layout& layout, std::string known_by, const ensemble_options& options);
+  collector(const study_layout& layout, const std::string& known_by, const ensemble_options& options);
 
   /// Begins anew or, where there is a checkpoint, behind what was done. False: it cannot.
   bool begin();

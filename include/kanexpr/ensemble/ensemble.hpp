@@ -34,13 +34,18 @@ public:
       : job_(std::make_shared<ensembles::simulated_study<System, by>>(std::move(told))) {}
 
   ensemble_results run(const ensemble_options& options = {}) const {
+    ensembles::on_threads threads;
+    return run(options, threads);
+  }
+  /// The same by others than threads of this process, as the ranks of <kanexpr/mpi.hpp>.
+  ensemble_results run(const ensemble_options& options, ensembles::crew& who) const {
     if (!job_->mistake().empty()) {
       ensemble_results none;
       none.planned = job_->layout().runs;
       none.failure = job_->mistake();
       return none;
     }
-    return ensembles::run_on_threads(*job_, job_->text(), options);
+    return who.run(*job_, job_->text(), options);
   }
 
   const study_layout& layout() const { return job_->layout(); }

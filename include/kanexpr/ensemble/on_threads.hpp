@@ -1,14 +1,16 @@
 #pragma once
 
-#include <kanexpr/ensemble/collector.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
-#include <kanexpr/ensemble/job.hpp>
+#include <kanexpr/ensemble/crew.hpp>
 
 namespace kanexpr::ensembles {
 
-/// Does a study on threads of this process.
-KANEXPR_ENSEMBLES ensemble_results run_on_threads(const job& study, const std::string& known_by,
-                                                  const ensemble_options& options);
+/// Threads of this process.
+class on_threads final : public crew {
+public:
+  KANEXPR_ENSEMBLES ensemble_results run(const job& study, const std::string& known_by,
+                                         const ensemble_options& options) override;
+};
 
 } // namespace kanexpr::ensembles
 

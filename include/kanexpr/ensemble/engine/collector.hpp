@@ -13,9 +13,30 @@ namespace ensembles {
 
 inline constexpr std::size_t most_failures_held = 1000;
 
-KANEXPR_ENSEMBLES collector::collector(const study_layout& layout, std::string known_by,
+/// A study as its checkpoint knows it again: what it is, what becomes of its results, and the program that
+/// does its runs, whose functions nobody can look into.
+inline std::string identity_of(const study_layout& layout, const std::string& known_by,
+                               const ensemble_options& options) {
+  bytes_writer all;
+  all.put(this_program());
+  all.put(layout.study), all.put(known_by), all.put(static_cast<std::uint64_t>(layout.runs));
+  for (const auto* columns : {&layout.columns, &layout.state, &layout.samples}) {
+    all.put(static_cast<std::uint64_t>(columns->size()));
+    for (const column_label& each : *columns) all.put(each.name), all.put(each.unit);
+  }
+  for (const std::string& each : layout.events) all.put(each);
+  all.put(options.hold), all.put(static_cast<std::uint64_t>(options.files.size()));
+  for (const reduction& each : options.reduce) {
+    all.put(each.column), all.put(static_cast<std::uint64_t>(each.what.index()));
+    if (const auto* bins = std::get_if<kanexpr::histogram>(&each.what)) bins->write(all);
+  }
+  return all.bytes();
+}
+
+KANEXPR_ENSEMBLES collector::collector(const study_layout& layout, const std::string& known_by,
                                        const ensemble_options& options)
-    : layout_(layout), known_by_(std::move(known_by)), options_(options) {
+    : layout_(layout), known_by_(options.checkpoint ? identity_of(layout, known_by, options) : std::string()),
+      options_(options) {
   found_.planned = layout.runs;
   found_.reductions = options.reduce;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/ensemble/collector.hpp>
 #include <kanexpr/ensemble/on_threads.hpp>
 #include <kanexpr/ensemble/sharing.hpp>
 
@@ -11,8 +12,8 @@
 
 namespace kanexpr::ensembles {
 
-KANEXPR_ENSEMBLES ensemble_results run_on_threads(const job& study, const std::string& known_by,
-                                                  const ensemble_options& options) {
+KANEXPR_ENSEMBLES ensemble_results on_threads::run(const job& study, const std::string& known_by,
+                                                   const ensemble_options& options) {
   collector results(study.layout(), known_by, options);
   if (!results.begin()) return results.end();
   const std::size_t left = study.layout().runs - results.done();
