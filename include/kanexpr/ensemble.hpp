@@ -3,4 +3,6 @@
 /// Many simulations of one system. Link kanexpr::ensemble.
 
 #include <kanexpr/ensemble/ensemble.hpp>
+#include <kanexpr/ensemble/ensemble_in_steps.hpp>
+#include <kanexpr/fixed_step.hpp>
 #include <kanexpr/simulate.hpp>

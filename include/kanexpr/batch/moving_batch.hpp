@@ -76,6 +76,12 @@ public:
     return false;
   }
 
+  /// What a function of t, x, p and r is now, in all lanes; r are the inputs or what gives them.
+  template <class Function>
+  auto at_present(const Function& of) {
+    return of(t_, x_.get(), p_.get(), r_.get());
+  }
+
   /// The states of those that live; others are not numbers. The lanes behind `count` are of no systems.
   template <class State>
   void put_into(many<State>& all, Eigen::Index first, Eigen::Index count) {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <kanexpr/ensemble/ensemble_options.hpp>
-#include <kanexpr/ensemble/ensemble_results.hpp>
-#include <kanexpr/ensemble/on_threads.hpp>
+#include <kanexpr/ensemble/run_study.hpp>
 #include <kanexpr/ensemble/simulated_study.hpp>
 
 #include <memory>
-#include <string>
 #include <utility>
 
 namespace kanexpr {
@@ -39,13 +36,7 @@ public:
   }
   /// The same by others than threads of this process, as the ranks of <kanexpr/mpi.hpp>.
   ensemble_results run(const ensemble_options& options, ensembles::crew& who) const {
-    if (!job_->mistake().empty()) {
-      ensemble_results none;
-      none.planned = job_->layout().runs;
-      none.failure = job_->mistake();
-      return none;
-    }
-    return who.run(*job_, job_->text(), options);
+    return ensembles::run_study(*job_, options, who);
   }
 
   const study_layout& layout() const { return job_->layout(); }

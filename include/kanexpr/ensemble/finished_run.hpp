@@ -24,6 +24,16 @@ struct finished_run {
   std::vector<std::pair<std::uint32_t, double>> events{}; ///< which, and when, in the order of time
   std::string failure{};                                  ///< why it failed, as a sentence
 
+  void fail(std::string why) {
+    end = run_end::failed;
+    failure = std::move(why);
+  }
+  template <class State>
+  void stand_at(double t, const State& x) {
+    time = t;
+    state.assign(x.data(), x.data() + x.size());
+  }
+
   void write(bytes_writer& out) const {
     out.put(static_cast<std::uint64_t>(run)), out.put(static_cast<std::uint8_t>(end)), out.put(time);
     out.put(values), out.put(state), out.put(samples);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/bytes.hpp>
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 
@@ -18,6 +19,7 @@ public:
   /// `range` is that of the vector's symbols in the survey.
   given_to_runs(const deriving::survey& known, const compiled::symbol_range& range, const runs& of,
                 std::vector<named_value> same) {
+    if (!of.mistake().empty()) return;
     const run_values first(of, 0);
     for (std::size_t i = 0; i < of.varied().size(); ++i) {
       const varied_name& what = of.varied()[i];
@@ -46,6 +48,59 @@ private:
   std::vector<std::pair<std::size_t, int>> places_{};
   Vector values_{};
   std::string mistake_{};
+};
+
+/// What the systems of a study are given: states, parameters and constant inputs.
+template <class System>
+struct given_to_systems {
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+  using symbols_of = compiled::symbols_of;
+
+  template <class Study>
+  explicit given_to_systems(const Study& told)
+      : states(known, compiled::range_of(symbols_of::state, known), told.runs, told.state),
+        parameters(known, compiled::range_of(symbols_of::parameters, known), told.runs, told.parameters),
+        inputs(known, compiled::range_of(symbols_of::inputs, known), told.runs, told.inputs),
+        gives_inputs(inputs.is_varied() || !told.inputs.empty()) {
+    mistake = !told.runs.mistake().empty() ? told.runs.mistake() : mistake_in(told.runs);
+    if (mistake.empty()) mistake = states.mistake();
+    if (mistake.empty()) mistake = parameters.mistake();
+    if (mistake.empty() && gives_inputs) mistake = inputs.mistake();
+  }
+
+  /// By which a study is known again.
+  template <class Study>
+  static std::string text(const Study& told) {
+    std::string all = told.runs.text();
+    for (const auto* list : {&told.state, &told.parameters, &told.inputs})
+      for (const named_value& each : *list) {
+        bytes_writer value;
+        value.put(each.value);
+        all += ' ' + each.what.name() + ' ' + value.bytes();
+      }
+    return all;
+  }
+
+  given_to_runs<given_state<System>, state<System>> states;
+  given_to_runs<given_parameters<System>, parameter_values<System>> parameters;
+  given_to_runs<given_inputs<System>, input_values<System>> inputs;
+  bool gives_inputs;
+  std::string mistake{};
+
+private:
+  static std::string mistake_in(const runs& all) {
+    for (const varied_name& each : all.varied())
+      if (!each.is_factor() && !is_symbol(each.name()))
+        return "the system " + std::string(type_name<System>()) + " has no " + each.name() +
+               " that could differ from run to run; if it is none of its symbols, it is a factor, factor{\"" +
+               each.name() + "\"}";
+    return {};
+  }
+  static bool is_symbol(const std::string& name) {
+    for (int i = 0; i < known.symbols(); ++i)
+      if (known.names[i].view() == name) return true;
+    return false;
+  }
 };
 
 } // namespace kanexpr::ensembles

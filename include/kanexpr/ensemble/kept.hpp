@@ -20,6 +20,9 @@ struct ended_run {
   const input_values<System>& r; ///< where it ended
 };
 
+template <class System>
+struct kept_in_steps;
+
 /// A number that a study keeps of each run.
 template <class System>
 struct kept {
@@ -83,6 +86,15 @@ struct kept_expression {
       };
       return {what, of, true};
     }
+  }
+  template <class System>
+  operator kept_in_steps<System>() const {
+    return {what, when, [](double t, const auto& x, const auto& p, const auto& r) {
+              if constexpr (watched<expression>::is_scalar)
+                return function<System, expression>{}(t, x, p, r);
+              else
+                return t;
+            }};
   }
 };
 

@@ -3,6 +3,7 @@
 #include <kanexpr/ensemble/kept.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/runs.hpp>
+#include <kanexpr/ensemble/study_columns.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 
 #include <functional>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace kanexpr {
-
-/// The unit of what a symbol or a factor says, for the columns of tables: `{q1, "rad"}`.
-struct unit_of {
-  varied_name what;
-  std::string unit;
-};
 
 /// A set of simulations of one system, and what is kept of each.
 template <class System>

@@ -2,16 +2,35 @@
 
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/derive/survey.hpp>
+#include <kanexpr/ensemble/finished_run.hpp>
 #include <kanexpr/ensemble/layout.hpp>
-#include <kanexpr/ensemble/study.hpp>
+#include <kanexpr/ensemble/runs.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace kanexpr::ensembles {
+namespace kanexpr {
+
+/// The unit of what a symbol or a factor says, for the columns of tables: `{q1, "rad"}`.
+struct unit_of {
+  varied_name what;
+  std::string unit;
+};
+
+namespace ensembles {
+
+/// Columns of one name, or without one.
+inline std::string mistake_in(const std::vector<column_label>& columns) {
+  table names;
+  for (const column_label& each : columns)
+    if (const outcome added = names.add(each.name, {}); !added)
+      return "of what the study keeps, " + added.cause();
+  return {};
+}
 
 /// The columns of a study, with their units.
 class study_columns {
@@ -22,8 +41,7 @@ public:
   /// The number of a run, how it ended, when, what it was given, what is kept of it.
   std::vector<column_label> of_runs(const runs& given, std::span<const column_label> kept) const {
     std::vector<column_label> all;
-    for (const char* own : {"run", "end", "t_end"}) {
-      std::string name = own;
+    for (std::string name : {"run", "end", "t_end"}) {
       while (is_varied(given, name)) name += '_';
       all.push_back({name, all.size() == 2 ? "s" : ""});
     }
@@ -47,7 +65,46 @@ public:
     return all;
   }
 
+  /// Of a study, as it is told.
+  template <class Study>
+  static study_layout layout_of(const Study& told, const deriving::survey& known, std::string_view system) {
+    std::vector<column_label> kept;
+    for (const auto& each : told.keep) kept.push_back(each.what);
+    const study_columns columns(known, told.units);
+    study_layout found;
+    found.study = told.name.empty() ? std::string(system) : told.name;
+    found.runs = told.runs.size();
+    found.columns = columns.of_runs(told.runs, kept);
+    found.varied = told.runs.varied().size();
+    found.state = columns.of_state();
+    if (told.keep_trajectories) found.samples = columns.of_samples();
+    return found;
+  }
+
+  /// A row of the table before its run, in which what will be kept is no number yet.
+  static std::vector<double> row_of(const study_layout& layout, std::size_t run, const runs& given) {
+    std::vector<double> row(layout.columns.size(), std::numeric_limits<double>::quiet_NaN());
+    row[0] = static_cast<double>(run);
+    given.values(run, row.data() + own);
+    return row;
+  }
+  /// After it: what was kept goes where the run failed.
+  static void complete(const study_layout& layout, finished_run& done) {
+    done.values[1] = static_cast<double>(done.end), done.values[2] = done.time;
+    if (done.end == run_end::failed)
+      std::fill(done.values.begin() + static_cast<std::ptrdiff_t>(own + layout.varied), done.values.end(),
+                std::numeric_limits<double>::quiet_NaN());
+    else
+      done.state.clear();
+  }
+  /// Where in a row the numbers are that are kept.
+  static double* kept_in(const study_layout& layout, finished_run& done) {
+    return done.values.data() + own + layout.varied;
+  }
+
 private:
+  static constexpr std::size_t own = 3; ///< columns that every study has
+
   static bool is_varied(const runs& given, const std::string& name) {
     return std::ranges::any_of(given.varied(), [&](const varied_name& each) { return each.name() == name; });
   }
@@ -69,4 +126,6 @@ private:
   const std::vector<unit_of>& units_;
 };
 
-} // namespace kanexpr::ensembles
+} // namespace ensembles
+
+} // namespace kanexpr

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace kanexpr {
 
@@ -128,7 +127,7 @@ KANEXPR_ENSEMBLES runs grid(std::vector<grid_axis> axes) {
   std::string text = "grid";
   for (const grid_axis& each : axes) {
     if (each.values.empty()) return runs::mistaken("the grid has no values of " + each.what.name());
-    if (count > (std::numeric_limits<std::uint32_t>::max)() / each.values.size() * std::size_t{1 << 20})
+    if (count > (std::size_t{1} << 53) / each.values.size()) // their numbers stand in a column
       return runs::mistaken("the grid has more runs than can be counted");
     count *= each.values.size();
     names.push_back(each.what);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <kanexpr/batch/moving_batch.hpp>
+#include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/ensemble/runs.hpp>
+#include <kanexpr/ensemble/study_columns.hpp>
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace kanexpr {
+
+/// A number that a study in steps keeps of each run: what an expression is where it ends, or the greatest or
+/// least that it is where it is looked at.
+template <class System>
+struct kept_in_steps {
+  using side_by_side = batch<>;
+
+  column_label what;
+  ensembles::in_time when = ensembles::in_time::at_end;
+  std::function<side_by_side::number(double t, const side_by_side::state<System>&,
+                                     const side_by_side::parameters<System>&,
+                                     const side_by_side::inputs<System>&)>
+      of;
+};
+
+/// A set of motions of one system in steps of a fixed length, and what is kept of each.
+template <class Step>
+struct study_in_steps {
+  using System = typename compiled::stated<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
+
+  kanexpr::runs runs = {};                  ///< what differs
+  std::vector<named_value> state = {};      ///< what does not, at the start
+  std::vector<named_value> parameters = {}; ///< and of the parameters
+  std::vector<named_value> inputs = {};     ///< and of inputs, where they are constants
+  double step = 0;                          ///< in seconds, as the unit of time of the model is
+  int steps = 0;
+  double start = 0; ///< the time at which they begin
+
+  std::vector<kept_in_steps<System>> keep = {};
+  int look_every = 1;             ///< after so many steps extremes are looked for, and samples are taken
+  bool keep_trajectories = false; ///< all samples of all runs
+  std::vector<unit_of> units = {};
+  std::string name = {}; ///< in files; empty: that of the system
+};
+
+} // namespace kanexpr

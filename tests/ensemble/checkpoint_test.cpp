@@ -1,0 +1,176 @@
+#include <kanexpr/ensemble/on_threads.hpp>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace kanexpr;
+namespace files = std::filesystem;
+
+// A study whose runs cost nothing. Run 5 fails, and each third has an event.
+class squares final : public ensembles::job {
+public:
+  explicit squares(std::size_t count) {
+    layout_.study = "squares", layout_.runs = count, layout_.columns = {{"run"}, {"square", "m2"}};
+    layout_.state = {{"q"}}, layout_.samples = {{"t", "s"}, {"q"}}, layout_.events = {"third"};
+  }
+  const study_layout& layout() const override { return layout_; }
+  std::size_t side_by_side() const override { return 1; }
+  std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
+    std::vector<finished_run> all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto number = static_cast<double>(first + i);
+      all[i].run = first + i;
+      all[i].values = {number, number * number};
+      for (std::size_t k = 0; k <= (first + i) % 4; ++k)
+        all[i].samples.insert(all[i].samples.end(), {double(k), number});
+      if ((first + i) % 3 == 0) all[i].events = {{0, number / 7}};
+      if (first + i == 5)
+        all[i].end = run_end::failed, all[i].state = {2.5}, all[i].failure = "it is the fifth";
+    }
+    return all;
+  }
+
+private:
+  study_layout layout_;
+};
+
+class checkpoint : public testing::Test {
+protected:
+  void SetUp() override { files::remove_all(folder), files::create_directories(folder); }
+  void TearDown() override { files::remove_all(folder); }
+
+  // Ends after so many runs; 0: when all are done.
+  ensemble_results run(std::size_t until = 0, unsigned threads = 1, std::string known_by = "by this") const {
+    std::stop_source stop;
+    ensemble_options options{.threads = threads,
+                             .reduce = {statistics_of("square"), quantiles_of("square")},
+                             .checkpoint = path,
+                             .progress =
+                                 [&](double done, double, double) {
+                                   if (until > 0 && done >= double(until)) stop.request_stop();
+                                 },
+                             .stop = stop.get_token()};
+    ensembles::on_threads crew;
+    return crew.run(squares(count), known_by, options);
+  }
+
+  static constexpr std::size_t count = 1000;
+  const files::path folder = files::path(testing::TempDir()) / "kanexpr_checkpoint";
+  const std::string path = (folder / "study.checkpoint").string();
+};
+
+void expect_whole(const ensemble_results& found) {
+  ASSERT_TRUE(found) << found.cause();
+  ASSERT_EQ(found.runs.rows(), 1000u);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    EXPECT_EQ(found.runs["square"][i], double(i * i));
+    ASSERT_EQ(found.trajectories[i].rows(), i % 4 + 1);
+    EXPECT_EQ(found.trajectories[i]["q"].back(), double(i));
+    EXPECT_EQ(found.events[i].size(), i % 3 == 0 ? 1u : 0u);
+  }
+  ASSERT_EQ(found.failures.size(), 1u);
+  EXPECT_EQ(found.failures[0].run, 5u);
+  EXPECT_EQ(found.failures[0].cause, "it is the fifth");
+  EXPECT_THAT(found.failures[0].state, testing::ElementsAre(2.5));
+  EXPECT_EQ(found.statistics("square").count(), 999u);
+  EXPECT_EQ(found.quantiles("square").quantile(1), 999.0 * 999);
+}
+
+TEST_F(checkpoint, is_where_an_interrupted_study_goes_on) {
+  const auto first = run(100);
+  EXPECT_FALSE(first);
+  EXPECT_GE(first.done, 100u);
+  EXPECT_LT(first.done, count);
+  EXPECT_EQ(first.runs.rows(), first.done); // what is done is kept
+  EXPECT_EQ(first.cause(), "the study was ended after " + std::to_string(first.done) + " of 1000 runs");
+  const auto second = run(400);
+  EXPECT_GT(second.done, first.done);
+  EXPECT_FALSE(second);
+  expect_whole(run(0, 5));
+  EXPECT_FALSE(files::exists(path)); // it is done
+}
+
+TEST_F(checkpoint, of_another_study_is_refused) {
+  const std::size_t done = run(100).done;
+  const auto other = run(0, 1, "by that");
+  EXPECT_FALSE(other);
+  EXPECT_EQ(other.cause(),
+            path + " is of another study, or of another build of this program; remove it to begin anew");
+  EXPECT_EQ(other.done, 0u);
+  EXPECT_GT(run(done + 1).done, done); // it is still there
+}
+
+TEST_F(checkpoint, that_is_damaged_is_refused) {
+  static_cast<void>(run(100));
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(-9, std::ios::end);
+    file.put('x');
+  }
+  EXPECT_EQ(run().cause(), path + " is damaged");
+  files::resize_file(path, 30);
+  EXPECT_EQ(run().cause(), path + " is damaged");
+  std::ofstream(path) << "t,q\n0,1\n";
+  EXPECT_EQ(run().cause(), path + " is not a checkpoint of a study");
+  files::resize_file(path, 0);
+  EXPECT_EQ(run().cause(), path + " is not a checkpoint of a study");
+}
+
+TEST_F(checkpoint, that_cannot_be_written_is_told_before_the_first_run) {
+  files::remove_all(folder);
+  const auto found = run();
+  EXPECT_EQ(found.cause(), path + ".new cannot be written: No such file or directory");
+  EXPECT_EQ(found.done, 0u);
+}
+
+TEST_F(checkpoint, is_written_from_time_to_time) {
+  std::size_t seen = 0;
+  ensembles::on_threads crew;
+  const auto found = crew.run(
+      squares(count), "by this",
+      {.threads = 1, .checkpoint = path, .checkpoint_every = 0, .progress = [&](double, double, double) {
+         seen += files::exists(path);
+       }});
+  ASSERT_TRUE(found) << found.cause();
+  EXPECT_GT(seen, 1u);
+}
+
+TEST(results, that_are_not_held_are_not_there) {
+  ensembles::on_threads crew;
+  const auto found = crew.run(squares(100), "", {.hold = false, .reduce = {statistics_of("square")}});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found.runs.columns(), 0u);
+  EXPECT_TRUE(found.trajectories.empty() && found.events.empty());
+  EXPECT_EQ(found.statistics("square").count(), 99u);
+  EXPECT_EQ(found.failed, 1u);
+}
+
+TEST(results, are_told_of_as_they_come) {
+  std::vector<double> told;
+  ensembles::on_threads crew;
+  const auto found =
+      crew.run(squares(100), "", {.threads = 3, .progress = [&](double done, double from, double to) {
+                                    EXPECT_EQ(from, 0);
+                                    EXPECT_EQ(to, 100);
+                                    told.push_back(done);
+                                  }});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_EQ(told.back(), 100);
+}
+
+TEST(results, that_progress_throws_at_are_kept) {
+  ensembles::on_threads crew;
+  const auto found = crew.run(
+      squares(100), "", {.progress = [](double, double, double) { throw std::runtime_error("no paper"); }});
+  EXPECT_EQ(found.cause(), "the results of the study could not be taken: no paper");
+  EXPECT_GT(found.done, 0u);
+  EXPECT_EQ(found.runs.rows(), found.done);
+}
+
+} // namespace

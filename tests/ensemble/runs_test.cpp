@@ -1,0 +1,163 @@
+#include <kanexpr/ensemble/permutation.hpp>
+#include <kanexpr/ensemble/run_values.hpp>
+#include <kanexpr/ensemble/runs.hpp>
+
+#include <gmock/gmock.h>
+
+#include <boost/math/distributions/triangular.hpp>
+#include <boost/math/distributions/weibull.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace {
+
+using namespace kanexpr;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+std::vector<double> values_of(const runs& all, std::size_t column) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < all.size(); ++i) values.push_back(run_values(all, i).all()[column]);
+  return values;
+}
+
+TEST(runs, are_one_where_nothing_differs) {
+  EXPECT_EQ(runs().size(), 1u);
+  EXPECT_THAT(run_values(runs(), 0).all(), SizeIs(0));
+}
+
+TEST(runs, of_a_grid_are_all_combinations) {
+  const runs all = grid({{"a", {1, 2}}, {"b", evenly_spaced(0, 1, 3)}});
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_THAT(values_of(all, 0), ElementsAre(1, 1, 1, 2, 2, 2));
+  EXPECT_THAT(values_of(all, 1), ElementsAre(0, 0.5, 1, 0, 0.5, 1));
+  EXPECT_EQ(run_values(all, 4)["b"], 0.5);
+  EXPECT_THROW(run_values(all, 4)["c"], std::out_of_range);
+}
+
+TEST(runs, of_a_grid_end_where_they_were_told_to) {
+  EXPECT_EQ(evenly_spaced(0.1, 0.7, 1000).back(), 0.7);
+  EXPECT_THAT(evenly_spaced(3, 4, 1), ElementsAre(3));
+  EXPECT_THAT(evenly_spaced(3, 4, 0), SizeIs(0));
+}
+
+TEST(runs, of_a_table_are_its_rows) {
+  table given;
+  ASSERT_TRUE(given.add("m", {1, 2, 3}));
+  ASSERT_TRUE(given.add("push", {4, 5, 6}));
+  const runs all = runs_of(given, {{"push"}});
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_FALSE(all.varied()[0].is_factor());
+  EXPECT_TRUE(all.varied()[1].is_factor());
+  EXPECT_EQ(run_values(all, 2)[factor{"push"}], 6);
+}
+
+// Numbers of a study stay what they are, on any machine and in any later version.
+TEST(runs, at_random_are_the_same_everywhere) {
+  const runs all = random_runs(3, {{"a", uniform(0, 1)}}, 42);
+  EXPECT_THAT(values_of(all, 0), ElementsAre(DoubleEq(0.90612191893600202), DoubleEq(0.092641671427899142),
+                                             DoubleEq(0.36069006388185876)));
+  const runs more = random_runs(5, {{"b", uniform(0, 1)}, {"a", uniform(0, 1)}}, 42);
+  EXPECT_EQ(values_of(more, 1)[2], values_of(all, 0)[2]);
+  EXPECT_NE(values_of(more, 0)[2], values_of(all, 0)[2]);
+  EXPECT_NE(values_of(random_runs(3, {{"a", uniform(0, 1)}}, 43), 0)[0], values_of(all, 0)[0]);
+}
+
+TEST(runs, at_random_have_the_moments_of_their_distributions) {
+  constexpr std::size_t n = 200'000;
+  const runs all = random_runs(n, {{"a", normal(3, 2)}, {"b", uniform(-1, 1)}}, 7);
+  const std::vector<double> a = values_of(all, 0), b = values_of(all, 1);
+  double mean = 0, square = 0, cube = 0, fourth = 0, product = 0, neighbours = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = (a[i] - 3) / 2;
+    mean += z / n, square += z * z / n, cube += z * z * z / n, fourth += z * z * z * z / n;
+    product += z * b[i] / n;
+    if (i > 0) neighbours += z * (a[i - 1] - 3) / 2 / n;
+  }
+  // Within five standard deviations of these sums.
+  EXPECT_NEAR(mean, 0, 5 * std::sqrt(1.0 / n));
+  EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(cube, 0, 5 * std::sqrt(15.0 / n));
+  EXPECT_NEAR(fourth, 3, 5 * std::sqrt(96.0 / n));
+  EXPECT_NEAR(product, 0, 5 * std::sqrt(1 / 3.0 / n));
+  EXPECT_NEAR(neighbours, 0, 5 * std::sqrt(1.0 / n));
+}
+
+TEST(runs, of_a_latin_hypercube_draw_once_from_each_range) {
+  for (const std::size_t n : {1u, 2u, 3u, 10u, 1000u, 4097u}) {
+    const runs all = latin_hypercube(n, {{"a", uniform(0, 1)}, {"b", uniform(0, 1)}}, 5);
+    for (const std::size_t column : {0u, 1u}) {
+      std::set<std::size_t> ranges;
+      for (double each : values_of(all, column)) ranges.insert(static_cast<std::size_t>(each * double(n)));
+      EXPECT_EQ(ranges.size(), n);
+      EXPECT_LT(*ranges.rbegin(), n);
+    }
+  }
+}
+
+TEST(runs, of_a_latin_hypercube_do_not_go_together) {
+  const runs all = latin_hypercube(1000, {{"a", uniform(0, 1)}, {"b", uniform(0, 1)}}, 5);
+  const std::vector<double> a = values_of(all, 0), b = values_of(all, 1);
+  double product = 0;
+  for (std::size_t i = 0; i < 1000; ++i) product += 12 * (a[i] - 0.5) * (b[i] - 0.5) / 1000;
+  EXPECT_NEAR(product, 0, 5 / std::sqrt(1000.0));
+}
+
+TEST(runs, in_a_random_order_are_each_there_once) {
+  for (std::uint64_t size = 1; size < 300; ++size) {
+    const ensembles::permutation order(ensembles::random_stream(size, "order"), size);
+    std::set<std::uint64_t> seen;
+    for (std::uint64_t i = 0; i < size; ++i) seen.insert(order(i));
+    EXPECT_EQ(seen.size(), size);
+    EXPECT_LT(*seen.rbegin(), size);
+  }
+  const ensembles::permutation large(ensembles::random_stream(1, "order"), 1'000'000'007);
+  EXPECT_LT(large(999'999'999), 1'000'000'007u);
+}
+
+TEST(distributions, have_their_quantiles) {
+  EXPECT_THAT(normal(1, 2).quantile(0.5), DoubleEq(1));
+  EXPECT_NEAR(normal(1, 2).quantile(0.841344746068543), 3, 1e-12);
+  EXPECT_NEAR(log_uniform(1e-3, 10).quantile(0.75), 1, 1e-14);
+  const boost::math::triangular_distribution<> reference(1, 1.5, 4);
+  for (double part : {0.01, 0.1, 1.0 / 6, 0.3, 0.9})
+    EXPECT_NEAR(triangular(1, 1.5, 4).quantile(part), quantile(reference, part), 1e-14);
+  const auto cut = truncated_normal(0, 1, -1, 2);
+  EXPECT_NEAR(cut.quantile(1e-300), -1, 1e-12);
+  EXPECT_NEAR(cut.quantile(1 - 0x1p-53), 2, 1e-12);
+  const boost::math::weibull_distribution<> life(1.5, 2);
+  const distribution own("weibull(1.5, 2)", [life](double part) { return quantile(life, part); });
+  EXPECT_EQ(own.quantile(0.3), quantile(life, 0.3));
+}
+
+TEST(runs, that_cannot_be_say_why) {
+  const auto mistake_of = [](const runs& all) { return all.mistake(); };
+  EXPECT_EQ(mistake_of(random_runs(9, {{"m", normal(1, -1)}}, 1)),
+            "there is no distribution normal(1, -1): the deviation must be positive");
+  EXPECT_EQ(mistake_of(random_runs(9, {{"m", uniform(2, 1)}}, 1)),
+            "there is no distribution uniform(2, 1): it must begin below its end");
+  EXPECT_EQ(mistake_of(random_runs(9, {{"m", log_uniform(0, 1)}}, 1)),
+            "there is no distribution log_uniform(0, 1): it must begin above 0, and below its end");
+  EXPECT_EQ(
+      mistake_of(random_runs(9, {{"m", truncated_normal(0, 1, 50, 60)}}, 1)),
+      "there is no distribution truncated_normal(0, 1, 50, 60): the deviation must be positive, and some of "
+      "it must lie between the bounds");
+  EXPECT_EQ(mistake_of(random_runs(9, {{"m", triangular(0, 2, 1)}}, 1)),
+            "there is no distribution triangular(0, 2, 1): its mode must lie between its ends");
+  EXPECT_EQ(mistake_of(latin_hypercube(0, {{"m", uniform(0, 1)}}, 1)), "a study needs a run at least");
+  EXPECT_EQ(mistake_of(grid({{"m", {}}})), "the grid has no values of m");
+  EXPECT_EQ(mistake_of(grid({{"m", {1}}, {"m", {2}}})), "m differs from run to run twice over");
+  EXPECT_EQ(mistake_of(grid({{"", {1}}})), "what differs from run to run has no name");
+  const std::vector<double> many(1 << 16);
+  EXPECT_EQ(mistake_of(grid({{"a", many}, {"b", many}, {"c", many}, {"d", many}})),
+            "the grid has more runs than can be counted");
+  EXPECT_EQ(mistake_of(runs_of({})), "the table of runs has no row");
+  table one;
+  ASSERT_TRUE(one.add("m", {1}));
+  EXPECT_EQ(mistake_of(runs_of(one, {{"push"}})), "the table of runs has no column push");
+}
+
+} // namespace
