@@ -27,10 +27,11 @@ study<System> bouncing_balls() {
       .simulation = {.relative_tolerance = 1e-10,
                      .absolute_tolerance = 1e-12,
                      .events = {when<System, height>("contact", crossing::falling, bounce)}},
-      .keep = {at_end<v>("v_end", "m/s"), at_end<height>("h_end", "m"), greatest<v>("fastest up", "m/s"),
+      .keep = {at_end<v>("speed", "m/s"), at_end<height>("height", "m"), greatest<v>("fastest up", "m/s"),
                least<v>("fastest down"), first_time_of("contact", "t_contact"),
                last_time_of("contact", "t_last"), times_of("contact", "contacts"),
                result("steps", [](const simulation<System>& run) { return double(run.statistics.steps); })},
+      .keep_end_state = true,
       .keep_events = true,
       .units = {{h, "m"}, {g, "m/s2"}}};
 }
@@ -60,6 +61,7 @@ TEST(ensemble, keeps_what_single_simulations_find) {
     EXPECT_EQ(found.runs["end"][i], 0);
     EXPECT_EQ(found.runs["t_end"][i], 2);
     EXPECT_EQ(found.runs["v_end"][i], alone.state[v]);
+    EXPECT_EQ(found.runs["height"][i], alone.state[h]);
     EXPECT_EQ(found.runs["h_end"][i], alone.state[h]);
     EXPECT_EQ(found.runs["steps"][i], double(alone.statistics.steps));
     EXPECT_EQ(found.runs["contacts"][i], double(alone.events.size()));
@@ -186,7 +188,7 @@ TEST(ensemble, names_columns_with_units) {
   std::vector<column_label> first(columns.begin(), columns.begin() + 6);
   EXPECT_THAT(first, testing::ElementsAre(column_label{"run"}, column_label{"end"},
                                           column_label{"t_end", "s"}, column_label{"h", "m"},
-                                          column_label{"g", "m/s2"}, column_label{"v_end", "m/s"}));
+                                          column_label{"g", "m/s2"}, column_label{"speed", "m/s"}));
 }
 
 std::string refusal(study<System> told, const ensemble_options& options = {}) {
@@ -214,8 +216,8 @@ TEST(ensemble, says_what_was_told_wrongly) {
   EXPECT_EQ(refusal(told), "of what the study keeps, there is a column g already");
   told = bouncing_balls(), told.keep.push_back(at_end<height>());
   EXPECT_EQ(refusal(told), "of what the study keeps, a column has no name");
-  EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("speed")}}),
-            "the study has no column speed to reduce");
+  EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("velocity")}}),
+            "the study has no column velocity to reduce");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {histogram_of("g", 1, 1, 5)}}),
             "the histogram of g needs a bin at least, and must begin below its end");
 }

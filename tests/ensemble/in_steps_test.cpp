@@ -19,9 +19,10 @@ study_in_steps<runge_kutta_4<one::System>> swinging() {
           .inputs = {{one::T, 0.5}},
           .step = 1e-2,
           .steps = 100,
-          .keep = {at_end<one::q>("q_end"), greatest<one::u>("fastest"), least<one::u>("slowest"),
+          .keep = {at_end<one::q>("angle"), greatest<one::u>("fastest"), least<one::u>("slowest"),
                    at_end<dot(position_of<one::P, one::O>, one::N::y)>("height")},
-          .look_every = 10};
+          .look_every = 10,
+          .keep_end_state = true};
 }
 
 TEST(ensemble_in_steps, keeps_what_single_steps_find) {
@@ -49,7 +50,9 @@ TEST(ensemble_in_steps, keeps_what_single_steps_find) {
         ASSERT_TRUE(runge_kutta_4<one::System>{}(t, x, 1e-2, p, r));
       }
     }
+    EXPECT_EQ(found.runs["angle"][i], x[one::q]);
     EXPECT_EQ(found.runs["q_end"][i], x[one::q]);
+    EXPECT_EQ(found.runs["u_end"][i], x[one::u]);
     EXPECT_EQ(found.runs["fastest"][i], fastest);
     EXPECT_EQ(found.runs["slowest"][i], slowest);
     EXPECT_EQ(found.runs["t_end"][i], t);

@@ -75,7 +75,7 @@ private:
     } catch (...) {
       done.fail("something was thrown that is no std::exception");
     }
-    study_columns::complete(layout_, done);
+    study_columns::complete(told_, layout_, done);
     return done;
   }
 

@@ -84,7 +84,7 @@ private:
       moving all(of.x, 0, static_cast<Eigen::Index>(lanes), of.p, inputs_of(of), told_.start);
       move(all, of, count, done);
     }
-    for (std::size_t lane = 0; lane < count; ++lane) study_columns::complete(layout_, done[lane]);
+    for (std::size_t lane = 0; lane < count; ++lane) study_columns::complete(told_, layout_, done[lane]);
   }
 
   static bool is_sound(const finished_run& one) { return one.end != run_end::failed; }

@@ -26,6 +26,7 @@ struct study {
   std::function<void(const run_values&, simulation_options<System>&)> for_each_run = {};
 
   std::vector<kept<System>> keep = {};
+  bool keep_end_state = false;    ///< all coordinates and speeds, as q1_end, where the run ends
   bool keep_trajectories = false; ///< all samples of all runs
   bool keep_events = false;       ///< which happened when
   std::vector<unit_of> units = {};

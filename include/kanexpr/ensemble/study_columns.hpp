@@ -77,6 +77,8 @@ public:
     found.columns = columns.of_runs(told.runs, kept);
     found.varied = told.runs.varied().size();
     found.state = columns.of_state();
+    if (told.keep_end_state)
+      for (const column_label& each : found.state) found.columns.push_back({each.name + "_end", each.unit});
     if (told.keep_trajectories) found.samples = columns.of_samples();
     return found;
   }
@@ -88,14 +90,17 @@ public:
     given.values(run, row.data() + own);
     return row;
   }
-  /// After it: what was kept goes where the run failed.
-  static void complete(const study_layout& layout, finished_run& done) {
+  /// After it, in the state where it ended: what was kept goes where the run failed.
+  template <class Study>
+  static void complete(const Study& told, const study_layout& layout, finished_run& done) {
     done.values[1] = static_cast<double>(done.end), done.values[2] = done.time;
-    if (done.end == run_end::failed)
-      std::fill(done.values.begin() + static_cast<std::ptrdiff_t>(own + layout.varied), done.values.end(),
-                std::numeric_limits<double>::quiet_NaN());
-    else
+    double* kept = kept_in(layout, done);
+    if (done.end == run_end::failed) {
+      std::fill(kept, done.values.data() + done.values.size(), std::numeric_limits<double>::quiet_NaN());
+    } else {
+      if (told.keep_end_state) std::copy(done.state.begin(), done.state.end(), kept + told.keep.size());
       done.state.clear();
+    }
   }
   /// Where in a row the numbers are that are kept.
   static double* kept_in(const study_layout& layout, finished_run& done) {

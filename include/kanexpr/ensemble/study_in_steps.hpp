@@ -42,6 +42,7 @@ struct study_in_steps {
 
   std::vector<kept_in_steps<System>> keep = {};
   int look_every = 1;             ///< after so many steps extremes are looked for, and samples are taken
+  bool keep_end_state = false;    ///< all coordinates and speeds, as q1_end, where the run ends
   bool keep_trajectories = false; ///< all samples of all runs
   std::vector<unit_of> units = {};
   std::string name = {}; ///< in files; empty: that of the system

@@ -82,9 +82,11 @@ KANEXPR_ENSEMBLES outcome remove_note(const std::string& path) {
 }
 
 KANEXPR_ENSEMBLES std::uint64_t this_program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  if (!in) return 0;
-  return sum_of(std::string(std::istreambuf_iterator<char>(in), {}));
+  static const std::uint64_t sum = [] {
+    std::ifstream in("/proc/self/exe", std::ios::binary);
+    return in ? sum_of(std::string(std::istreambuf_iterator<char>(in), {})) : 0;
+  }();
+  return sum;
 }
 
 } // namespace kanexpr::ensembles
