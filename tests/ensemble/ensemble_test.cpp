@@ -171,6 +171,17 @@ TEST(ensemble, tells_what_was_thrown_and_what_is_no_number) {
   EXPECT_EQ(found.runs["end"][1], 0);
 }
 
+TEST(ensemble, drops_no_event_in_silence) {
+  study<System> told = bouncing_balls();
+  told.for_each_run = [](const run_values& run, simulation_options<System>& options) {
+    if (run.run() == 7) options.events.push_back(when<System, v>("top", crossing::falling));
+  };
+  const auto found = ensemble<System>(told).run();
+  ASSERT_EQ(found.failures.size(), 1u);
+  EXPECT_EQ(found.failures[0].run, 7u);
+  EXPECT_EQ(found.failures[0].cause, "the event top is none of those that the study was told");
+}
+
 TEST(ensemble, ends_as_an_event_asks) {
   study<System> told = bouncing_balls();
   told.simulation.events = {when<System, height>("contact", crossing::falling, after_event::stop)};
@@ -216,6 +227,10 @@ TEST(ensemble, says_what_was_told_wrongly) {
   EXPECT_EQ(refusal(told), "of what the study keeps, there is a column g already");
   told = bouncing_balls(), told.keep.push_back(at_end<height>());
   EXPECT_EQ(refusal(told), "of what the study keeps, a column has no name");
+  told = bouncing_balls(), told.units.push_back({"hh", "m"});
+  EXPECT_EQ(refusal(told), "a unit is told of hh, which the study does not have");
+  told = bouncing_balls(), told.span = {1, 0};
+  EXPECT_EQ(refusal(told), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("velocity")}}),
             "the study has no column velocity to reduce");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {histogram_of("g", 1, 1, 5)}}),

@@ -3,6 +3,7 @@
 #include <kanexpr/base/bytes.hpp>
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
+#include <kanexpr/ensemble/study_columns.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +64,9 @@ struct given_to_systems {
         inputs(known, compiled::range_of(symbols_of::inputs, known), told.runs, told.inputs),
         gives_inputs(inputs.is_varied() || !told.inputs.empty()) {
     mistake = !told.runs.mistake().empty() ? told.runs.mistake() : mistake_in(told.runs);
+    for (const unit_of& each : told.units)
+      if (mistake.empty() && !is_symbol(each.what.name()) && !is_varied(told.runs, each.what.name()))
+        mistake = "a unit is told of " + each.what.name() + ", which the study does not have";
     if (mistake.empty()) mistake = states.mistake();
     if (mistake.empty()) mistake = parameters.mistake();
     if (mistake.empty() && gives_inputs) mistake = inputs.mistake();
@@ -95,6 +99,9 @@ private:
                " that could differ from run to run; if it is none of its symbols, it is a factor, factor{\"" +
                each.name() + "\"}";
     return {};
+  }
+  static bool is_varied(const runs& all, const std::string& name) {
+    return std::ranges::find(all.varied(), name, &varied_name::name) != all.varied().end();
   }
   static bool is_symbol(const std::string& name) {
     for (int i = 0; i < known.symbols(); ++i)

@@ -4,6 +4,7 @@
 #include <kanexpr/ensemble/job.hpp>
 #include <kanexpr/ensemble/study.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
+#include <kanexpr/simulate/check_options.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/simulate.hpp>
 
@@ -56,10 +57,15 @@ private:
     if (given_.gives_inputs && told_.simulation.inputs.mistake().view().empty())
       return "the inputs are told twice, by the study and by the options of its simulations";
     if (std::string mistake = mistake_in(layout_.columns); !mistake.empty()) return mistake;
+    if (told_.for_each_run) return {};
+    simulation_options<System> options = told_.simulation;
+    options.keep = true;
+    if (std::string mistake = simulated::check_options(simulated::settings_of(options), told_.span);
+        !mistake.empty())
+      return mistake;
     for (const kept<System>& each : told_.keep)
-      if (!each.event.empty() && !told_.for_each_run &&
-          std::ranges::find(told_.simulation.events, each.event, &event<System>::name) ==
-              told_.simulation.events.end())
+      if (!each.event.empty() && std::ranges::find(told_.simulation.events, each.event,
+                                                   &event<System>::name) == told_.simulation.events.end())
         return "the simulations of the study have no event " + each.event;
     return {};
   }
@@ -123,9 +129,13 @@ private:
     } else if (told_.keep_trajectories) {
       for (const sample<System>& each : ended.trajectory) keep_sample(each, done);
     }
-    for (const occurrence& each : ended.events)
-      if (const auto found = std::ranges::find(layout_.events, each.name); found != layout_.events.end())
-        done.events.emplace_back(static_cast<std::uint32_t>(found - layout_.events.begin()), each.t);
+    if (!told_.keep_events) return;
+    for (const occurrence& each : ended.events) {
+      const auto found = std::ranges::find(layout_.events, each.name);
+      if (found == layout_.events.end())
+        return done.fail("the event " + each.name + " is none of those that the study was told");
+      done.events.emplace_back(static_cast<std::uint32_t>(found - layout_.events.begin()), each.t);
+    }
   }
 
   static void keep_sample(const sample<System>& one, finished_run& done) {
