@@ -1,5 +1,6 @@
 // Motions and derivatives that are asked for in other ways.
 #include "shapes.hpp"
+#include <kanexpr/ensemble/kept.hpp>
 #include <kanexpr/simulate/event.hpp>
 
 // expect: an expression with P uses position_of for something other than two points: position_of<point, from>
@@ -159,3 +160,9 @@ namespace n20 {
 struct System : loaded<weight> {};
 auto f() { return when<System, nullptr>("never"); }
 } // namespace n20
+
+// expect: what a study keeps, with P, is a vector; it must be a scalar
+namespace n21 {
+struct System : loaded<weight> {};
+kept<System> f() { return at_end<velocity_of<P>>("v"); }
+} // namespace n21
