@@ -1,0 +1,100 @@
+// A study that ranks do together, and one of them ends badly: `study FILE [word=value]…` writes the table.
+#include <kanexpr/ensemble/on_threads.hpp>
+#include <kanexpr/mpi/mpi_ranks.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace {
+
+using namespace kanexpr;
+
+std::map<std::string, std::string> words; // of the command line
+
+double number(const std::string& word, double otherwise) {
+  return words.contains(word) ? std::stod(words[word]) : otherwise;
+}
+
+/// Numbers that show every bit of what was done, by runs that take from 0.1 to 10 ms.
+class logistic_maps final : public ensembles::job {
+public:
+  explicit logistic_maps(int rank) : rank_(rank) {
+    layout_.study = words["study"];
+    layout_.runs = static_cast<std::size_t>(number("runs", 1500));
+    layout_.columns = {{"run"}, {"end"}, {"t_end", "s"}, {"rate"}, {"mean"}};
+    layout_.samples = {{"t", "s"}};
+  }
+  const study_layout& layout() const override { return layout_; }
+  std::size_t side_by_side() const override { return 4; }
+  std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
+    std::vector<finished_run> all;
+    for (std::size_t i = first; i < first + count; ++i) all.push_back(one(i));
+    return all;
+  }
+
+private:
+  finished_run one(std::size_t run) const {
+    if (rank_ == static_cast<int>(number("bad_rank", -1)) && run >= 200) end_badly(words["how"]);
+    if (run == static_cast<std::size_t>(number("bad_run", -1)) && rank_ > 0) end_badly(words["how"]);
+    finished_run done;
+    done.run = run;
+    const auto place = static_cast<double>(run);
+    const double rate = 3.5 + 0.5 * std::fmod(place * 0.6180339887498949, 1);
+    const auto steps = static_cast<int>(number("steps", 20'000)) / (1 + static_cast<int>(run % 100));
+    double x = 0.5, sum = 0;
+    for (int i = 0; i < steps; ++i) x = rate * x * (1 - x), sum += std::sin(x);
+    done.time = x;
+    done.values = {place, run % 7 == 3 ? 2.0 : 0.0, x, rate, sum};
+    done.samples.assign(run % 50 == 0 ? 3000 : 1, x); // some too long for MPI to send at once
+    if (run % 7 != 3) return done;
+    done.end = run_end::failed;
+    done.failure = "it is one of seven";
+    return done;
+  }
+
+  static void end_badly(const std::string& how) {
+    if (how == "kill") std::raise(SIGKILL);
+    if (how == "stop") std::raise(SIGSTOP);
+    if (how == "fault") std::raise(SIGSEGV);
+    if (how == "throw") throw std::runtime_error("thrown by the user");
+    while (how == "loop") std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  int rank_;
+  study_layout layout_{};
+};
+
+void write(const ensemble_results& found, const std::string& file) {
+  std::ofstream out(file, std::ios::binary);
+  for (std::size_t i = 0; i < found.runs.columns(); ++i)
+    for (double each : found.runs.values(i)) out.write(reinterpret_cast<const char*>(&each), sizeof each);
+  for (const table& each : found.trajectories)
+    out.write(reinterpret_cast<const char*>(each.values(0).data()),
+              static_cast<std::streamsize>(each.values(0).size() * sizeof(double)));
+  for (const failed_run& each : found.failures) out << each.run << ' ' << each.cause << '\n';
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto behind = word.find('=');
+    words[word.substr(0, behind)] = word.substr(behind + 1);
+  }
+  mpi_ranks ranks(argc, argv, {.patience = number("patience", 600), .silence = 2});
+  const logistic_maps study(ranks.rank());
+  ensemble_options options{.threads = static_cast<unsigned>(number("threads", 1))};
+  const ensemble_results found = ranks.run(study, words["seed"], options);
+  if (!found) std::cout << "rank " << ranks.rank() << ": " << found.cause() << '\n';
+  if (ranks.is_first()) write(found, argv[1]);
+  return found ? 0 : 1;
+}
