@@ -3,4 +3,5 @@
 /// Many simulations of one system. Link kanexpr::ensemble.
 
 #include <kanexpr/ensemble/ensemble.hpp>
+#include <kanexpr/ensemble/stop_on_signal.hpp>
 #include <kanexpr/simulate.hpp>

@@ -25,6 +25,17 @@ public:
     for (std::size_t i = 0; i < threads; ++i) std::thread(work, shared_).detach();
   }
 
+  worker_threads(const worker_threads&) = delete;
+  worker_threads& operator=(const worker_threads&) = delete;
+  /// Forgets what was not begun, and waits for the threads for a moment: one whose run never ends is left
+  /// behind.
+  ~worker_threads() {
+    std::unique_lock lock(shared_->mutex);
+    shared_->is_over = true;
+    shared_->may_work.notify_all();
+    shared_->is_done.wait_for(lock, std::chrono::seconds(2), [&] { return shared_->running == 0; });
+  }
+
   /// How many shares they hold at a time, so that each thread finds the next one there.
   std::size_t room() const { return room_; }
   /// How many they hold.
@@ -48,15 +59,6 @@ public:
   void wait(std::chrono::microseconds most) {
     std::unique_lock lock(shared_->mutex);
     shared_->is_done.wait_for(lock, most, [&] { return !shared_->done.empty(); });
-  }
-
-  /// Takes back what was not begun, and waits for the threads, at most so long: one whose run never ends is
-  /// left behind.
-  void end(std::chrono::microseconds most) {
-    std::unique_lock lock(shared_->mutex);
-    shared_->is_over = true;
-    shared_->may_work.notify_all();
-    shared_->is_done.wait_for(lock, most, [&] { return shared_->running == 0; });
   }
 
 private:

@@ -25,6 +25,7 @@ public:
       : post_(post), options_(options), study_(study), known_by_(known_by),
         others_(static_cast<std::size_t>(post.ranks())) {}
 
+  /// Its own threads come home when it is gone, as the others wait for what came of the study.
   ensemble_results run(const ensembles::job& study, const std::string& known_by,
                        const ensemble_options& options) {
     ensembles::collector results(study.layout(), known_by, options);
@@ -62,7 +63,7 @@ private:
          .seconds_of_share = 0.05,
          .most_ahead = (std::max)(std::size_t{65536}, 512 * all)},
         options.stop, [&](std::vector<finished_run>&& runs) { return results.take(std::move(runs)); });
-    worker_threads own(study, threads);
+    worker_threads& own = own_.emplace(study, threads);
     nap rest;
     while (!shares.is_over() && failure_.empty()) {
       bool was_idle = true;
@@ -76,7 +77,6 @@ private:
       else
         rest.reset();
     }
-    own.end(to_come_home);
   }
 
   void take(const letter& come, ensembles::sharing& shares) {
@@ -193,6 +193,7 @@ private:
   clock::time_point looked_ = clock::now(), last_finished_ = looked_;
   bool asks_again_ = false;
   std::string failure_{};
+  std::optional<worker_threads> own_{};
 };
 
 } // namespace kanexpr::mpi

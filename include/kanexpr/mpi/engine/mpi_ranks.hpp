@@ -58,14 +58,19 @@ KANEXPR_MPI mpi_ranks::mpi_ranks(int& argc, char**& argv, const mpi_options& opt
 }
 
 KANEXPR_MPI mpi_ranks::~mpi_ranks() {
-  // By `mpirun --enable-recovery` ranks may be gone, and MPI knows; else it ends all where one is gone.
-  const char* recovery = std::getenv("OMPI_MCA_orte_enable_recovery");
-  const bool recovers = recovery != nullptr && std::string_view(recovery) == "1";
   if (is_first())
     for (int i = 1; i < count(); ++i) state_->post.mailbox::send(i, mpi::farewell{});
   state_->let_messages_leave();
-  if (recovers) state_->end_lost_siblings();
-  if (state_->is_first_lost || (is_first() && !state_->lost.empty() && !recovers)) {
+  // MPI_Finalize waits for who hangs. With `mpirun --enable-recovery` a rank may end without it, but mpirun
+  // waits too; else MPI_Abort ends all ranks, the hanging ones among them.
+  const char* recovery = std::getenv("OMPI_MCA_orte_enable_recovery");
+  const bool recovers = recovery != nullptr && std::string_view(recovery) == "1";
+  const bool has_lost = state_->is_first_lost || !state_->lost.empty();
+  if (has_lost && recovers) {
+    state_->end_lost_siblings();
+    return;
+  }
+  if (has_lost && (is_first() || state_->is_first_lost)) {
     std::cout.flush();
     std::fflush(nullptr);
     MPI_Abort(MPI_COMM_WORLD, state_->has_failed ? EXIT_FAILURE : EXIT_SUCCESS);

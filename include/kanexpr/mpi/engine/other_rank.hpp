@@ -39,7 +39,6 @@ public:
       else
         rest.reset();
     }
-    own.end(to_come_home);
     return found_;
   }
 

@@ -27,7 +27,4 @@ private:
   std::chrono::microseconds length_ = shortest;
 };
 
-/// How long threads may take to come home when nothing is left to do.
-inline constexpr std::chrono::seconds to_come_home{2};
-
 } // namespace kanexpr::mpi
