@@ -1,5 +1,6 @@
 // A study that ranks do together, and one of them ends badly: `study FILE [word=value]…` writes the table.
 #include <kanexpr/ensemble/on_threads.hpp>
+#include <kanexpr/ensemble/stop_on_signal.hpp>
 #include <kanexpr/mpi/mpi_ranks.hpp>
 
 #include <chrono>
@@ -23,10 +24,14 @@ double number(const std::string& word, double otherwise) {
   return words.contains(word) ? std::stod(words[word]) : otherwise;
 }
 
+bool is_this(const std::string& word, std::size_t what) {
+  return words.contains(word) && words[word] == std::to_string(what);
+}
+
 /// Numbers that show every bit of what was done, by runs that take from 0.1 to 10 ms.
 class logistic_maps final : public ensembles::job {
 public:
-  explicit logistic_maps(int rank) : rank_(rank) {
+  explicit logistic_maps(std::size_t rank) : rank_(rank) {
     layout_.study = words["study"];
     layout_.runs = static_cast<std::size_t>(number("runs", 1500));
     layout_.columns = {{"run"}, {"end"}, {"t_end", "s"}, {"rate"}, {"mean"}};
@@ -42,8 +47,8 @@ public:
 
 private:
   finished_run one(std::size_t run) const {
-    if (rank_ == static_cast<int>(number("bad_rank", -1)) && run >= 200) end_badly(words["how"]);
-    if (run == static_cast<std::size_t>(number("bad_run", -1)) && rank_ > 0) end_badly(words["how"]);
+    if (is_this("bad_rank", rank_) && run >= 200) end_badly(words["how"]);
+    if (is_this("bad_run", run) && rank_ > 0) end_badly(words["how"]);
     finished_run done;
     done.run = run;
     const auto place = static_cast<double>(run);
@@ -68,7 +73,7 @@ private:
     while (how == "loop") std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  int rank_;
+  std::size_t rank_;
   study_layout layout_{};
 };
 
@@ -91,9 +96,19 @@ int main(int argc, char** argv) {
     words[word.substr(0, behind)] = word.substr(behind + 1);
   }
   mpi_ranks ranks(argc, argv, {.patience = number("patience", 600), .silence = 2});
-  const logistic_maps study(ranks.rank());
-  ensemble_options options{.threads = static_cast<unsigned>(number("threads", 1))};
-  const ensemble_results found = ranks.run(study, words["seed"], options);
+  const auto rank = static_cast<std::size_t>(ranks.rank());
+  const logistic_maps study(rank);
+  const stop_on_signal stop({SIGTERM, SIGUSR1});
+  ensemble_options options{.threads = static_cast<unsigned>(number("threads", 1)), .stop = stop.token()};
+  if (words.contains("checkpoint")) options.checkpoint = words["checkpoint"];
+  options.progress = [](double done, double, double) {
+    if (done >= number("stop_at", 1e9)) std::raise(SIGTERM);
+  };
+  ensembles::on_threads threads;
+  ensembles::crew& crew = words.contains("alone") ? static_cast<ensembles::crew&>(threads) : ranks;
+  if (is_this("absent_rank", rank)) return 0;
+  const std::string known_by = is_this("odd_rank", rank) ? "another" : words["seed"];
+  const ensemble_results found = crew.run(study, known_by, options);
   if (!found) std::cout << "rank " << ranks.rank() << ": " << found.cause() << '\n';
   if (ranks.is_first()) write(found, argv[1]);
   return found ? 0 : 1;
