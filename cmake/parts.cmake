@@ -19,6 +19,12 @@ if(NOT kanexpr_ensemble_lacks AND NOT TARGET Threads::Threads)
   set(kanexpr_ensemble_lacks "threads were not found")
 endif()
 
+find_package(MPI 3.0 QUIET COMPONENTS CXX)
+set(kanexpr_mpi_lacks "${kanexpr_ensemble_lacks}")
+if(NOT kanexpr_mpi_lacks AND NOT TARGET MPI::MPI_CXX)
+  set(kanexpr_mpi_lacks "MPI was not found; Debian has it in libopenmpi-dev and openmpi-bin")
+endif()
+
 find_package(nlohmann_json 3.2 QUIET)
 set(kanexpr_animate_lacks "")
 if(NOT nlohmann_json_FOUND)

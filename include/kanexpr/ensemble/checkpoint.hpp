@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace kanexpr::ensembles {
@@ -21,6 +22,9 @@ struct noted : outcome {
 KANEXPR_ENSEMBLES outcome note(const std::string& path, const std::string& content);
 KANEXPR_ENSEMBLES noted read_note(const std::string& path);
 KANEXPR_ENSEMBLES outcome remove_note(const std::string& path);
+
+/// A number that is another one for nearly all other contents.
+KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content);
 
 /// By what a program is known again: a number formed of its file; 0 where that cannot be read.
 KANEXPR_ENSEMBLES std::uint64_t this_program();

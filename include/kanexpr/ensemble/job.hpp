@@ -4,12 +4,13 @@
 #include <kanexpr/ensemble/layout.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace kanexpr::ensembles {
 
 /// A study as those see it who share out its runs: they know no model.
-class job {
+class job : public std::enable_shared_from_this<job> {
 public:
   job() = default;
   job(const job&) = delete;

@@ -16,8 +16,7 @@
 
 namespace kanexpr::ensembles {
 
-/// A number that is another one for nearly all other contents.
-inline std::uint64_t sum_of(std::string_view content) {
+KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content) {
   std::uint64_t sum = content.size();
   while (!content.empty()) {
     std::uint64_t word = 0;

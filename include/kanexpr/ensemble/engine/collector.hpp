@@ -13,10 +13,7 @@ namespace ensembles {
 
 inline constexpr std::size_t most_failures_held = 1000;
 
-/// A study as its checkpoint knows it again: what it is, what becomes of its results, and the program that
-/// does its runs, whose functions nobody can look into.
-inline std::string identity_of(const study_layout& layout, const std::string& known_by,
-                               const ensemble_options& options) {
+KANEXPR_ENSEMBLES std::string identity_of(const study_layout& layout, const std::string& known_by) {
   bytes_writer all;
   all.put(this_program());
   all.put(layout.study), all.put(known_by), all.put(static_cast<std::uint64_t>(layout.runs));
@@ -25,6 +22,14 @@ inline std::string identity_of(const study_layout& layout, const std::string& kn
     for (const column_label& each : *columns) all.put(each.name), all.put(each.unit);
   }
   for (const std::string& each : layout.events) all.put(each);
+  return all.bytes();
+}
+
+/// The same with what becomes of its results, as its checkpoint knows it again.
+inline std::string identity_of(const study_layout& layout, const std::string& known_by,
+                               const ensemble_options& options) {
+  bytes_writer all;
+  all.put(identity_of(layout, known_by));
   all.put(options.hold), all.put(static_cast<std::uint64_t>(options.files.size()));
   for (const reduction& each : options.reduce) {
     all.put(each.column), all.put(static_cast<std::uint64_t>(each.what.index()));

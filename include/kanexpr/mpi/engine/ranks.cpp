@@ -1,0 +1,1 @@
+#include <kanexpr/mpi/engine/mpi_ranks.hpp>
