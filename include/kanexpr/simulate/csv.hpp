@@ -26,6 +26,9 @@ public:
   csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream");
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
+  /// One that goes on behind a header and so many rows.
+  static csv_writer behind(std::ostream& out, std::size_t rows, std::size_t columns,
+                           std::string called = "the stream");
 
   csv_writer(const csv_writer&) = default;
   csv_writer(csv_writer&&) = default;
@@ -44,6 +47,7 @@ public:
   const std::string& cause() const { return done_.cause(); }
 
 private:
+  csv_writer(std::ostream& out, std::size_t rows, std::size_t columns, std::string called);
   bool write();
   void fail(const std::string& where);
 

@@ -67,8 +67,9 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
   if (options_.checkpoint) {
     noted before = read_note(options_.checkpoint->text());
     if (!before) return before;
-    if (before.content) return go_on_from(*before.content);
-    // Before anything else is written: a checkpoint that cannot be is no surprise after an hour.
+    if (before.content && !before.content->empty()) return go_on_from(*before.content);
+    // Before anything else is written: a checkpoint that cannot be is no surprise after an hour. An empty one
+    // stays where the program ends right then.
     if (outcome can = note(options_.checkpoint->text(), {}); !can) return can;
     if (outcome gone = remove_note(options_.checkpoint->text()); !gone) return gone;
   }

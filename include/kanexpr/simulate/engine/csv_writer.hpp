@@ -35,6 +35,15 @@ KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::span<const st
   if (done_) write();
 }
 
+KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::size_t rows, std::size_t columns,
+                                           std::string called)
+    : out_(&out), called_(std::move(called)), columns_(columns), rows_(rows) {}
+
+KANEXPR_SIMULATIONS csv_writer csv_writer::behind(std::ostream& out, std::size_t rows, std::size_t columns,
+                                                  std::string called) {
+  return csv_writer(out, rows, columns, std::move(called));
+}
+
 KANEXPR_SIMULATIONS bool csv_writer::row(std::span<const double> numbers) {
   if (!done_) return false;
   ++rows_;

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/csv_file.hpp>
+#include <kanexpr/ensemble/held_file.hpp>
+#include <kanexpr/simulate/csv.hpp>
+
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+namespace kanexpr {
+
+namespace ensembles {
+
+class csv_results final : public results_file {
+public:
+  explicit csv_results(std::string path) : path_(std::move(path)) {}
+
+  outcome begin(const study_layout& layout) override {
+    if (outcome fits = check(layout); !fits) return fits;
+    if (outcome free = check_free(path_); !free) return free;
+    out_ = std::ofstream(path_, std::ios::binary);
+    if (!out_) return not_opened();
+    rows_ = 0;
+    writer_.emplace(out_, names(layout), path_);
+    return *writer_ ? held_.hold(path_) : outcome(writer_->cause());
+  }
+
+  outcome go_on(const study_layout& layout, const std::string& position) override {
+    bytes_reader told(position);
+    const auto size = told.get<std::uint64_t>();
+    rows_ = told.get<std::uint64_t>();
+    if (outcome fits = check(layout); !fits) return fits;
+    if (outcome begins = check_header(layout, size); !begins) return begins;
+    if (outcome free = check_free(path_); !free) return free;
+    if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return not_opened();
+    out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
+    if (!out_) return not_opened();
+    writer_.emplace(csv_writer::behind(out_, static_cast<std::size_t>(rows_), layout.columns.size(), path_));
+    return held_.hold(path_);
+  }
+
+  outcome take(const finished_run& run) override {
+    ++rows_;
+    return writer_->row(run.values) ? outcome() : outcome(writer_->cause());
+  }
+
+  outcome flush(std::string& position) override {
+    if (!writer_->finish()) return outcome(writer_->cause());
+    bytes_writer told;
+    told.put(static_cast<std::uint64_t>(out_.tellp())), told.put(rows_);
+    position = told.bytes();
+    return held_.store();
+  }
+
+  outcome end() override {
+    if (!writer_->finish()) return outcome(writer_->cause());
+    out_.close();
+    held_.release();
+    return out_ ? outcome() : outcome("writing " + path_ + " failed at its end");
+  }
+
+private:
+  outcome not_opened() const {
+    return outcome(path_ + " cannot be opened: " + std::generic_category().message(errno));
+  }
+  outcome check(const study_layout& layout) const {
+    if (layout.samples.empty() && layout.events.empty()) return {};
+    return outcome(path_ + " cannot hold the " + (layout.samples.empty() ? "events" : "trajectories") +
+                   " that the study keeps, as it is a table of runs; a file of HDF5 can");
+  }
+  outcome check_header(const study_layout& layout, std::uint64_t size) const {
+    std::ostringstream header;
+    csv_writer(header, names(layout)).finish();
+    std::ifstream in(path_, std::ios::binary);
+    if (!in) return not_opened();
+    std::string beginning(header.str().size(), '\0');
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    if (beginning != header.str()) return outcome(path_ + " does not begin with the columns of the study");
+    in.seekg(0, std::ios::end);
+    if (static_cast<std::uint64_t>(in.tellg()) < size)
+      return outcome(path_ + " is shorter than it was when the study was noted");
+    return {};
+  }
+  static std::vector<std::string> names(const study_layout& layout) {
+    std::vector<std::string> all;
+    for (const column_label& each : layout.columns) all.push_back(each.name);
+    return all;
+  }
+
+  const std::string path_;
+  std::ofstream out_{};
+  std::optional<csv_writer> writer_{};
+  std::uint64_t rows_ = 0;
+  held_file held_{};
+};
+
+} // namespace ensembles
+
+KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path) {
+  return std::make_shared<ensembles::csv_results>(path.text());
+}
+
+} // namespace kanexpr

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <kanexpr/ensemble/held_file.hpp>
+
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace kanexpr::ensembles {
+
+inline outcome not_held(const std::string& path, const char* what) {
+  return outcome(path + ' ' + what + ": " + std::generic_category().message(errno));
+}
+
+inline outcome lock(int file, int how, const std::string& path) {
+  if (::flock(file, how | LOCK_NB) == 0 || errno != EWOULDBLOCK) return {}; // or none can be locked there
+  return outcome(path + " is open in another program");
+}
+
+KANEXPR_ENSEMBLES outcome check_free(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) return {};
+  if (file < 0) return not_held(path, "cannot be opened");
+  outcome locked = lock(file, LOCK_EX, path);
+  ::close(file);
+  return locked;
+}
+
+KANEXPR_ENSEMBLES outcome held_file::hold(const std::string& path) {
+  release();
+  path_ = path;
+  file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  return file_ < 0 ? not_held(path, "cannot be opened") : lock(file_, LOCK_SH, path);
+}
+
+KANEXPR_ENSEMBLES outcome held_file::store() const {
+  if (::fsync(file_) == 0 || errno == EINVAL) return {}; // or it is nothing that could be stored
+  return not_held(path_, "cannot be written");
+}
+
+KANEXPR_ENSEMBLES void held_file::release() {
+  if (file_ >= 0) ::close(file_);
+  file_ = -1;
+}
+
+} // namespace kanexpr::ensembles

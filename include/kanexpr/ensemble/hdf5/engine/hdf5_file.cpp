@@ -1,0 +1,1 @@
+#include <kanexpr/ensemble/hdf5/engine/study_file.hpp>

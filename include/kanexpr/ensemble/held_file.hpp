@@ -1,0 +1,35 @@
+#pragma once
+
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/ensemble/compiled_ensembles.hpp>
+
+#include <string>
+
+namespace kanexpr::ensembles {
+
+/// Whether a file could be replaced: it is not there, or may be written and no other program holds it.
+KANEXPR_ENSEMBLES outcome check_free(const std::string& path);
+
+/// A file that is held against other programs which ask, as HDF5 does. They may read it.
+class held_file {
+public:
+  held_file() = default;
+  held_file(const held_file&) = delete;
+  held_file& operator=(const held_file&) = delete;
+  ~held_file() { release(); }
+
+  KANEXPR_ENSEMBLES outcome hold(const std::string& path);
+  /// Has the system store what was written, so that it is there also after the machine stopped.
+  KANEXPR_ENSEMBLES outcome store() const;
+  KANEXPR_ENSEMBLES void release();
+
+private:
+  std::string path_{};
+  int file_ = -1;
+};
+
+} // namespace kanexpr::ensembles
+
+#ifndef KANEXPR_COMPILED_ENSEMBLES
+#include <kanexpr/ensemble/engine/held_file.hpp>
+#endif

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Results of ensembles in files of HDF5. Link kanexpr::hdf5.
+
+#include <kanexpr/ensemble/hdf5/hdf5_file.hpp>

@@ -1,0 +1,94 @@
+// builds: g++
+#include "ensemble/written_study.hpp"
+
+#include <kanexpr/ensemble/csv_file.hpp>
+#include <kanexpr/simulate/csv.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <sys/file.h>
+
+namespace {
+
+using kanexpr::csv_file;
+using testing::HasSubstr;
+using testing::TempDir;
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Asks to stop when so many runs are done.
+struct stopped {
+  std::stop_source source{};
+  kanexpr::ensemble_options after(double runs, kanexpr::ensemble_options options) {
+    options.stop = source.get_token();
+    options.progress = [this, runs](double done, double, double) {
+      if (done >= runs) source.request_stop();
+    };
+    return options;
+  }
+};
+
+TEST(csv_file, has_the_table_of_runs) {
+  const std::string path = TempDir() + "study.csv";
+  const auto found = written::run(written::study(100, false), {.files = {csv_file(path)}});
+  ASSERT_TRUE(found) << found.cause();
+  const auto read = kanexpr::read_csv(path);
+  ASSERT_TRUE(read) << read.cause();
+  EXPECT_EQ(read.names(), found.runs.names());
+  std::ostringstream held;
+  ASSERT_TRUE(kanexpr::write_csv(found.runs, held));
+  EXPECT_EQ(text_of(path), held.str());
+}
+
+TEST(csv_file, goes_on_where_a_study_was_noted) {
+  const std::string path = TempDir() + "noted.csv", whole = TempDir() + "whole.csv";
+  const written::study known(5000, false);
+  ASSERT_TRUE(written::run(known, {.files = {csv_file(whole)}}));
+  const kanexpr::ensemble_options options{
+      .threads = 2, .files = {csv_file(path)}, .checkpoint = TempDir() + "noted.checkpoint"};
+  std::filesystem::remove(options.checkpoint->text());
+  const auto first = written::run(known, stopped().after(1000, options));
+  ASSERT_FALSE(first);
+  EXPECT_THAT(first.cause(), HasSubstr("the study was ended after "));
+  std::ofstream(path, std::ios::app) << "half a ro"; // behind the checkpoint
+  const auto rest = written::run(known, options);
+  EXPECT_TRUE(rest) << rest.cause();
+  EXPECT_EQ(text_of(path), text_of(whole));
+}
+
+TEST(csv_file, says_what_it_cannot) {
+  const written::study known(10, false);
+  const auto cause = [&](const std::string& path, bool keeps_all = false) {
+    return written::run(written::study(10, keeps_all), {.files = {csv_file(path)}}).cause();
+  };
+  EXPECT_EQ(cause("/nowhere/study.csv"), "/nowhere/study.csv cannot be opened: No such file or directory");
+  EXPECT_EQ(cause("some.csv", true), "some.csv cannot hold the trajectories that the study keeps, as it is a "
+                                     "table of runs; a file of HDF5 can");
+  EXPECT_THAT(cause("/dev/full"), HasSubstr("writing /dev/full failed"));
+
+  const std::string path = TempDir() + "held.csv";
+  std::ofstream(path) << "run,end\n";
+  const int other = ::open(path.c_str(), O_RDONLY);
+  ::flock(other, LOCK_SH);
+  EXPECT_EQ(cause(path), path + " is open in another program");
+  ::close(other);
+
+  std::string position(16, '\0');
+  position[0] = 100;
+  EXPECT_EQ(csv_file(path)->go_on(known.layout(), position).cause(),
+            path + " does not begin with the columns of the study");
+  ASSERT_EQ(cause(path), "");
+  position[1] = 100;
+  EXPECT_EQ(csv_file(path)->go_on(known.layout(), position).cause(),
+            path + " is shorter than it was when the study was noted");
+}
+
+} // namespace
