@@ -2,6 +2,7 @@
 
 /// Many simulations of one system. Link kanexpr::ensemble.
 
+#include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/ensemble.hpp>
 #include <kanexpr/ensemble/ensemble_in_steps.hpp>
 #include <kanexpr/ensemble/stop_on_signal.hpp>
