@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -84,7 +85,9 @@ KANEXPR_ENSEMBLES outcome remove_note(const std::string& path) {
 KANEXPR_ENSEMBLES std::uint64_t this_program() {
   std::ifstream in("/proc/self/exe", std::ios::binary);
   if (!in) return 0;
-  return sum_of(std::string(std::istreambuf_iterator<char>(in), {}));
+  std::ostringstream content;
+  content << in.rdbuf();
+  return sum_of(content.view());
 }
 
 } // namespace kanexpr::ensembles
