@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: g++
 // Files of HDF5 as a program sees them that reads them with HDF5 itself.
 #include "ensemble/written_study.hpp"
 

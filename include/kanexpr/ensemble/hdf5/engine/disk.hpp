@@ -48,8 +48,8 @@ private:
     disk* of;
   };
   struct open_file : H5FD_t {
-    explicit open_file(disk& one) : H5FD_t(), of(&one) {}
-    disk* of;
+    explicit open_file(disk& one) : H5FD_t(), of(one) {}
+    disk& of;
     int descriptor = -1;
     haddr_t allocated = 0, end = 0;
     std::vector<std::pair<haddr_t, std::string>> kept{}; ///< what was written behind a failure, in its order
@@ -110,10 +110,10 @@ private:
     open_file& into = file(one);
     const char* const bytes = static_cast<const char*>(from);
     std::size_t done = 0;
-    while (done < size && into.of->error_ == 0) {
+    while (done < size && into.of.error_ == 0) {
       const auto count =
           ::pwrite(into.descriptor, bytes + done, size - done, static_cast<::off_t>(to + done));
-      if (count < 0 && errno != EINTR) into.of->error_ = errno;
+      if (count < 0 && errno != EINTR) into.of.error_ = errno;
       if (count > 0) done += static_cast<std::size_t>(count);
     }
     if (done < size) into.kept.emplace_back(to + done, std::string(bytes + done, size - done));
@@ -128,9 +128,9 @@ private:
 
   static herr_t truncate(H5FD_t* one, hid_t, hbool_t) {
     open_file& of = file(one);
-    if (of.end != of.allocated && of.of->error_ == 0 &&
+    if (of.end != of.allocated && of.of.error_ == 0 &&
         ::ftruncate(of.descriptor, static_cast<::off_t>(of.allocated)) != 0)
-      of.of->error_ = errno;
+      of.of.error_ = errno;
     of.end = of.allocated;
     return 0;
   }
