@@ -19,13 +19,13 @@ public:
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   void put(std::string_view text) {
-    put(static_cast<std::uint64_t>(text.size()));
+    put(text.size());
     bytes_ += text;
   }
   template <class T>
     requires std::is_arithmetic_v<T>
   void put(const std::vector<T>& values) {
-    put(static_cast<std::uint64_t>(values.size()));
+    put(values.size());
     bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
 
@@ -49,16 +49,16 @@ public:
       std::memcpy(&value, from.data(), sizeof value);
     return value;
   }
-  std::string get_text() { return std::string(take(get<std::uint64_t>())); }
+  std::string get_text() { return std::string(take(get<std::size_t>())); }
   template <class T>
     requires std::is_arithmetic_v<T>
   std::vector<T> get_all() {
-    const auto count = get<std::uint64_t>();
+    const auto count = get<std::size_t>();
     if (count > left_.size() / sizeof(T)) {
       fail();
       return {};
     }
-    std::vector<T> values(static_cast<std::size_t>(count));
+    std::vector<T> values(count);
     const std::string_view from = take(count * sizeof(T));
     if (!from.empty()) std::memcpy(values.data(), from.data(), from.size());
     return values;
@@ -69,10 +69,10 @@ public:
   bool is_at_end() const { return is_sound_ && left_.empty(); }
 
 private:
-  std::string_view take(std::uint64_t count) {
+  std::string_view take(std::size_t count) {
     if (count > left_.size()) fail();
     if (!is_sound_) return {};
-    const std::string_view taken = left_.substr(0, static_cast<std::size_t>(count));
+    const std::string_view taken = left_.substr(0, count);
     left_.remove_prefix(taken.size());
     return taken;
   }

@@ -28,7 +28,9 @@ template <class System, integrator by = integrator::adams>
 class ensemble {
 public:
   explicit ensemble(study<System> told)
-      : job_(std::make_shared<ensembles::simulated_study<System, by>>(std::move(told))) {}
+      : job_(std::make_shared<ensembles::simulated_study<System, by>>(std::move(told))) {
+    job_->itself = job_;
+  }
 
   ensemble_results run(const ensemble_options& options = {}) const {
     ensembles::on_threads threads;

@@ -27,7 +27,9 @@ template <class Step, class Law = ensembles::constant_inputs>
 class ensemble_in_steps {
 public:
   explicit ensemble_in_steps(study_in_steps<Step> told, Law law = {})
-      : job_(std::make_shared<ensembles::stepped_study<Step, Law>>(std::move(told), std::move(law))) {}
+      : job_(std::make_shared<ensembles::stepped_study<Step, Law>>(std::move(told), std::move(law))) {
+    job_->itself = job_;
+  }
 
   ensemble_results run(const ensemble_options& options = {}) const {
     ensembles::on_threads threads;

@@ -66,5 +66,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENSEMBLES
-#include <kanexpr/ensemble/engine/collector.hpp>
+#include <kanexpr/ensemble/engine/ensemble_results.hpp>
 #endif

@@ -35,19 +35,19 @@ struct finished_run {
   }
 
   void write(bytes_writer& out) const {
-    out.put(static_cast<std::uint64_t>(run)), out.put(static_cast<std::uint8_t>(end)), out.put(time);
+    out.put(run), out.put(static_cast<std::uint8_t>(end)), out.put(time);
     out.put(values), out.put(state), out.put(samples);
-    out.put(static_cast<std::uint64_t>(events.size()));
+    out.put(events.size());
     for (const auto& [which, when] : events) out.put(which), out.put(when);
     out.put(failure);
   }
   static finished_run read(bytes_reader& in) {
     finished_run one;
-    one.run = static_cast<std::size_t>(in.get<std::uint64_t>());
+    one.run = in.get<std::size_t>();
     one.end = static_cast<run_end>(in.get<std::uint8_t>());
     one.time = in.get<double>();
     one.values = in.get_all<double>(), one.state = in.get_all<double>(), one.samples = in.get_all<double>();
-    for (auto left = in.get<std::uint64_t>(); left > 0 && in; --left) {
+    for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
       const auto which = in.get<std::uint32_t>();
       one.events.emplace_back(which, in.get<double>());
     }

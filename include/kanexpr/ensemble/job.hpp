@@ -10,7 +10,7 @@
 namespace kanexpr::ensembles {
 
 /// A study as those see it who share out its runs: they know no model.
-class job : public std::enable_shared_from_this<job> {
+class job {
 public:
   job() = default;
   job(const job&) = delete;
@@ -22,6 +22,9 @@ public:
   virtual std::size_t side_by_side() const = 0;
   /// Does the runs [first, first + count), on any thread: what a run leaves depends on its number alone.
   virtual std::vector<finished_run> run(std::size_t first, std::size_t count) const = 0;
+
+  /// Where it is shared, for threads that are left behind.
+  mutable std::weak_ptr<const job> itself{};
 };
 
 } // namespace kanexpr::ensembles

@@ -56,14 +56,14 @@ public:
 
   void write(bytes_writer& out) const {
     out.put(count_), out.put(missing_), out.put(rank_error_);
-    out.put(static_cast<std::uint64_t>(levels_.size()));
+    out.put(levels_.size());
     for (const level& each : levels_) out.put(each.numbers), out.put(each.takes_odd);
   }
   void read(bytes_reader& in) {
     count_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>(),
     rank_error_ = in.get<std::uint64_t>();
     levels_.clear();
-    for (auto left = in.get<std::uint64_t>(); left > 0 && in; --left) {
+    for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
       levels_.emplace_back();
       levels_.back().numbers = in.get_all<double>();
       levels_.back().takes_odd = in.get<bool>();

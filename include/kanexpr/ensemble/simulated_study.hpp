@@ -60,6 +60,8 @@ private:
     if (told_.for_each_run) return {};
     simulation_options<System> options = told_.simulation;
     options.keep = true;
+    if (given_.gives_inputs)
+      options.inputs = given_inputs<System>(given_.inputs.in(run_values(told_.runs, 0)));
     if (std::string mistake = simulated::check_options(simulated::settings_of(options), told_.span);
         !mistake.empty())
       return mistake;

@@ -34,13 +34,13 @@ public:
   std::uint64_t missing() const { return missing_; } ///< how many were not numbers
 
   void write(bytes_writer& out) const {
-    out.put(static_cast<std::uint64_t>(counts_.size()));
+    out.put(counts_.size());
     for (const auto& [number, count] : counts_) out.put(number), out.put(count);
     out.put(others_), out.put(missing_);
   }
   void read(bytes_reader& in) {
     counts_.clear();
-    for (auto left = in.get<std::uint64_t>(); left > 0 && in; --left) {
+    for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
       const auto number = in.get<double>();
       counts_[number] = in.get<std::uint64_t>();
     }

@@ -2,19 +2,12 @@
 
 #include <kanexpr/ensemble/crew.hpp>
 #include <kanexpr/mpi/compiled_mpi.hpp>
+#include <kanexpr/mpi/mpi_options.hpp>
 
 #include <memory>
 #include <string>
 
 namespace kanexpr {
-
-struct mpi_options {
-  /// Seconds after which a run that has not ended is given to another rank too; longer than any run takes.
-  double patience = 600;
-  /// Seconds without a sign of life, after which a rank is taken for lost. Other ranks wait for the first one
-  /// as long as for a run.
-  double silence = 60;
-};
 
 /// The processes that `mpirun` has started, which do the runs of studies together:
 ///
@@ -47,6 +40,7 @@ public:
 
 private:
   struct state;
+  KANEXPR_MPI static std::unique_ptr<state> begin(int& argc, char**& argv, const mpi_options& options);
   std::unique_ptr<state> state_;
 };
 

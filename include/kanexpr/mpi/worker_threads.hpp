@@ -63,7 +63,7 @@ public:
 
 private:
   struct shared {
-    explicit shared(const ensembles::job& told) : study(told), kept(told.weak_from_this().lock()) {}
+    explicit shared(const ensembles::job& told) : study(told), kept(told.itself.lock()) {}
     const ensembles::job& study;
     const std::shared_ptr<const ensembles::job> kept; ///< for threads that are left behind
     std::mutex mutex{};

@@ -16,9 +16,9 @@ inline constexpr std::size_t most_failures_held = 1000;
 KANEXPR_ENSEMBLES std::string identity_of(const study_layout& layout, const std::string& known_by) {
   bytes_writer all;
   all.put(this_program());
-  all.put(layout.study), all.put(known_by), all.put(static_cast<std::uint64_t>(layout.runs));
+  all.put(layout.study), all.put(known_by), all.put(layout.runs);
   for (const auto* columns : {&layout.columns, &layout.state, &layout.samples}) {
-    all.put(static_cast<std::uint64_t>(columns->size()));
+    all.put(columns->size());
     for (const column_label& each : *columns) all.put(each.name), all.put(each.unit);
   }
   for (const std::string& each : layout.events) all.put(each);
@@ -30,9 +30,9 @@ inline std::string identity_of(const study_layout& layout, const std::string& kn
                                const ensemble_options& options) {
   bytes_writer all;
   all.put(identity_of(layout, known_by));
-  all.put(options.hold), all.put(static_cast<std::uint64_t>(options.files.size()));
+  all.put(options.hold), all.put(options.files.size());
   for (const reduction& each : options.reduce) {
-    all.put(each.column), all.put(static_cast<std::uint64_t>(each.what.index()));
+    all.put(each.column), all.put(each.what.index());
     if (const auto* bins = std::get_if<kanexpr::histogram>(&each.what)) bins->write(all);
   }
   return all.bytes();
@@ -124,15 +124,15 @@ KANEXPR_ENSEMBLES outcome collector::note_now() {
     if (outcome flushed = file->flush(position); !flushed) return flushed;
     all.put(position);
   }
-  all.put(static_cast<std::uint64_t>(found_.done)), all.put(static_cast<std::uint64_t>(found_.failed));
-  all.put(static_cast<std::uint64_t>(found_.failures.size()));
+  all.put(found_.done), all.put(found_.failed);
+  all.put(found_.failures.size());
   for (const failed_run& each : found_.failures) {
-    all.put(static_cast<std::uint64_t>(each.run)), all.put(each.time);
+    all.put(each.run), all.put(each.time);
     all.put(each.state), all.put(each.cause);
   }
   for (const reduction& each : found_.reductions) each.write(all);
   for (const std::vector<double>& each : columns_) all.put(each);
-  all.put(static_cast<std::uint64_t>(held_.size()));
+  all.put(held_.size());
   for (const finished_run& each : held_) each.write(all);
   outcome done = note(options_.checkpoint->text(), all.bytes());
   noted_ = std::chrono::steady_clock::now();
@@ -147,18 +147,17 @@ KANEXPR_ENSEMBLES outcome collector::go_on_from(const std::string& noted) {
                    " is of another study, or of another build of this program; remove it to begin anew");
   std::vector<std::string> positions;
   while (positions.size() < options_.files.size()) positions.push_back(all.get_text());
-  found_.done = static_cast<std::size_t>(all.get<std::uint64_t>());
-  found_.failed = static_cast<std::size_t>(all.get<std::uint64_t>());
-  for (auto left = all.get<std::uint64_t>(); left > 0 && all; --left) {
+  found_.done = all.get<std::size_t>();
+  found_.failed = all.get<std::size_t>();
+  for (auto left = all.get<std::size_t>(); left > 0 && all; --left) {
     failed_run one{};
-    one.run = static_cast<std::size_t>(all.get<std::uint64_t>()), one.time = all.get<double>();
+    one.run = all.get<std::size_t>(), one.time = all.get<double>();
     one.state = all.get_all<double>(), one.cause = all.get_text();
     found_.failures.push_back(std::move(one));
   }
   for (reduction& each : found_.reductions) each.read(all);
   for (std::vector<double>& each : columns_) each = all.get_all<double>();
-  for (auto left = all.get<std::uint64_t>(); left > 0 && all; --left)
-    held_.push_back(finished_run::read(all));
+  for (auto left = all.get<std::size_t>(); left > 0 && all; --left) held_.push_back(finished_run::read(all));
   if (!all.is_at_end() || found_.done > layout_.runs) return outcome(path + " is damaged");
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (outcome opened = options_.files[i]->go_on(layout_, positions[i]); !opened) return opened;
@@ -203,10 +202,5 @@ KANEXPR_ENSEMBLES bool collector::fail(const outcome& done) {
 }
 
 } // namespace ensembles
-
-KANEXPR_ENSEMBLES std::string ensemble_results::cause() const {
-  if (!failure.empty() || done == planned) return failure;
-  return "the study was ended after " + std::to_string(done) + " of " + std::to_string(planned) + " runs";
-}
 
 } // namespace kanexpr

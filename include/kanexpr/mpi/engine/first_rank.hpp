@@ -90,7 +90,7 @@ private:
     }
     other& from = others_[static_cast<std::size_t>(come.from)];
     if (from.room == 0 || !told.done.empty()) from.gave = clock::now();
-    from.heard = clock::now(), from.is_lost = false, from.room = static_cast<std::size_t>(told.room);
+    from.heard = clock::now(), from.is_lost = false, from.room = told.room;
     for (ensembles::finished_share& each : told.done) {
       std::erase_if(from.holds, [&](const auto& held) { return held.first == each.what.first; });
       finish(std::move(each), shares);

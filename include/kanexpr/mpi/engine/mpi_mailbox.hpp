@@ -23,6 +23,9 @@ public:
     MPI_Comm_size(all_, &ranks_);
   }
 
+  mpi_mailbox(const mpi_mailbox&) = delete;
+  mpi_mailbox& operator=(const mpi_mailbox&) = delete;
+
   int rank() const override { return rank_; }
   int ranks() const override { return ranks_; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/mpi/engine/first_rank.hpp>
 #include <kanexpr/mpi/engine/mpi_mailbox.hpp>
 #include <kanexpr/mpi/engine/other_rank.hpp>
@@ -51,11 +52,15 @@ struct mpi_ranks::state {
   bool is_first_lost = false, has_failed = false;
 };
 
-KANEXPR_MPI mpi_ranks::mpi_ranks(int& argc, char**& argv, const mpi_options& options) {
+KANEXPR_MPI std::unique_ptr<mpi_ranks::state> mpi_ranks::begin(int& argc, char**& argv,
+                                                               const mpi_options& options) {
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-  state_ = std::make_unique<state>(options);
+  return std::make_unique<state>(options);
 }
+
+KANEXPR_MPI mpi_ranks::mpi_ranks(int& argc, char**& argv, const mpi_options& options)
+    : state_(begin(argc, argv, options)) {}
 
 KANEXPR_MPI mpi_ranks::~mpi_ranks() {
   if (is_first())
@@ -91,15 +96,15 @@ KANEXPR_MPI ensemble_results mpi_ranks::run(const ensembles::job& study, const s
     found = first.run(study, known_by, options);
     state_->lost = first.lost();
     for (int i = 1; i < count(); ++i)
-      state_->post.mailbox::send(
-          i, mpi::ending{number, found.planned, found.done, found.failed, found.failure, state_->lost});
+      state_->post.mailbox::send(i,
+                                 mpi::ending{number, found.done, found.failed, found.failure, state_->lost});
   } else {
     mpi::other_rank other(state_->post, state_->options, number, identity);
     mpi::ending told = other.run(study, options.threads > 0 ? options.threads : 1);
     state_->is_first_lost |= other.has_lost_the_first();
     state_->lost = std::move(told.lost);
     found.planned = study.layout().runs;
-    found.done = static_cast<std::size_t>(told.done), found.failed = static_cast<std::size_t>(told.failed);
+    found.done = told.done, found.failed = told.failed;
     found.failure = std::move(told.failure);
   }
   state_->has_failed |= !found;

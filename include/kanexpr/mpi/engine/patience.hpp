@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/mpi/mpi_ranks.hpp>
+#include <kanexpr/mpi/mpi_options.hpp>
 
 #include <algorithm>
 #include <chrono>

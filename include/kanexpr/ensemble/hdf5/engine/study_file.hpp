@@ -58,7 +58,7 @@ public:
     }
     bytes_reader told(position);
     for (const auto& each : tables_->all()) {
-      const auto done = told.get<std::uint64_t>();
+      const auto done = told.get<std::size_t>();
       if (done > each.rows->in_file()) {
         abandon();
         return outcome(path_ + " has fewer rows in " + each.name + " than when the study was noted");
@@ -84,7 +84,7 @@ public:
     if (!failure_) return failure_;
     if (!flush()) return fail(errors);
     bytes_writer told;
-    for (const auto& each : tables_->all()) told.put(static_cast<std::uint64_t>(each.rows->done()));
+    for (const auto& each : tables_->all()) told.put(each.rows->done());
     position = told.bytes();
     return held_.store();
   }
