@@ -1,7 +1,7 @@
 # Draws the points that flip_times leaves: gnuplot -c flip_times.gp points.csv figure.png
 points = ARG1
 
-set terminal pngcairo size 780,700 font "sans-serif,11" background "white"
+set terminal pngcairo size 1080,900 font "sans-serif,14" background "white"
 set output ARG2
 set encoding utf8
 set minussign
@@ -13,9 +13,13 @@ degree = pi / 180
 first(row) = column("q1") / degree + 90
 second(row) = first(row) + column("q2") / degree
 # Seconds of those that flip, in powers of ten
-time(row) = column("end") > 0 ? log10(column("t_end")) : NaN
+flip(row) = column("end") > 0 ? log10(column("t_end")) : NaN
 
-set size square
+# Two pixels of the figure for each of 400 points
+set lmargin at screen 115. / 1080
+set rmargin at screen 915. / 1080
+set bmargin at screen 80. / 900
+set tmargin at screen 880. / 900
 set border linecolor rgb grey
 set xrange [-180:180]
 set yrange [-180:180]
@@ -32,10 +36,10 @@ unset key
 # 3 cos(first) + cos(second) = 2
 set parametric
 set trange [-acos(1. / 3):acos(1. / 3)]
-border(t) = acos((2 - 3 * cos(t)) < -1 ? -1 : 2 - 3 * cos(t)) / degree
+edge(t) = acos((2 - 3 * cos(t)) < -1 ? -1 : 2 - 3 * cos(t)) / degree
 
 # Those with the first bar to the left are the others, reflected.
-plot points using (first(0)):(second(0)):(time(0)) with image pixels, \
-  "" using (-first(0)):(-second(0)):(time(0)) with image pixels, \
-  t / degree, border(t) with lines linewidth 1.5 linecolor rgb "#2e7d4f", \
-  t / degree, -border(t) with lines linewidth 1.5 linecolor rgb "#2e7d4f"
+plot points using (first(0)):(second(0)):(flip(0)) with image, \
+  "" using (-first(0)):(-second(0)):(flip(0)) with image, \
+  t / degree, edge(t) with lines linewidth 1.5 linecolor rgb "#2e7d4f", \
+  t / degree, -edge(t) with lines linewidth 1.5 linecolor rgb "#2e7d4f"
