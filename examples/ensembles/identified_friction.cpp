@@ -129,7 +129,9 @@ study<Rubbing> records(std::size_t count) {
 table first_record(const ensemble_results& found) {
   const study<Rubbing> told = records(1);
   const auto run = simulate<Rubbing>(told.state, told.parameters, told.span,
-                                     {.relative_tolerance = 1e-10, .output_every = every});
+                                     {.inputs = given_inputs<Rubbing>(told.inputs),
+                                      .relative_tolerance = told.simulation.relative_tolerance,
+                                      .output_every = every});
   const record measured = recorded(run_values(told.runs, 0), run);
   const swing fitted = swing_with({found.runs["c"][0], found.runs["k"][0]});
   std::vector<double> t, angles, smooth;

@@ -20,6 +20,7 @@ set xlabel "forward speed in m/s"
 set ylabel "push: rate of lean in rad/s"
 unset key
 unset colorbox
+set tmargin 3
 
 # 1: upright again; 2: stays up, but swings or leans; 3 to 4: falls, the sooner the darker
 settles(row) = column("late_lean") < 0.01 ? 1 : 2
@@ -34,5 +35,7 @@ set label "upright again" at 5.2, 0.3 center front
 set label "stays up,\nbut swings" at 3.85, 0.2 center front
 set label "falls" at 2.5, 0.7 center textcolor rgb "white" front
 set label "falls after a while" at 7.3, 0.3 center front
+set label "still leans\nafter 60 s" at 6.6, 0.95 center front
+set arrow from 6.3, 0.9 to 6.1, 0.75 front linecolor rgb grey
 
 plot points using (0.3 * column("u3")):"u2":(kind(0)) with image

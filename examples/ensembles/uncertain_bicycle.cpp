@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace {
@@ -104,15 +105,21 @@ int main(int count, char** words) {
               percent(both), percent(told_alone), percent(other_alone));
 
   if (count < 3) return 0;
-  std::vector<double> v, strength, share, share_as_told;
-  for (std::size_t i = 0; i < bins * bins; ++i) {
-    v.push_back((speeds.edge(i / bins) + speeds.edge(i / bins + 1)) / 2);
-    strength.push_back((pushes.edge(i % bins) + pushes.edge(i % bins + 1)) / 2);
-    share.push_back(up[i] / all[i]), share_as_told.push_back(up_as_told[i] / all[i]);
+  std::vector<double> v, strength, share, border; // the border of the bicycle that the controller knows
+  for (std::size_t i = 0; i < bins; ++i) {
+    const auto from = static_cast<std::ptrdiff_t>(i * bins), to = from + static_cast<std::ptrdiff_t>(bins);
+    const double here = std::accumulate(all.begin() + from, all.begin() + to, 0.0);
+    const double told_here = std::accumulate(up_as_told.begin() + from, up_as_told.begin() + to, 0.0);
+    for (std::size_t k = 0; k < bins; ++k) {
+      v.push_back((speeds.edge(i) + speeds.edge(i + 1)) / 2);
+      strength.push_back((pushes.edge(k) + pushes.edge(k + 1)) / 2);
+      share.push_back(up[i * bins + k] / all[i * bins + k]);
+      border.push_back(hardest * told_here / here);
+    }
   }
   table shares;
   if (!shares.add("v", v) || !shares.add("push", strength) || !shares.add("share", share) ||
-      !shares.add("share_as_told", share_as_told))
+      !shares.add("border", border))
     return 1;
   if (const outcome left = write_csv(shares, words[2]); !left)
     return std::fprintf(stderr, "%s\n", left.cause().c_str()), 1;
