@@ -26,7 +26,7 @@ set xlabel "time in s"
 set ylabel "angle in rad"
 set key top right samplen 2
 set xrange [0:10]
-plot estimates . ".record" using "t":"measured" with points pointtype 7 pointsize 0.15 linecolor rgb grey \
+plot estimates . ".record" using "t":"measured" with points pointtype 7 pointsize 0.3 linecolor rgb grey \
        title "measured", \
      "" using "t":"fitted" with lines linewidth 1.5 linecolor rgb red title "with the friction found"
 
@@ -41,9 +41,10 @@ set parametric
 set trange [0:2 * pi]
 set xrange [c_min - 4 * a:c_min + 4 * a]
 set yrange [k_min - 4 * sqrt(kk_min):k_min + 4 * sqrt(kk_min)]
-set format x "%.4f"
-set format y "%.4f"
-plot estimates using "c":"k" with points pointtype 7 pointsize 0.15 linecolor rgb grey title "of 1000 records", \
+set xtics 0.001
+set format x "%.3f"
+set format y "%.3f"
+plot estimates using "c":"k" with points pointtype 7 pointsize 0.3 linecolor rgb grey title "of each record", \
      c_min + within(0.5) * a * cos(t), k_min + within(0.5) * (b * cos(t) + d * sin(t)) with lines linewidth 1.5 \
        linecolor rgb blue title "bound: 50 %", \
      c_min + within(0.95) * a * cos(t), k_min + within(0.95) * (b * cos(t) + d * sin(t)) with lines linewidth 1.5 \

@@ -29,14 +29,15 @@ struct MoreFork : rigid_body<MoreFork, Fork_mc, Fork, fork_mass * mfork,
                                      fork_inertia * Ifork33, 0, 0, fork_inertia * Ifork31>> {};
 struct Uncertain : extended<Driven, bodies<MoreFrame, MoreFork>> {};
 
-constexpr double hardest = 4, fallen = 1, last = 10; // rad/s, rad, s
+// Below the slowest speed of the controller's table it goes on with the gains of that.
+constexpr double crawl = 1, hardest = 4, fallen = 1, last = 10; // m/s, rad/s, rad, s
 const std::vector<named_value> as_known{
     {frame_mass, 0}, {frame_inertia, 0}, {fork_mass, 0}, {fork_inertia, 0}};
 
 runs uncertain(std::size_t count) {
   const distribution part = uniform(-0.2, 0.2);
   return latin_hypercube(count,
-                         {{u3, uniform(slowest / rear_radius, fastest / rear_radius)},
+                         {{u3, uniform(crawl / rear_radius, fastest / rear_radius)},
                           {u2, uniform(0, hardest)},
                           {frame_mass, part},
                           {frame_inertia, part},
@@ -85,14 +86,13 @@ int main(int count, char** words) {
               as_told.done, others.failed, as_told.failed);
 
   constexpr std::size_t bins = 20;
-  const histogram speeds(slowest, fastest, bins), pushes(0, hardest, bins);
+  const histogram speeds(crawl, fastest, bins), pushes(0, hardest, bins);
   std::vector<double> all(bins * bins), up(bins * bins), up_as_told(bins * bins);
   std::size_t both = 0, told_alone = 0, other_alone = 0;
   for (std::size_t i = 0; i < others.done; ++i) {
     const auto bin = [](double part) { return std::min(static_cast<std::size_t>(part * bins), bins - 1); };
     const double v = rear_radius * others.runs["u3"][i];
-    const std::size_t at =
-        bin((v - slowest) / (fastest - slowest)) * bins + bin(others.runs["u2"][i] / hardest);
+    const std::size_t at = bin((v - crawl) / (fastest - crawl)) * bins + bin(others.runs["u2"][i] / hardest);
     const bool is_up = others.runs["end"][i] < 1, is_told_up = as_told.runs["end"][i] < 1;
     ++all[at], up[at] += is_up, up_as_told[at] += is_told_up;
     both += is_up && is_told_up, told_alone += !is_up && is_told_up, other_alone += is_up && !is_told_up;

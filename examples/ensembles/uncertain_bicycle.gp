@@ -10,7 +10,7 @@ set minussign
 
 grey = "#555555"
 set border 3 linecolor rgb grey
-set xrange [2:6]
+set xrange [1:6]
 set yrange [0:4]
 set xtics 1 nomirror out
 set ytics 1 nomirror out
