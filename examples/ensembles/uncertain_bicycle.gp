@@ -20,7 +20,8 @@ set cbrange [0:100]
 set cbtics 25 out
 set cblabel "bicycles that stay up, in percent"
 set palette defined (0 "#a5402d", 50 "#f6e3d6", 100 "#8fc27d")
-set key at graph 1, 1.06 horizontal samplen 3
+set tmargin 3
+set key at graph 1, 1.1 horizontal samplen 3
 
 plot shares using "v":"push":(100 * column("share")) with image notitle, \
   "" using "v":"border" with lines linewidth 2 dashtype 2 linecolor rgb "#1f5fa8" \
