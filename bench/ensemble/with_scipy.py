@@ -14,6 +14,7 @@ import time
 
 SPAN, RTOL, ATOL = 10, 1e-6, 1e-8
 METHODS = ["DOP853", "LSODA"]
+INTEGRATORS = ["Adams", "Dormand & Prince"]
 TURNS = 3
 CHECKED, CHECKED_SPAN, APART = 20, 1, 1e-4  # runs whose states after a second are compared, and how far they may differ
 
@@ -71,9 +72,10 @@ def simulate(work):
 
 
 def with_kanexpr(program, runs):
-    """Runs a second on two threads, and of the first runs the start and the angles after a second."""
+    """Runs a second on two threads by each integrator, and of the first runs the start and the angles after a second."""
     told = subprocess.run([program, str(runs)], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
-    return float(told[0]), [[float(word) for word in line.split()] for line in told[1:]]
+    rates, *rows = [[float(word) for word in line.split()] for line in told]
+    return rates, rows
 
 
 def main():
@@ -83,25 +85,29 @@ def main():
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ[name] = "1"
     print(f"load of the machine before\t{os.getloadavg()[0]:.1f}")
-    ours, theirs = [], {method: [] for method in METHODS}
+    ours, theirs = {name: [] for name in INTEGRATORS}, {method: [] for method in METHODS}
     with multiprocessing.Pool(2, begin) as pool:
         _, rows = with_kanexpr(program, runs)
         starts = [(q1, q2) for q1, q2, *_ in rows]
         found = pool.map(simulate, [(start, CHECKED_SPAN, "DOP853") for start in starts[:CHECKED]])
         apart = max(abs(a - b) for row, end in zip(rows, found) for a, b in zip(row[2:], end))
         for _ in range(TURNS):
-            ours.append(with_kanexpr(program, runs)[0])
+            for rates, rate in zip(ours.values(), with_kanexpr(program, runs)[0]):
+                rates.append(rate)
             for method in METHODS:
                 work = [(starts[i % len(starts)], SPAN, method) for i in range(runs_of_scipy)]
                 start = time.perf_counter()
                 pool.map(simulate, work, chunksize=1)
                 theirs[method].append(runs_of_scipy / (time.perf_counter() - start))
     print(f"{CHECKED} pendulums after {CHECKED_SPAN} s\t{apart:.1g} rad apart at most")
-    print(f"kanexpr, two threads\t{statistics.median(ours):.0f} runs/s\t({min(ours):.0f} to {max(ours):.0f})")
+    def told(rates):
+        return f"{statistics.median(rates):.1f} runs/s\t({min(rates):.1f} to {max(rates):.1f})"
+
+    for name, rates in ours.items():
+        print(f"kanexpr, {name}, two threads\t{told(rates)}")
     for method, rates in theirs.items():
-        ratio = statistics.median(a / b for a, b in zip(ours, rates))
-        print(f"SciPy {method}, two processes\t{statistics.median(rates):.2f} runs/s\t"
-              f"({min(rates):.2f} to {max(rates):.2f})\t{ratio:.0f} times slower")
+        slower = [statistics.median(a / b for a, b in zip(each, rates)) for each in ours.values()]
+        print(f"SciPy {method}, two processes\t{told(rates)}\t" + " and ".join(f"{ratio:.0f}" for ratio in slower) + " times slower")
     return 0 if apart < APART else 1
 
 
