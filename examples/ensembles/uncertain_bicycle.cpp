@@ -56,8 +56,8 @@ runs known(const table& of) {
 
 ensemble_results push(const runs& all, const std::vector<named_value>& parameters) {
   // The torques are those of each instant, not held for a period as on a board.
-  const auto keep_speed = [](const run_values& run, simulation_options<Uncertain>& options) {
-    options.inputs = [v = rear_radius * run[u3]](double, const state<Uncertain>& x) {
+  const auto keep_speed = [](const run_values& run, simulation_setup<Uncertain>& one) {
+    one.options.inputs = [v = rear_radius * run[u3]](double, const state<Uncertain>& x) {
       const input_values<Driven> r = torques<double>(state<Driven>(x), v);
       return input_values<Uncertain>{{T, r[T]}, {D, r[D]}};
     };

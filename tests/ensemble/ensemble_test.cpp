@@ -124,8 +124,8 @@ TEST(ensemble, keeps_trajectories_at_the_times_that_are_asked_for) {
 TEST(ensemble, goes_on_where_a_run_fails) {
   study<System> told = bouncing_balls();
   told.runs = grid({{h, {2, 2, 2}}, {factor{"restitution"}, {0.8, 0}}, {g, {9.81, INFINITY}}});
-  told.for_each_run = [](const run_values& run, simulation_options<System>& options) {
-    options.events = {
+  told.for_each_run = [](const run_values& run, simulation_setup<System>& one) {
+    one.options.events = {
         when<System, height>("contact", crossing::falling, [e = run["restitution"]](moment<System>& now) {
           now.x[h] = 0;
           now.x[v] = -e * now.x[v];
@@ -160,24 +160,52 @@ TEST(ensemble, tells_what_was_thrown_and_what_is_no_number) {
       .parameters = {{m, 0.3}, {g, 9.81}},
       .span = {0, 0.1},
       .for_each_run =
-          [](const run_values& run, simulation_options<System>&) {
+          [](const run_values& run, simulation_setup<System>&) {
             if (run[h] > 3.5) throw 4;
-            if (run[h] > 2.5) run["push"];
+            if (run[h] > 2.5) throw std::invalid_argument("a push of no size");
           },
       .keep = {result("root", [](const simulation<System>& run) { return std::sqrt(run.state[h] - 1.5); })}};
   const auto found = ensemble<System>(told).run();
   ASSERT_EQ(found.failures.size(), 3u);
   EXPECT_EQ(found.failures[0].cause, "root is not a number");
   EXPECT_EQ(found.failures[0].state.size(), 2u);
-  EXPECT_EQ(found.failures[1].cause, "the runs of the study have no push");
+  EXPECT_EQ(found.failures[1].cause, "a push of no size");
   EXPECT_EQ(found.failures[2].cause, "something was thrown that is no std::exception");
   EXPECT_EQ(found.runs["end"][1], 0);
 }
 
+TEST(ensemble, lets_a_function_set_what_goes_together) {
+  study<System> told{.runs = grid({{factor{"energy"}, {1, 2, 3}}}),
+                     .state = {{v, 0}},
+                     .parameters = {{m, 0.5}},
+                     .span = {0, 0.1},
+                     .for_each_run =
+                         [](const run_values& run, simulation_setup<System>& one) {
+                           one.p[g] = 10;
+                           if (run["energy"] < 2.5) one.x[h] = run["energy"] / (one.p[m] * one.p[g]);
+                         },
+                     .keep = {at_end<m * g * h>("potential energy"), greatest<h>()}};
+  const auto found = ensemble<System>(told).run();
+  EXPECT_EQ(found.failed, 1u);
+  EXPECT_EQ(found.failures[0].cause, "the value of coordinate h is not a number"); // nobody set it
+  for (std::size_t i : {0u, 1u}) {
+    EXPECT_NEAR(found.runs["h_greatest"][i], found.runs["energy"][i] / 5, 1e-12);
+    EXPECT_NEAR(found.runs["potential energy"][i], found.runs["energy"][i] - 0.5 * 0.5, 1e-7);
+  }
+}
+
+TEST(ensemble, of_which_all_runs_fail_is_none) {
+  study<System> told = bouncing_balls();
+  told.for_each_run = [](const run_values&, simulation_setup<System>&) { throw std::logic_error("no ball"); };
+  const auto found = ensemble<System>(told).run();
+  EXPECT_FALSE(found);
+  EXPECT_EQ(found.cause(), "all 40 runs failed, the first of them: no ball");
+}
+
 TEST(ensemble, drops_no_event_in_silence) {
   study<System> told = bouncing_balls();
-  told.for_each_run = [](const run_values& run, simulation_options<System>& options) {
-    if (run.run() == 7) options.events.push_back(when<System, v>("top", crossing::falling));
+  told.for_each_run = [](const run_values& run, simulation_setup<System>& one) {
+    if (run.run() == 7) one.options.events.push_back(when<System, v>("top", crossing::falling));
   };
   const auto found = ensemble<System>(told).run();
   ASSERT_EQ(found.failures.size(), 1u);
@@ -217,7 +245,9 @@ TEST(ensemble, says_what_was_told_wrongly) {
   told.runs = grid({{"m_2", {1}}});
   EXPECT_EQ(refusal(told),
             "the system System has no m_2 that could differ from run to run; if it is none of its "
-            "symbols, it is a factor, factor{\"m_2\"}");
+            "symbols, it is a factor, factor{\"m_2\"}, or of a table runs_of(table, {factor{\"m_2\"}})");
+  told = bouncing_balls(), told.for_each_run = [](const run_values& run, auto&) { run["push"]; };
+  EXPECT_EQ(refusal(told), "the runs of the study have no push that differs");
   told = bouncing_balls(), told.state = {};
   EXPECT_EQ(refusal(told), "speed v has no value");
   told = bouncing_balls(), told.parameters.push_back({g, 9.81});

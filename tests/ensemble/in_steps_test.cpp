@@ -98,6 +98,22 @@ TEST(ensemble_in_steps, goes_on_where_a_run_fails) {
   EXPECT_THAT(found.failures[3].state, testing::ElementsAre(0.1, 0));
 }
 
+TEST(ensemble_in_steps, lets_a_function_set_what_goes_together) {
+  auto told = swinging();
+  told.runs = grid({{one::q, {0.1, 0.2, 0.3}}, {one::m, {0.5}}});
+  told.inputs = {};
+  told.for_each_run = [](const run_values& run, run_setup<one::System>& first) {
+    first.p[one::l] = 2 * first.p[one::m];
+    first.r[one::T] = run[one::m] * 9.81 * first.p[one::l] * std::sin(run[one::q]); // at rest
+  };
+  const auto found = ensemble_in_steps<runge_kutta_4<one::System>>(told).run();
+  ASSERT_TRUE(found) << found.cause();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found.runs["q_end"][i], found.runs["q"][i], 1e-14);
+  told.for_each_run = [](const run_values& run, run_setup<one::System>&) { run["push"]; };
+  EXPECT_EQ(ensemble_in_steps<runge_kutta_4<one::System>>(told).run().cause(),
+            "the runs of the study have no push that differs");
+}
+
 TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
   using namespace pendulum_nonminimal;
   study_in_steps<runge_kutta_4<pendulum_nonminimal::System>> told{

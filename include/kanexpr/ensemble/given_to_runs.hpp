@@ -2,11 +2,13 @@
 
 #include <kanexpr/base/bytes.hpp>
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,12 +16,16 @@
 namespace kanexpr::ensembles {
 
 /// A vector of a system in each run: what it is in all of them, with what differs in its places.
-template <class Given, class Vector>
+template <class System, compiled::symbols_of which, class Vector>
 class given_to_runs {
+  template <bool may_be_incomplete>
+  using given = compiled::given_values<System, which, Vector, may_be_incomplete>;
+
 public:
-  /// `range` is that of the vector's symbols in the survey.
-  given_to_runs(const deriving::survey& known, const compiled::symbol_range& range, const runs& of,
-                std::vector<named_value> same) {
+  /// What `is_set_later`, by a function, may be left out.
+  given_to_runs(const runs& of, std::vector<named_value> same, bool is_set_later) {
+    static constexpr const deriving::survey& known = compiled::survey_of<System>;
+    constexpr compiled::symbol_range range = compiled::range_of(which, known);
     if (!of.mistake().empty()) return;
     const run_values first(of, 0);
     for (std::size_t i = 0; i < of.varied().size(); ++i) {
@@ -31,9 +37,14 @@ public:
           same.push_back({what.name(), first.all()[i]});
         }
     }
-    const Given given(same);
-    values_ = given.values;
-    mistake_ = given.mistake.view();
+    if (is_set_later) {
+      take(given<true>(same));
+      for (int k = 0; k < range.size; ++k)
+        if (const int place = range.first + k; !known.dependent[place] && !is_told(known.names[place].view(), same))
+          values_(k) = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      take(given<false>(same));
+    }
   }
 
   bool is_varied() const { return !places_.empty(); }
@@ -46,6 +57,15 @@ public:
   }
 
 private:
+  template <class Given>
+  void take(const Given& told) {
+    values_ = told.values;
+    mistake_ = told.mistake.view();
+  }
+  static bool is_told(std::string_view name, const std::vector<named_value>& all) {
+    return std::ranges::any_of(all, [&](const named_value& each) { return each.what.name() == name; });
+  }
+
   std::vector<std::pair<std::size_t, int>> places_{};
   Vector values_{};
   std::string mistake_{};
@@ -59,9 +79,9 @@ struct given_to_systems {
 
   template <class Study>
   explicit given_to_systems(const Study& told)
-      : states(known, compiled::range_of(symbols_of::state, known), told.runs, told.state),
-        parameters(known, compiled::range_of(symbols_of::parameters, known), told.runs, told.parameters),
-        inputs(known, compiled::range_of(symbols_of::inputs, known), told.runs, told.inputs),
+      : states(told.runs, told.state, static_cast<bool>(told.for_each_run)),
+        parameters(told.runs, told.parameters, static_cast<bool>(told.for_each_run)),
+        inputs(told.runs, told.inputs, static_cast<bool>(told.for_each_run)),
         gives_inputs(inputs.is_varied() || !told.inputs.empty()) {
     mistake = !told.runs.mistake().empty() ? told.runs.mistake() : mistake_in(told.runs);
     for (const unit_of& each : told.units)
@@ -85,9 +105,14 @@ struct given_to_systems {
     return all;
   }
 
-  given_to_runs<given_state<System>, state<System>> states;
-  given_to_runs<given_parameters<System>, parameter_values<System>> parameters;
-  given_to_runs<given_inputs<System>, input_values<System>> inputs;
+  /// Of a run, before a function changes it.
+  run_setup<System> in(const run_values& run) const {
+    return {states.in(run), parameters.in(run), inputs.in(run)};
+  }
+
+  given_to_runs<System, symbols_of::state, state<System>> states;
+  given_to_runs<System, symbols_of::parameters, parameter_values<System>> parameters;
+  given_to_runs<System, symbols_of::inputs, input_values<System>> inputs;
   bool gives_inputs;
   std::string mistake{};
 
@@ -97,7 +122,7 @@ private:
       if (!each.is_factor() && !is_symbol(each.name()))
         return "the system " + std::string(type_name<System>()) + " has no " + each.name() +
                " that could differ from run to run; if it is none of its symbols, it is a factor, factor{\"" +
-               each.name() + "\"}";
+               each.name() + "\"}, or of a table runs_of(table, {factor{\"" + each.name() + "\"}})";
     return {};
   }
   static bool is_varied(const runs& all, const std::string& name) {

@@ -59,9 +59,9 @@ struct watched {
     return 0;
   }
 
-  /// That of a symbol; else it has to be given one.
-  static std::string name() {
-    if constexpr (requires { symbol_name(expression); }) return symbol_name(expression).name();
+  /// That of a symbol with something behind it; else it has to be given one.
+  static std::string name(const char* what) {
+    if constexpr (requires { symbol_name(expression); }) return symbol_name(expression).name() + what;
     return {};
   }
 };
@@ -141,33 +141,34 @@ struct kept_result {
 } // namespace ensembles
 
 /// A coordinate, speed, parameter or expression of the model where the run ends: `at_end<q1>()`,
-/// `at_end<dot(position_of<P, O>, N::y)>("height", "m")`. A symbol lends its own name.
+/// `at_end<dot(position_of<P, O>, N::y)>("height", "m")`. A symbol lends its own name, as q1_end.
 template <auto expression>
 ensembles::kept_expression<expression, ensembles::in_time::at_end>
-at_end(std::string name = ensembles::watched<expression>::name(), std::string unit = {}) {
+at_end(std::string name = ensembles::watched<expression>::name("_end"), std::string unit = {}) {
   return {{std::move(name), std::move(unit)}};
 }
 
-/// The greatest that an expression is in a run, between the steps of the integrator too.
+/// The greatest that an expression is in a run, between the steps of the integrator too; of a symbol, as
+/// q1_greatest.
 template <auto expression>
-ensembles::kept_expression<expression, ensembles::in_time::greatest> greatest(std::string name,
-                                                                              std::string unit = {}) {
+ensembles::kept_expression<expression, ensembles::in_time::greatest>
+greatest(std::string name = ensembles::watched<expression>::name("_greatest"), std::string unit = {}) {
   return {{std::move(name), std::move(unit)}};
 }
 template <auto expression>
-ensembles::kept_expression<expression, ensembles::in_time::least> least(std::string name,
-                                                                        std::string unit = {}) {
+ensembles::kept_expression<expression, ensembles::in_time::least>
+least(std::string name = ensembles::watched<expression>::name("_least"), std::string unit = {}) {
   return {{std::move(name), std::move(unit)}};
 }
 
 /// When an event happens for the first time; not a number in runs where it does not.
-inline ensembles::kept_event<ensembles::of_event::first_time> first_time_of(std::string event,
-                                                                            std::string name) {
-  return {std::move(event), {std::move(name), "s"}};
+inline ensembles::kept_event<ensembles::of_event::first_time> first_time_of(std::string event, std::string name,
+                                                                            std::string unit = "s") {
+  return {std::move(event), {std::move(name), std::move(unit)}};
 }
-inline ensembles::kept_event<ensembles::of_event::last_time> last_time_of(std::string event,
-                                                                          std::string name) {
-  return {std::move(event), {std::move(name), "s"}};
+inline ensembles::kept_event<ensembles::of_event::last_time> last_time_of(std::string event, std::string name,
+                                                                          std::string unit = "s") {
+  return {std::move(event), {std::move(name), std::move(unit)}};
 }
 /// How often it happens.
 inline ensembles::kept_event<ensembles::of_event::count> times_of(std::string event, std::string name) {

@@ -27,6 +27,7 @@ public:
       return;
     }
     ++count_;
+    least_ = (std::min)(least_, number), greatest_ = (std::max)(greatest_, number);
     if (levels_.empty()) levels_.emplace_back();
     levels_[0].numbers.push_back(number);
     for (std::size_t i = 0; i < levels_.size() && levels_[i].numbers.size() >= room; ++i) compact(i);
@@ -37,10 +38,12 @@ public:
   /// By how many places of the sorted numbers a quantile may be off, at worst.
   std::uint64_t rank_error() const { return rank_error_; }
 
-  /// The number below which this part of them lies: quantile(0.5) is the median. Not a number where there are
+  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the least. Not a number where there are
   /// none, or the part is not between 0 and 1.
   double quantile(double part) const {
     if (count_ == 0 || !(part >= 0 && part <= 1)) return std::numeric_limits<double>::quiet_NaN();
+    if (part <= 0) return least_;
+    if (part >= 1) return greatest_;
     std::vector<std::pair<double, std::uint64_t>> all;
     for (std::size_t i = 0; i < levels_.size(); ++i)
       for (double number : levels_[i].numbers) all.emplace_back(number, std::uint64_t{1} << i);
@@ -55,13 +58,13 @@ public:
   }
 
   void write(bytes_writer& out) const {
-    out.put(count_), out.put(missing_), out.put(rank_error_);
+    out.put(count_), out.put(missing_), out.put(rank_error_), out.put(least_), out.put(greatest_);
     out.put(levels_.size());
     for (const level& each : levels_) out.put(each.numbers), out.put(each.takes_odd);
   }
   void read(bytes_reader& in) {
     count_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>(),
-    rank_error_ = in.get<std::uint64_t>();
+    rank_error_ = in.get<std::uint64_t>(), least_ = in.get<double>(), greatest_ = in.get<double>();
     levels_.clear();
     for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
       levels_.emplace_back();
@@ -89,6 +92,8 @@ private:
 
   std::vector<level> levels_{};
   std::uint64_t count_ = 0, missing_ = 0, rank_error_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double greatest_ = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace kanexpr

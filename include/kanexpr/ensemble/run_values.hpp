@@ -9,6 +9,15 @@
 
 namespace kanexpr {
 
+namespace ensembles {
+
+/// Something is asked for that does not differ from run to run.
+struct no_such_value : std::out_of_range {
+  using std::out_of_range::out_of_range;
+};
+
+} // namespace ensembles
+
 /// What a run of a study is given: `values["push"]`, `values[m]`.
 class run_values {
 public:
@@ -19,11 +28,11 @@ public:
   std::size_t run() const { return run_; } ///< its number, from 0
   const std::vector<double>& all() const { return values_; }
 
-  /// Throws std::out_of_range where that does not differ from run to run.
+  /// Throws a std::out_of_range where that does not differ from run to run.
   double operator[](const varied_name& what) const {
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (varied_[i].name() == what.name()) return values_[i];
-    throw std::out_of_range("the runs of the study have no " + what.name());
+    throw ensembles::no_such_value("the runs of the study have no " + what.name() + " that differs");
   }
 
 private:

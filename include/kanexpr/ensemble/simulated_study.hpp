@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <string>
 #include <utility>
@@ -57,7 +58,7 @@ private:
     if (given_.gives_inputs && told_.simulation.inputs.mistake().view().empty())
       return "the inputs are told twice, by the study and by the options of its simulations";
     if (std::string mistake = mistake_in(layout_.columns); !mistake.empty()) return mistake;
-    if (told_.for_each_run) return {};
+    if (told_.for_each_run) return mistake_in_function();
     simulation_options<System> options = told_.simulation;
     options.keep = true;
     if (given_.gives_inputs)
@@ -70,6 +71,27 @@ private:
                                                    &event<System>::name) == told_.simulation.events.end())
         return "the simulations of the study have no event " + each.event;
     return {};
+  }
+
+  /// A name that the function asks for, of the first run as of all.
+  std::string mistake_in_function() const {
+    try {
+      setup(run_values(told_.runs, 0));
+    } catch (const no_such_value& asked) {
+      return asked.what();
+    } catch (...) { // that is the run's own
+    }
+    return {};
+  }
+
+  simulation_setup<System> setup(const run_values& given) const {
+    simulation_setup<System> one{given_.in(given), told_.simulation};
+    const input_values<System> before = one.r;
+    if (told_.for_each_run) told_.for_each_run(given, one);
+    const bool changes_inputs =
+        std::memcmp(before.data(), one.r.data(), static_cast<std::size_t>(before.size()) * sizeof(double)) != 0;
+    if (given_.gives_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
+    return one;
   }
 
   finished_run run_one(std::size_t run) const {
@@ -88,18 +110,17 @@ private:
   }
 
   void simulate_one(const run_values& given, finished_run& done) const {
-    done.stand_at(told_.span.from, given_.states.in(given));
-    simulation_options<System> options = told_.simulation;
-    const parameter_values<System> p = given_.parameters.in(given);
-    if (given_.gives_inputs) options.inputs = given_inputs<System>(given_.inputs.in(given));
-    if (told_.for_each_run) told_.for_each_run(given, options);
+    simulation_setup<System> one = setup(given);
+    simulation_options<System>& options = one.options;
+    const parameter_values<System>& p = one.p;
+    done.stand_at(told_.span.from, one.x);
     const std::vector<double> times = options.output_times;
     const simulated::output_schedule asked(told_.span, options.output_every, times);
     if (needs_motion_)
       options.output_every = 0, options.output_times.clear(), options.keep = options.dense = true;
     else if (!needs_samples_ && !told_.keep_trajectories && !options.each_sample)
       options.output_every = 0, options.output_times = {told_.span.to}, options.keep = true;
-    const simulation<System> ended = simulate<System, by>(given_state<System>(given_.states.in(given)),
+    const simulation<System> ended = simulate<System, by>(given_state<System>(one.x),
                                                           given_parameters<System>(p), told_.span, options);
     done.stand_at(ended.time, ended.state);
     done.end = !ended                   ? run_end::failed

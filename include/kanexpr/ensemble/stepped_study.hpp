@@ -63,7 +63,16 @@ private:
       return "the steps of the study are not finite";
     if (told_.steps < 0) return "the number of steps is negative";
     if (told_.look_every < 1) return "a study looks at its runs after a step at least";
-    return mistake_in(layout_.columns);
+    if (std::string mistake = mistake_in(layout_.columns); !mistake.empty()) return mistake;
+    if (told_.for_each_run) try {
+        const run_values first(told_.runs, 0);
+        run_setup<System> one = given_.in(first);
+        told_.for_each_run(first, one);
+      } catch (const no_such_value& asked) {
+        return asked.what();
+      } catch (...) { // that is the run's own
+      }
+    return {};
   }
 
   /// What a batch of runs is given, and how it stands.
@@ -95,9 +104,9 @@ private:
     try {
       const run_values given(told_.runs, run);
       const auto place = static_cast<Eigen::Index>(lane);
-      state<System> x = given_.states.in(given);
-      const parameter_values<System> p = given_.parameters.in(given);
-      input_values<System> r = given_.inputs.in(given);
+      run_setup<System> one = given_.in(given);
+      if (told_.for_each_run) told_.for_each_run(given, one);
+      auto& [x, p, r] = one;
       if constexpr (has_law) r = law_(told_.start, x);
       done.stand_at(told_.start, x);
       if (const auto mistake = given_parameters<System>(p).mistake)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/runs.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
@@ -22,8 +23,8 @@ struct study {
   time_span span = {};
   simulation_options<System> simulation = {}; ///< of all runs; its functions are called by many threads
 
-  /// Changes the options of a run by what it is given, as for a push or another controller.
-  std::function<void(const run_values&, simulation_options<System>&)> for_each_run = {};
+  /// Changes a run by what it is given, as for a push, another controller, or parameters that go together.
+  std::function<void(const run_values&, simulation_setup<System>&)> for_each_run = {};
 
   std::vector<kept<System>> keep = {};
   bool keep_end_state = false;    ///< all coordinates and speeds, as q1_end, where the run ends

@@ -3,6 +3,8 @@
 #include <kanexpr/batch/moving_batch.hpp>
 #include <kanexpr/compiled/instance.hpp>
 #include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/ensemble/run_setup.hpp>
+#include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/runs.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
 
@@ -39,6 +41,9 @@ struct study_in_steps {
   double step = 0;                          ///< in seconds, as the unit of time of the model is
   int steps = 0;
   double start = 0; ///< the time at which they begin
+
+  /// Changes a run by what it is given, as parameters that go together.
+  std::function<void(const run_values&, run_setup<System>&)> for_each_run = {};
 
   std::vector<kept_in_steps<System>> keep = {};
   int look_every = 1;             ///< after so many steps extremes are looked for, and samples are taken

@@ -171,7 +171,7 @@ KANEXPR_ENSEMBLES ensemble_results collector::end() {
     if (outcome noted = note_now(); !noted) fail(noted);
   for (std::size_t i = 0; i < begun_; ++i)
     if (outcome ended = options_.files[i]->end(); !ended && found_.failure.empty()) fail(ended);
-  if (options_.checkpoint && found_)
+  if (options_.checkpoint && found_.failure.empty() && found_.done == found_.planned)
     if (outcome gone = remove_note(options_.checkpoint->text()); !gone) fail(gone);
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (outcome added = found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); !added) fail(added);
