@@ -17,10 +17,13 @@ function(kanexpr_add_engine name)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# kanexpr_add_engine_of(<part> <what>): the same of a part that needs more, kanexpr::<part>_engine.
+# kanexpr_add_engine_of(<part> <what> [<folder>]): the same of a part that needs more, kanexpr::<part>_engine. Its
+# sources lie in a folder of its name, or another one.
 function(kanexpr_add_engine_of part what)
   set(name kanexpr_${part}_engine)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/${part}/engine/*.cpp)
+  set(folder ${ARGN} ${part})
+  list(GET folder 0 folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/${folder}/engine/*.cpp)
   add_library(${name} STATIC ${sources})
   add_library(kanexpr::${part}_engine ALIAS ${name})
   target_link_libraries(${name} PUBLIC kanexpr_${part})

@@ -2,6 +2,7 @@
 // Many simulations: docs/guide/ensembles.md.
 #include "simulate/falling_ball.hpp"
 
+#include <docs/guide/ensembles/files_header.cpp>
 #include <kanexpr/ensemble.hpp>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,9 @@ TEST(ensembles, are_studied) {
 #include <docs/guide/ensembles/failures.cpp>
   EXPECT_TRUE(kept) << kept.cause();
   EXPECT_FALSE(std::filesystem::exists("balls.checkpoint"));
+#include <docs/guide/ensembles/files.cpp>
+  EXPECT_TRUE(written) << written.cause();
+  EXPECT_EQ(read_csv("study.csv").rows(), 1000u);
 #include <docs/guide/ensembles/in_steps.cpp>
   ASSERT_TRUE(fallen) << fallen.cause();
   EXPECT_NEAR(fallen.runs["v_end"][7], -9.81 * 0.5, 1e-12);

@@ -30,7 +30,9 @@ study<System> bouncing_balls() {
       .keep = {at_end<v>("speed", "m/s"), at_end<height>("height", "m"), greatest<v>("fastest up", "m/s"),
                least<v>("fastest down"), first_time_of("contact", "t_contact"),
                last_time_of("contact", "t_last"), times_of("contact", "contacts"),
-               result("steps", [](const simulation<System>& run) { return double(run.statistics.steps); })},
+               result("steps", [](const simulation<System>& run) { return double(run.statistics.steps); }),
+               result("fallen", [](const run_values& given,
+                                   const simulation<System>& run) { return given[h] - run.state[h]; })},
       .keep_end_state = true,
       .keep_events = true,
       .units = {{h, "m"}, {g, "m/s2"}}};
@@ -64,6 +66,7 @@ TEST(ensemble, keeps_what_single_simulations_find) {
     EXPECT_EQ(found.runs["height"][i], alone.state[h]);
     EXPECT_EQ(found.runs["h_end"][i], alone.state[h]);
     EXPECT_EQ(found.runs["steps"][i], double(alone.statistics.steps));
+    EXPECT_EQ(found.runs["fallen"][i], from - alone.state[h]);
     EXPECT_EQ(found.runs["contacts"][i], double(alone.events.size()));
     EXPECT_EQ(found.events[i].size(), alone.events.size());
     ASSERT_FALSE(alone.events.empty());

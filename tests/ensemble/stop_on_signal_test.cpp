@@ -36,7 +36,9 @@ TEST(stop_on_signal, listens_to_other_signals_again_when_one_within_is_gone) {
 }
 
 TEST(stop_on_signal_death_test, lets_the_program_end_afterwards) {
-  { const stop_on_signal stop; }
+  {
+    const stop_on_signal stop;
+  }
   EXPECT_EXIT(std::raise(SIGTERM), testing::KilledBySignal(SIGTERM), "");
 }
 

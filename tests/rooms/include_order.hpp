@@ -59,10 +59,8 @@ public:
     const std::regex row("\\| `([a-z]+)/` \\|([^\\n]*)\\|");
     for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
       const std::string room = i->str(1);
-      for (const std::string& within : matches(i->str(2), "`([a-z_.]+)`"))
-        places_.push_back("kanexpr/" + room + "/" + within);
-      places_.push_back("kanexpr/" + room);
-      places_.push_back("kanexpr/" + room + "/engine"); // defines what the room declares
+      for (const std::string& within : matches(i->str(2), "`([a-z0-9_.]+)`")) add(room + "/" + within);
+      add(room);
     }
   }
 
@@ -79,6 +77,11 @@ public:
   }
 
 private:
+  void add(const std::string& place) {
+    places_.push_back("kanexpr/" + place);
+    places_.push_back("kanexpr/" + place + "/engine"); // defines what the place declares
+  }
+
   std::vector<std::string> places_;
 };
 

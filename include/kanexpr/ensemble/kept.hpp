@@ -3,8 +3,10 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/ensemble/extreme.hpp>
 #include <kanexpr/ensemble/layout.hpp>
+#include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
+#include <concepts>
 #include <functional>
 #include <limits>
 #include <string>
@@ -15,6 +17,7 @@ namespace kanexpr {
 /// A run of a study as it ended, of which results are formed.
 template <class System>
 struct ended_run {
+  const run_values& given;
   const simulation<System>& run;
   const parameter_values<System>& p;
   const input_values<System>& r; ///< where it ended
@@ -125,7 +128,13 @@ struct kept_result {
 
   template <class System>
   operator kept<System>() const {
-    return {what, [f = of](const ended_run<System>& ended) -> double { return f(ended.run); }, false, true};
+    const auto formed = [f = of](const ended_run<System>& ended) -> double {
+      if constexpr (std::invocable<const Function&, const run_values&, const simulation<System>&>)
+        return f(ended.given, ended.run);
+      else
+        return f(ended.run);
+    };
+    return {what, formed, false, true};
   }
 };
 
@@ -166,7 +175,8 @@ inline ensembles::kept_event<ensembles::of_event::count> times_of(std::string ev
 }
 
 /// What a function forms of the simulation: `result("turns", [](const simulation<System>& run) { … })`. Its
-/// samples are those that the study asks its simulations for.
+/// samples are those that the study asks its simulations for. A function of two arguments is told first what
+/// the run was given, the `run_values`.
 template <class Function>
 ensembles::kept_result<Function> result(std::string name, Function of, std::string unit = {}) {
   return {{std::move(name), std::move(unit)}, std::move(of)};

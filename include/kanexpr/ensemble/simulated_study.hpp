@@ -112,7 +112,7 @@ private:
     }
     input_values<System> r;
     options.inputs.give(ended.time, ended.state, r);
-    keep_numbers({ended, p, r}, done);
+    keep_numbers({given, ended, p, r}, done);
   }
 
   void keep_numbers(const ended_run<System>& ended, finished_run& done) const {

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -83,7 +84,9 @@ KANEXPR_ENSEMBLES outcome remove_note(const std::string& path) {
 KANEXPR_ENSEMBLES std::uint64_t this_program() {
   static const std::uint64_t sum = [] {
     std::ifstream in("/proc/self/exe", std::ios::binary);
-    return in ? sum_of(std::string(std::istreambuf_iterator<char>(in), {})) : 0;
+    std::ostringstream content;
+    if (in) content << in.rdbuf();
+    return in ? sum_of(content.view()) : 0;
   }();
   return sum;
 }

@@ -25,7 +25,7 @@ public:
   explicit csv_results(std::string path) : path_(std::move(path)) {}
 
   outcome begin(const study_layout& layout) override {
-    if (outcome fits = check(layout); !fits) return fits;
+    if (outcome fits = check_layout(layout); !fits) return fits;
     if (outcome free = check_free(path_); !free) return free;
     out_ = std::ofstream(path_, std::ios::binary);
     if (!out_) return not_opened();
@@ -37,14 +37,14 @@ public:
   outcome go_on(const study_layout& layout, const std::string& position) override {
     bytes_reader told(position);
     const auto size = told.get<std::uint64_t>();
-    rows_ = told.get<std::uint64_t>();
-    if (outcome fits = check(layout); !fits) return fits;
+    rows_ = told.get<std::size_t>();
+    if (outcome fits = check_layout(layout); !fits) return fits;
     if (outcome begins = check_header(layout, size); !begins) return begins;
     if (outcome free = check_free(path_); !free) return free;
     if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return not_opened();
     out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
     if (!out_) return not_opened();
-    writer_.emplace(csv_writer::behind(out_, static_cast<std::size_t>(rows_), layout.columns.size(), path_));
+    writer_.emplace(csv_writer::behind(out_, rows_, layout.columns.size(), path_));
     return held_.hold(path_);
   }
 
@@ -72,7 +72,7 @@ private:
   outcome not_opened() const {
     return outcome(path_ + " cannot be opened: " + std::generic_category().message(errno));
   }
-  outcome check(const study_layout& layout) const {
+  outcome check_layout(const study_layout& layout) const {
     if (layout.samples.empty() && layout.events.empty()) return {};
     return outcome(path_ + " cannot hold the " + (layout.samples.empty() ? "events" : "trajectories") +
                    " that the study keeps, as it is a table of runs; a file of HDF5 can");
@@ -99,7 +99,7 @@ private:
   const std::string path_;
   std::ofstream out_{};
   std::optional<csv_writer> writer_{};
-  std::uint64_t rows_ = 0;
+  std::size_t rows_ = 0;
   held_file held_{};
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/hdf5/engine/disk.hpp>
 #include <kanexpr/ensemble/hdf5/engine/errors.hpp>
 #include <kanexpr/ensemble/hdf5/engine/study_tables.hpp>
 #include <kanexpr/ensemble/hdf5/hdf5_file.hpp>
@@ -14,7 +15,6 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace kanexpr {
@@ -75,7 +75,8 @@ public:
     const bool flushes = waited.count() >= options_.flush_every;
     if (!flushes && !tables_->has_many_waiting()) return {};
     const hdf5_errors errors;
-    return (flushes ? flush() : tables_->write()) ? outcome() : fail(errors);
+    const bool is_sound = flushes ? flush() : tables_->write() && !disk_.has_failed();
+    return is_sound ? outcome() : fail(errors);
   }
 
   outcome flush(std::string& position) override {
@@ -102,11 +103,10 @@ private:
   }
 
   /// How files are opened: also those that a program left open when it ended, as the command h5clear does.
-  static hdf5_handle access() {
+  hdf5_handle access() {
     hdf5_handle how(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
     const hbool_t yes = true;
-    if (H5Pset_fapl_sec2(how.id()) < 0 ||
-        H5Pset_libver_bounds(how.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) < 0 ||
+    if (!disk_.use(how.id()) || H5Pset_libver_bounds(how.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) < 0 ||
         H5Pset(how.id(), "clear_status_flags", &yes) < 0 || H5Pset(how.id(), "skip_eof_check", &yes) < 0)
       return {};
     return how;
@@ -117,7 +117,8 @@ private:
     if (!how || H5Pset_obj_track_times(what.id(), false) < 0) return false;
     file_ = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, what.id(), how.id()), &H5Fclose};
     return file_ && tables_->create(file_.id(), options_.compression) &&
-           H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0 && H5Fstart_swmr_write(file_.id()) >= 0;
+           H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0 && H5Fstart_swmr_write(file_.id()) >= 0 &&
+           !disk_.has_failed();
   }
 
   bool open(unsigned how) {
@@ -138,7 +139,7 @@ private:
 
   bool flush() {
     flushed_ = clock::now();
-    return tables_->write() && H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0;
+    return tables_->write() && H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0 && !disk_.has_failed();
   }
 
   outcome finish() {
@@ -150,7 +151,7 @@ private:
       const hsize_t done = each.rows->done();
       if (each.rows->in_file() > done && H5Dset_extent(each.rows->id(), &done) < 0) return fail(errors);
     }
-    if (!close()) return fail(errors);
+    if (!close() || disk_.has_failed()) return fail(errors);
     held_.release();
     return {};
   }
@@ -167,28 +168,25 @@ private:
     return failure_;
   }
 
-  /// Leaves the file as it is on the disk. HDF5 keeps what it could not write, tries again when it closes the
-  /// file and once more when the program ends, and does not survive that: so all of it goes nowhere.
+  /// Ends without the rows that wait.
   void abandon() {
-    void* driver = nullptr;
-    if (file_ && H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, &driver) >= 0) {
-      const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-      ::dup2(nowhere, *static_cast<const int*>(driver));
-      ::close(nowhere);
-    }
     close();
     held_.release();
   }
 
   outcome not_written(const hdf5_errors& errors) const {
-    return outcome(path_ + " cannot be written: " + errors.first());
+    return outcome(path_ + " cannot be written: " + cause(errors));
   }
   outcome not_opened(const hdf5_errors& errors) const {
-    return outcome(path_ + " cannot be opened: " + errors.first());
+    return outcome(path_ + " cannot be opened: " + cause(errors));
+  }
+  std::string cause(const hdf5_errors& errors) const {
+    return disk_.has_failed() ? disk_.failure() : errors.first();
   }
 
   const std::string path_;
   const hdf5_options options_;
+  disk disk_{};
   hdf5_handle file_{};
   std::optional<study_tables> tables_{};
   held_file held_{};
