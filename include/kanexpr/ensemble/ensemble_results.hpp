@@ -38,7 +38,9 @@ struct [[nodiscard]] ensemble_results {
   std::string failure{}; ///< why the study itself could not begin or go on, as a sentence; empty: it could
 
   /// Whether all runs are done. Some of them may have failed, but not all.
-  explicit operator bool() const { return failure.empty() && done == planned && !(failed > 0 && failed == done); }
+  explicit operator bool() const {
+    return failure.empty() && done == planned && !(failed > 0 && failed == done);
+  }
   /// Why not.
   KANEXPR_ENSEMBLES std::string cause() const;
 

@@ -40,7 +40,8 @@ public:
     if (is_set_later) {
       take(given<true>(same));
       for (int k = 0; k < range.size; ++k)
-        if (const int place = range.first + k; !known.dependent[place] && !is_told(known.names[place].view(), same))
+        if (const int place = range.first + k;
+            !known.dependent[place] && !is_told(known.names[place].view(), same))
           values_(k) = std::numeric_limits<double>::quiet_NaN();
     } else {
       take(given<false>(same));

@@ -162,8 +162,8 @@ least(std::string name = ensembles::watched<expression>::name("_least"), std::st
 }
 
 /// When an event happens for the first time; not a number in runs where it does not.
-inline ensembles::kept_event<ensembles::of_event::first_time> first_time_of(std::string event, std::string name,
-                                                                            std::string unit = "s") {
+inline ensembles::kept_event<ensembles::of_event::first_time>
+first_time_of(std::string event, std::string name, std::string unit = "s") {
   return {std::move(event), {std::move(name), std::move(unit)}};
 }
 inline ensembles::kept_event<ensembles::of_event::last_time> last_time_of(std::string event, std::string name,

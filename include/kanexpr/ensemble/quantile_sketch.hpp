@@ -38,8 +38,8 @@ public:
   /// By how many places of the sorted numbers a quantile may be off, at worst.
   std::uint64_t rank_error() const { return rank_error_; }
 
-  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the least. Not a number where there are
-  /// none, or the part is not between 0 and 1.
+  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the least. Not a
+  /// number where there are none, or the part is not between 0 and 1.
   double quantile(double part) const {
     if (count_ == 0 || !(part >= 0 && part <= 1)) return std::numeric_limits<double>::quiet_NaN();
     if (part <= 0) return least_;

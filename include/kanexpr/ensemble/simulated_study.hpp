@@ -88,8 +88,8 @@ private:
     simulation_setup<System> one{given_.in(given), told_.simulation};
     const input_values<System> before = one.r;
     if (told_.for_each_run) told_.for_each_run(given, one);
-    const bool changes_inputs =
-        std::memcmp(before.data(), one.r.data(), static_cast<std::size_t>(before.size()) * sizeof(double)) != 0;
+    const bool changes_inputs = std::memcmp(before.data(), one.r.data(),
+                                            static_cast<std::size_t>(before.size()) * sizeof(double)) != 0;
     if (given_.gives_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
     return one;
   }
@@ -120,8 +120,8 @@ private:
       options.output_every = 0, options.output_times.clear(), options.keep = options.dense = true;
     else if (!needs_samples_ && !told_.keep_trajectories && !options.each_sample)
       options.output_every = 0, options.output_times = {told_.span.to}, options.keep = true;
-    const simulation<System> ended = simulate<System, by>(given_state<System>(one.x),
-                                                          given_parameters<System>(p), told_.span, options);
+    const simulation<System> ended =
+        simulate<System, by>(given_state<System>(one.x), given_parameters<System>(p), told_.span, options);
     done.stand_at(ended.time, ended.state);
     done.end = !ended                   ? run_end::failed
                : ended.stopped_by_event ? run_end::stopped_by_event
