@@ -6,10 +6,13 @@
 #include <kanexpr/simulate/progress.hpp>
 #include <models/double_pendulum.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
+#include <vector>
 
 namespace {
 

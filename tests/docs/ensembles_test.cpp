@@ -1,9 +1,8 @@
 // builds: g++
 // Many simulations: docs/guide/ensembles.md.
-#include "simulate/falling_ball.hpp"
-
 #include <docs/guide/ensembles/files_header.cpp>
 #include <kanexpr/ensemble.hpp>
+#include <models/simple_pendulum.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,26 +17,28 @@ TEST(ensembles, are_studied) {
 #include <docs/guide/ensembles/study.cpp>
   std::cout.rdbuf(keep);
   ASSERT_TRUE(found) << found.cause();
-  for (std::size_t i = 0; i < 1000; ++i)
-    EXPECT_NEAR(found.runs["t_contact"][i], std::sqrt(2 * found.runs["h"][i] / 9.81), 1e-7);
+  EXPECT_EQ(found.failed, 0u);
+  const auto one = simulate<System>({{q, found.runs["q"][7]}, {u, 0}},
+                                    {{m, 1}, {l, found.runs["l"][7]}, {g, 9.81}, {c, 0.1}}, {0, 10},
+                                    {.inputs = {{T, 0}}, .events = {when<System, q>("passes")}});
+  EXPECT_EQ(found.runs["t_passes"][7], one.events.front().t);
 #include <docs/guide/ensembles/factors.cpp>
-  ASSERT_TRUE(bounces) << bounces.cause();
-  EXPECT_EQ(bounces.runs["restitution"][2], 0.7);
-  EXPECT_GT(bounces.runs["contacts"][4], 0);
+  ASSERT_TRUE(held) << held.cause();
+  EXPECT_NEAR(held.runs["torque"][0], -5 * std::acos(0.9), 1e-12);
 #include <docs/guide/ensembles/reductions.cpp>
   EXPECT_EQ(summary.runs.rows(), 0u);
-  EXPECT_EQ(summary.statistics("v_end").count(), 1000u);
-  EXPECT_EQ(summary.histogram("h").count(0), 50u);
+  EXPECT_EQ(summary.statistics("fastest").count(), 1000u);
+  EXPECT_EQ(summary.histogram("q").count(0), 50u);
 #include <docs/guide/ensembles/checkpoint.cpp>
 #include <docs/guide/ensembles/failures.cpp>
   EXPECT_TRUE(kept) << kept.cause();
-  EXPECT_FALSE(std::filesystem::exists("balls.checkpoint"));
+  EXPECT_FALSE(std::filesystem::exists("study.checkpoint"));
 #include <docs/guide/ensembles/files.cpp>
   EXPECT_TRUE(written) << written.cause();
   EXPECT_EQ(read_csv("study.csv").rows(), 1000u);
 #include <docs/guide/ensembles/in_steps.cpp>
-  ASSERT_TRUE(fallen) << fallen.cause();
-  EXPECT_NEAR(fallen.runs["v_end"][7], -9.81 * 0.5, 1e-12);
+  ASSERT_TRUE(swung) << swung.cause();
+  EXPECT_EQ(swung.runs["q_greatest"][999], 3);
 }
 
 } // namespace

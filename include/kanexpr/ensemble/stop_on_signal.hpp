@@ -21,7 +21,7 @@ namespace kanexpr {
 /// signals do not end the program.
 class stop_on_signal {
 public:
-  KANEXPR_ENSEMBLES explicit stop_on_signal(std::initializer_list<int> signals = {SIGINT, SIGTERM, SIGUSR1});
+  KANEXPR_ENSEMBLES explicit stop_on_signal(std::initializer_list<int> which = {SIGINT, SIGTERM, SIGUSR1});
   stop_on_signal(const stop_on_signal&) = delete;
   stop_on_signal& operator=(const stop_on_signal&) = delete;
   KANEXPR_ENSEMBLES ~stop_on_signal();

@@ -26,7 +26,7 @@ inline void tell_of_signal(int) {
 
 } // namespace ensembles
 
-KANEXPR_ENSEMBLES stop_on_signal::stop_on_signal(std::initializer_list<int> signals) {
+KANEXPR_ENSEMBLES stop_on_signal::stop_on_signal(std::initializer_list<int> which) {
   if (::pipe2(ends_, O_CLOEXEC) != 0)
     throw std::system_error(errno, std::generic_category(), "signals cannot be listened to");
   ::fcntl(ends_[1], F_SETFL, O_NONBLOCK);
@@ -42,7 +42,7 @@ KANEXPR_ENSEMBLES stop_on_signal::stop_on_signal(std::initializer_list<int> sign
   told.sa_handler = ensembles::tell_of_signal;
   told.sa_flags = SA_RESTART;
   ::sigemptyset(&told.sa_mask);
-  for (const int each : signals) {
+  for (const int each : which) {
     struct sigaction before = {};
     if (::sigaction(each, &told, &before) == 0) before_.emplace_back(each, before);
   }
