@@ -1,6 +1,6 @@
 // What a study costs beside bare loops over the same runs, and what threads and lanes gain. All that is
-// compared takes turns, so that other programs disturb all of it; printed are medians and, after them, the
-// least and the greatest. Times of one thread are those of the processor, which others hardly change.
+// compared takes many brief turns, so that other programs disturb all of it; printed are medians and, after
+// them, the quartiles. Times of one thread are those of the processor, which others hardly change.
 //
 // speed [RUNS [TURNS]]
 #include "pendulums.hpp"
@@ -103,7 +103,8 @@ struct spread {
   std::vector<double> all{};
   void print(const char* what, const char* unit = "") {
     std::ranges::sort(all);
-    std::printf("%s\t%.4g%s\t(%.4g to %.4g)\n", what, all[all.size() / 2], unit, all.front(), all.back());
+    std::printf("%s\t%.4g%s\t(%.4g to %.4g)\n", what, all[all.size() / 2], unit, all[all.size() / 4],
+                all[all.size() * 3 / 4]);
     std::fflush(stdout);
   }
 };
@@ -111,8 +112,8 @@ struct spread {
 } // namespace
 
 int main(int count, char** words) {
-  const std::size_t runs = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1000;
-  const int turns = count > 2 ? std::atoi(words[2]) : 7;
+  const std::size_t runs = count > 1 ? std::strtoul(words[1], nullptr, 10) : 16;
+  const int turns = count > 2 ? std::atoi(words[2]) : 301;
   const ensemble<System> study(in_full(runs));
   const ensemble_in_steps<runge_kutta_4<System>> stepped(in_steps(runs));
 
