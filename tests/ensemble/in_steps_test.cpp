@@ -80,6 +80,27 @@ TEST(ensemble_in_steps, takes_inputs_from_a_function) {
             "the inputs are told twice, by the study and by a function");
 }
 
+TEST(ensemble_in_steps, serves_single_precision) {
+  const auto of = [](auto told) {
+    told.runs = grid({{one::q, evenly_spaced(-1, 1, 21)}, {one::m, {0.5}}});
+    told.state = {{one::u, 0}};
+    told.parameters = {{one::l, 0.7}, {one::g, 9.81}, {one::c, 0.03}};
+    told.inputs = {{one::T, 0.5}};
+    told.step = 1e-2, told.steps = 100, told.look_every = 10;
+    told.keep = {at_end<one::q>("angle"), greatest<one::u>("fastest")};
+    return told;
+  };
+  const auto single = ensemble_in_steps(of(study_in_steps<runge_kutta_4<one::System>, float>{})).run();
+  const auto doubled = ensemble_in_steps(of(study_in_steps<runge_kutta_4<one::System>>{})).run();
+  ASSERT_TRUE(single && doubled) << single.cause();
+  for (std::size_t i = 0; i < 21; ++i) {
+    EXPECT_NEAR(single.runs["angle"][i], doubled.runs["angle"][i], 1e-5);
+    EXPECT_NEAR(single.runs["fastest"][i], doubled.runs["fastest"][i], 1e-5);
+    EXPECT_NE(single.runs["angle"][i], doubled.runs["angle"][i]);
+    EXPECT_EQ(single.runs["angle"][i], static_cast<float>(single.runs["angle"][i]));
+  }
+}
+
 TEST(ensemble_in_steps, goes_on_where_a_run_fails) {
   auto told = swinging();
   const double infinite = INFINITY;

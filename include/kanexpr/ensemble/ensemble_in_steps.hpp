@@ -22,12 +22,13 @@ namespace kanexpr {
 ///
 /// The inputs are constants, by name, or a function (t, x), the second argument: of a batch of states where x
 /// may be of any type, else of one state after another; then it is `ensemble_in_steps study(told, law)`.
-/// There are no events, and extremes are those of the states that are looked at.
-template <class Step, class Law = ensembles::constant_inputs>
+/// There are no events, and extremes are those of the states that are looked at. Of a `study_in_steps<Step,
+/// float>` twice as many go side by side.
+template <class Step, class Law = ensembles::constant_inputs, class Number = double>
 class ensemble_in_steps {
 public:
-  explicit ensemble_in_steps(study_in_steps<Step> told, Law law = {})
-      : job_(std::make_shared<ensembles::stepped_study<Step, Law>>(std::move(told), std::move(law))) {
+  explicit ensemble_in_steps(study_in_steps<Step, Number> told, Law law = {})
+      : job_(std::make_shared<ensembles::stepped_study<Step, Law, Number>>(std::move(told), std::move(law))) {
     job_->itself = job_;
   }
 
@@ -43,7 +44,7 @@ public:
   const study_layout& layout() const { return job_->layout(); }
 
 private:
-  std::shared_ptr<const ensembles::stepped_study<Step, Law>> job_;
+  std::shared_ptr<const ensembles::stepped_study<Step, Law, Number>> job_;
 };
 
 } // namespace kanexpr

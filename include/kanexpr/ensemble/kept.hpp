@@ -23,7 +23,7 @@ struct ended_run {
   const input_values<System>& r; ///< where it ended
 };
 
-template <class System>
+template <class System, class Number>
 struct kept_in_steps;
 
 /// A number that a study keeps of each run.
@@ -90,13 +90,13 @@ struct kept_expression {
       return {what, of, true};
     }
   }
-  template <class System>
-  operator kept_in_steps<System>() const {
+  template <class System, class Number>
+  operator kept_in_steps<System, Number>() const {
     return {what, when, [](double t, const auto& x, const auto& p, const auto& r) {
               if constexpr (watched<expression>::is_scalar)
-                return function<System, expression>{}(t, x, p, r);
+                return function<System, expression>{}(static_cast<Number>(t), x, p, r);
               else
-                return t;
+                return x[0];
             }};
   }
 };

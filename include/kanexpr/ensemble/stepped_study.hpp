@@ -19,20 +19,22 @@ namespace kanexpr::ensembles {
 struct constant_inputs {};
 
 /// The runs of a study in steps, as many side by side as a vector of the processor has numbers.
-template <class Step, class Law>
+template <class Step, class Law, class Number>
 class stepped_study final : public job {
-  using System = typename study_in_steps<Step>::System;
-  using side_by_side_ = batch<>;
-  using number = side_by_side_::number;
+  using System = typename study_in_steps<Step, Number>::System;
+  using side_by_side_ = batch<batches::widest<Number>, Number>;
+  using number = typename side_by_side_::number;
   static constexpr std::size_t lanes = side_by_side_::lanes;
   static constexpr const deriving::survey& known = compiled::survey_of<System>;
   static constexpr bool has_law = !std::is_same_v<Law, constant_inputs>;
-  using given_inputs_type = std::conditional_t<has_law, Law, many<input_values<System>>>;
-  using moving =
-      batches::moving_batch<Step, side_by_side_, many<parameter_values<System>>, given_inputs_type>;
+  using states = many<state<System, Number>>;
+  using parameters = many<parameter_values<System, Number>>;
+  using inputs = many<input_values<System, Number>>;
+  using given_inputs_type = std::conditional_t<has_law, Law, inputs>;
+  using moving = batches::moving_batch<Step, side_by_side_, parameters, given_inputs_type>;
 
 public:
-  stepped_study(study_in_steps<Step> told, Law law)
+  stepped_study(study_in_steps<Step, Number> told, Law law)
       : told_(std::move(told)), law_(std::move(law)), given_(told_), mistake_(find_mistake()) {}
 
   /// What was told wrongly, as a sentence.
@@ -77,9 +79,9 @@ private:
 
   /// What a batch of runs is given, and how it stands.
   struct lanes_of_runs {
-    many<state<System>> x{static_cast<Eigen::Index>(lanes)};
-    many<parameter_values<System>> p{static_cast<Eigen::Index>(lanes)};
-    many<input_values<System>> r{static_cast<Eigen::Index>(lanes)};
+    states x{static_cast<Eigen::Index>(lanes)};
+    parameters p{static_cast<Eigen::Index>(lanes)};
+    inputs r{static_cast<Eigen::Index>(lanes)};
     std::vector<number> extremes{};
   };
 
@@ -107,19 +109,26 @@ private:
       run_setup<System> one = given_.in(given);
       if (told_.for_each_run) told_.for_each_run(given, one);
       auto& [x, p, r] = one;
-      if constexpr (has_law) r = law_(told_.start, x);
+      if constexpr (has_law) r = law_(told_.start, rounded<state<System, Number>>(x)).template cast<double>();
       done.stand_at(told_.start, x);
       if (const auto mistake = given_parameters<System>(p).mistake)
         return done.fail(std::string(mistake.view()));
       if constexpr (known.constraints + known.configuration_constraints + known.quaternions > 0)
         if (const assembly built = assemble<System>(x, p, r, told_.start); !built)
           return done.fail(std::string(built.cause()));
-      of.x.set(place, x), of.p.set(place, p), of.r.set(place, r);
+      of.x.set(place, rounded<state<System, Number>>(x));
+      of.p.set(place, rounded<parameter_values<System, Number>>(p));
+      of.r.set(place, rounded<input_values<System, Number>>(r));
     } catch (const std::exception& thrown) {
       done.fail(thrown.what());
     } catch (...) {
       done.fail("something was thrown that is no std::exception");
     }
+  }
+
+  template <class Vector, class Given>
+  static Vector rounded(const Given& given) {
+    return Vector(given.template cast<Number>());
   }
 
   static void copy(std::size_t from, std::size_t to, lanes_of_runs& of) {
@@ -155,7 +164,7 @@ private:
       if (is_sound(done[lane])) end(all, of, lane, done[lane]);
   }
 
-  number value(const kept_in_steps<System>& each, moving& all) const {
+  number value(const kept_in_steps<System, Number>& each, moving& all) const {
     return all.at_present([&](double t, const auto& x, const auto& p, const auto& r) {
       if constexpr (has_law)
         return each.of(t, x, p, inputs_by_law(t, x));
@@ -168,18 +177,18 @@ private:
     if constexpr (batches::takes_batches<Law, X>())
       return law_(t, x);
     else
-      return batches::lane_by_lane<side_by_side_, input_values<System>, Law>{law_}(t, x);
+      return batches::lane_by_lane<side_by_side_, input_values<System, Number>, Law>{law_}(t, x);
   }
 
   void look(moving& all, lanes_of_runs& of, std::size_t count, finished_run* done, int made) const {
     const bool is_first = of.extremes.empty();
     if (is_first) of.extremes.resize(told_.keep.size());
     for (std::size_t i = 0; i < told_.keep.size(); ++i) {
-      const kept_in_steps<System>& each = told_.keep[i];
+      const kept_in_steps<System, Number>& each = told_.keep[i];
       if (each.when == in_time::at_end && made < told_.steps) continue;
       const number now = value(each, all);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const double at = batches::lane_of(now, lane), before = batches::lane_of(of.extremes[i], lane);
+        const Number at = batches::lane_of(now, lane), before = batches::lane_of(of.extremes[i], lane);
         const bool is_kept = is_first || each.when == in_time::at_end || std::isnan(at) ||
                              (each.when == in_time::greatest ? at > before : at < before);
         if (is_kept && !(std::isnan(before) && !is_first)) batches::set_lane(of.extremes[i], lane, at);
@@ -192,7 +201,7 @@ private:
     const double t = time(all);
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (!is_sound(done[lane])) continue;
-      const state<System> x = all.state_in(lane);
+      const auto x = all.state_in(lane);
       const auto r = all.at_present([&](double now, const auto& at, const auto&, const auto& inputs) {
         if constexpr (has_law)
           return side_by_side_::get(inputs_by_law(now, at), lane);
@@ -214,7 +223,7 @@ private:
     }
   }
 
-  const study_in_steps<Step> told_;
+  const study_in_steps<Step, Number> told_;
   const Law law_;
   const given_to_systems<System> given_;
   const study_layout layout_ = study_columns::layout_of(told_, known, type_name<System>());

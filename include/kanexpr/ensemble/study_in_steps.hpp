@@ -17,20 +17,21 @@ namespace kanexpr {
 
 /// A number that a study in steps keeps of each run: what an expression is where it ends, or the greatest or
 /// least that it is where it is looked at.
-template <class System>
+template <class System, class Number = double>
 struct kept_in_steps {
-  using side_by_side = batch<>;
+  using side_by_side = batch<batches::widest<Number>, Number>;
 
   column_label what;
   ensembles::in_time when = ensembles::in_time::at_end;
-  std::function<side_by_side::number(double t, const side_by_side::state<System>&,
-                                     const side_by_side::parameters<System>&,
-                                     const side_by_side::inputs<System>&)>
+  std::function<typename side_by_side::number(double t, const typename side_by_side::template state<System>&,
+                                              const typename side_by_side::template parameters<System>&,
+                                              const typename side_by_side::template inputs<System>&)>
       of;
 };
 
-/// A set of motions of one system in steps of a fixed length, and what is kept of each.
-template <class Step>
+/// A set of motions of one system in steps of a fixed length, and what is kept of each. In single precision,
+/// `study_in_steps<Step, float>`, twice as many go side by side.
+template <class Step, class Number = double>
 struct study_in_steps {
   using System = typename compiled::stated<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
 
@@ -45,7 +46,7 @@ struct study_in_steps {
   /// Changes a run by what it is given, as parameters that go together.
   std::function<void(const run_values&, run_setup<System>&)> for_each_run = {};
 
-  std::vector<kept_in_steps<System>> keep = {};
+  std::vector<kept_in_steps<System, Number>> keep = {};
   int look_every = 1;             ///< after so many steps extremes are looked for, and samples are taken
   bool keep_end_state = false;    ///< all coordinates and speeds, as q1_end, where the run ends
   bool keep_trajectories = false; ///< all samples of all runs
