@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 namespace {
 
@@ -46,15 +47,15 @@ protected:
 
   // Ends after so many runs; 0: when all are done.
   ensemble_results run(std::size_t until = 0, unsigned threads = 1, std::string known_by = "by this") const {
-    std::stop_source stop;
+    const auto stop = std::make_shared<std::stop_source>(); // g++ 12 takes one on the stack for uninitialized
     ensemble_options options{.threads = threads,
                              .reduce = {statistics_of("square"), quantiles_of("square")},
                              .checkpoint = path,
                              .progress =
                                  [&](double done, double, double) {
-                                   if (until > 0 && done >= double(until)) stop.request_stop();
+                                   if (until > 0 && done >= double(until)) stop->request_stop();
                                  },
-                             .stop = stop.get_token()};
+                             .stop = stop->get_token()};
     ensembles::on_threads crew;
     return crew.run(squares(count), known_by, options);
   }
