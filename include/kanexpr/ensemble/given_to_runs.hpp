@@ -7,7 +7,9 @@
 #include <kanexpr/ensemble/study_columns.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <string>
 #include <utility>
@@ -24,27 +26,11 @@ class given_to_runs {
 public:
   /// What `is_set_later`, by a function, may be left out.
   given_to_runs(const runs& of, std::vector<named_value> same, bool is_set_later) {
-    static constexpr const deriving::survey& known = compiled::survey_of<System>;
-    constexpr compiled::symbol_range range = compiled::range_of(which, known);
     if (!of.mistake().empty()) return;
-    const run_values first(of, 0);
-    for (std::size_t i = 0; i < of.varied().size(); ++i) {
-      const varied_name& what = of.varied()[i];
-      if (what.is_factor()) continue;
-      for (int k = 0; k < range.size; ++k)
-        if (known.names[range.first + k].view() == what.name()) {
-          places_.emplace_back(i, k);
-          same.push_back({what.name(), first.all()[i]});
-        }
-    }
-    if (is_set_later) {
-      take(given<true>(same));
-      for (int k = 0; k < range.size; ++k)
-        if (const int place = range.first + k;
-            !known.dependent[place] && !is_told(known.names[place].view(), same))
-          values_(k) = std::numeric_limits<double>::quiet_NaN();
-    } else {
-      take(given<false>(same));
+    try {
+      read(of, std::move(same), is_set_later);
+    } catch (const std::exception& thrown) { // by a distribution of the user
+      mistake_ = thrown.what();
     }
   }
 
@@ -58,6 +44,32 @@ public:
   }
 
 private:
+  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+  static constexpr compiled::symbol_range range = compiled::range_of(which, known);
+
+  void read(const runs& of, std::vector<named_value> same, bool is_set_later) {
+    const run_values first(of, 0);
+    for (std::size_t i = 0; i < of.varied().size(); ++i) {
+      const varied_name& what = of.varied()[i];
+      if (what.is_factor()) continue;
+      for (int k = 0; k < range.size; ++k)
+        if (known.names[range.first + k].view() == what.name()) {
+          places_.emplace_back(i, k);
+          // Where a number is not finite the run fails, the first like others.
+          same.push_back({what.name(), std::isfinite(first.all()[i]) ? first.all()[i] : 0.0});
+        }
+    }
+    if (is_set_later) {
+      take(given<true>(same));
+      for (int k = 0; k < range.size; ++k)
+        if (const int place = range.first + k;
+            !known.dependent[place] && !is_told(known.names[place].view(), same))
+          values_(k) = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      take(given<false>(same));
+    }
+  }
+
   template <class Given>
   void take(const Given& told) {
     values_ = told.values;
@@ -120,7 +132,10 @@ struct given_to_systems {
 private:
   static std::string mistake_in(const runs& all) {
     for (const varied_name& each : all.varied())
-      if (!each.is_factor() && !is_symbol(each.name()))
+      if (each.is_factor() && is_symbol(each.name()))
+        return "the factor " + each.name() + " is called as a symbol of the system " +
+               std::string(type_name<System>());
+      else if (!each.is_factor() && !is_symbol(each.name()))
         return "the system " + std::string(type_name<System>()) + " has no " + each.name() +
                " that could differ from run to run; if it is none of its symbols, it is a factor, factor{\"" +
                each.name() + "\"}, or of a table runs_of(table, {factor{\"" + each.name() + "\"}})";

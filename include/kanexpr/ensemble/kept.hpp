@@ -4,6 +4,7 @@
 #include <kanexpr/ensemble/extreme.hpp>
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
+#include <kanexpr/simulate/input_source.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #include <concepts>
@@ -18,9 +19,18 @@ namespace kanexpr {
 template <class System>
 struct ended_run {
   const run_values& given;
-  const simulation<System>& run;
+  const simulation<System>& run; ///< with the samples that it was asked for
   const parameter_values<System>& p;
-  const input_values<System>& r; ///< where it ended
+  const input_values<System>& r;             ///< where it ended
+  const kanexpr::trajectory<System>& motion; ///< every step
+  const input_source<System>& inputs;
+
+  /// Between the steps, with the inputs as they are there.
+  sample<System> at(double t) const {
+    sample<System> found = *motion.at(t);
+    inputs.give(t, found.x, found.r);
+    return found;
+  }
 };
 
 template <class System, class Number>
@@ -35,6 +45,7 @@ struct kept {
   bool needs_samples = false;  ///< those that the simulation is asked for
   bool may_be_missing = false; ///< not a number then
   std::string event{};         ///< of which it speaks
+  std::string text{};          ///< by which a study is known again, beside the name
 };
 
 namespace ensembles {
@@ -77,28 +88,36 @@ struct kept_expression {
   operator kept<System>() const {
     using watched = ensembles::watched<expression>;
     if constexpr (when == in_time::at_end) {
-      return {what, [](const ended_run<System>& ended) {
-                return watched::template at<System>(ended.run.time, ended.run.state, ended.p, ended.r);
-              }};
+      const auto of = [](const ended_run<System>& ended) {
+        return watched::template at<System>(ended.run.time, ended.run.state, ended.p, ended.r);
+      };
+      return {what, of, false, false, false, {}, text()};
     } else {
       const auto of = [](const ended_run<System>& ended) {
         constexpr double sign = when == in_time::greatest ? 1 : -1;
-        return sign * greatest_along(ended.run.trajectory, [&](const sample<System>& s) {
-                 return sign * watched::template at<System>(s.t, s.x, ended.p, s.r);
-               });
+        return sign * greatest_along(
+                          ended.motion, [&](double t) { return ended.at(t); },
+                          [&](const sample<System>& s) {
+                            return sign * watched::template at<System>(s.t, s.x, ended.p, s.r);
+                          });
       };
-      return {what, of, true};
+      return {what, of, true, false, false, {}, text()};
     }
   }
   template <class System, class Number>
   operator kept_in_steps<System, Number>() const {
-    return {what, when, [](double t, const auto& x, const auto& p, const auto& r) {
-              if constexpr (watched<expression>::is_scalar)
-                return function<System, expression>{}(static_cast<Number>(t), x, p, r);
-              else
-                return x[0];
-            }};
+    const auto of = [](double t, const auto& x, const auto& p, const auto& r) {
+      if constexpr (watched<expression>::is_scalar)
+        return function<System, expression>{}(static_cast<Number>(t), x, p, r);
+      else
+        return x[0];
+    };
+    return {what, when, of, text()};
   }
+
+private:
+  /// By which it is known from others.
+  static const char* text() { return __PRETTY_FUNCTION__; }
 };
 
 enum class of_event { first_time, last_time, count };
@@ -116,7 +135,7 @@ struct kept_event {
         if (each.name == name && (++count, asked != of_event::first_time || count < 2)) time = each.t;
       return asked == of_event::count ? count : time;
     };
-    return {what, of, false, false, asked != of_event::count, event};
+    return {what, of, false, false, asked != of_event::count, event, __PRETTY_FUNCTION__};
   }
 };
 

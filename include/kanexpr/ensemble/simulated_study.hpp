@@ -9,7 +9,6 @@
 #include <kanexpr/simulate/simulate.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -38,10 +37,19 @@ public:
   const std::string& mistake() const { return mistake_; }
   /// By what it is known from others, beside its layout.
   std::string text() const {
-    bytes_writer numbers;
-    for (double each : {told_.span.from, told_.span.to, told_.simulation.relative_tolerance})
-      numbers.put(each);
-    return given_.text(told_) + numbers.bytes();
+    const simulation_options<System>& o = told_.simulation;
+    bytes_writer all;
+    for (double each :
+         {told_.span.from, told_.span.to, o.relative_tolerance, o.absolute_tolerance.value_or(0),
+          o.output_every, o.first_step, o.least_step, o.greatest_step})
+      all.put(each);
+    all.put(static_cast<int>(by)), all.put(o.most_steps), all.put(o.output_times);
+    for (const named_value& each : o.absolute_tolerances) all.put(each.what.name()), all.put(each.value);
+    for (const event<System>& each : o.events) all.put(each.name), all.put(static_cast<int>(each.direction));
+    if (const auto& inputs = o.inputs.constants())
+      for (Eigen::Index i = 0; i < inputs->values.size(); ++i) all.put(inputs->values(i));
+    for (const kept<System>& each : told_.keep) all.put(each.text);
+    return given_.text(told_) + all.bytes();
   }
 
   const study_layout& layout() const override { return layout_; }
@@ -58,6 +66,7 @@ private:
     if (given_.gives_inputs && told_.simulation.inputs.mistake().view().empty())
       return "the inputs are told twice, by the study and by the options of its simulations";
     if (std::string mistake = mistake_in(layout_.columns); !mistake.empty()) return mistake;
+    if (told_.keep_events && layout_.events.empty()) return "the study has no events that it could keep";
     if (told_.for_each_run) return mistake_in_function();
     simulation_options<System> options = told_.simulation;
     options.keep = true;
@@ -66,9 +75,13 @@ private:
     if (std::string mistake = simulated::check_options(simulated::settings_of(options), told_.span);
         !mistake.empty())
       return mistake;
+    return mistake_in_events(told_.simulation);
+  }
+
+  std::string mistake_in_events(const simulation_options<System>& options) const {
     for (const kept<System>& each : told_.keep)
-      if (!each.event.empty() && std::ranges::find(told_.simulation.events, each.event,
-                                                   &event<System>::name) == told_.simulation.events.end())
+      if (!each.event.empty() &&
+          std::ranges::find(options.events, each.event, &event<System>::name) == options.events.end())
         return "the simulations of the study have no event " + each.event;
     return {};
   }
@@ -87,7 +100,7 @@ private:
   simulation_setup<System> setup(const run_values& given) const {
     simulation_setup<System> one{given_.in(given), told_.simulation};
     const input_values<System> before = one.r;
-    if (told_.for_each_run) told_.for_each_run(given, one);
+    if (auto change = told_.for_each_run) change(given, one);
     const bool changes_inputs = std::memcmp(before.data(), one.r.data(),
                                             static_cast<std::size_t>(before.size()) * sizeof(double)) != 0;
     if (given_.gives_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
@@ -97,9 +110,11 @@ private:
   finished_run run_one(std::size_t run) const {
     finished_run done;
     done.run = run;
-    done.values = study_columns::row_of(layout_, run, told_.runs);
+    done.values = study_columns::row_of(layout_, run);
     try {
-      simulate_one(run_values(told_.runs, run), done);
+      const run_values given(told_.runs, run);
+      study_columns::begin(done, given);
+      simulate_one(given, done);
     } catch (const std::exception& thrown) {
       done.fail(thrown.what());
     } catch (...) {
@@ -114,44 +129,72 @@ private:
     simulation_options<System>& options = one.options;
     const parameter_values<System>& p = one.p;
     done.stand_at(told_.span.from, one.x);
+    if (std::string mistake = mistake_in_events(options); !mistake.empty())
+      return done.fail(std::move(mistake));
+    if (!needs_motion_ && !needs_samples_ && !told_.keep_trajectories && !options.each_sample)
+      options.output_every = 0, options.output_times = {told_.span.to}, options.keep = true;
     const std::vector<double> times = options.output_times;
     const simulated::output_schedule asked(told_.span, options.output_every, times);
-    if (needs_motion_)
+    const auto each_sample = options.each_sample;
+    const bool shows_others = needs_motion_ && !asked.takes_each_step();
+    if (needs_motion_) {
+      if (std::string mistake = simulated::check_options(simulated::settings_of(options), told_.span);
+          !mistake.empty())
+        return done.fail(std::move(mistake));
       options.output_every = 0, options.output_times.clear(), options.keep = options.dense = true;
-    else if (!needs_samples_ && !told_.keep_trajectories && !options.each_sample)
-      options.output_every = 0, options.output_times = {told_.span.to}, options.keep = true;
+      if (shows_others) options.each_sample = {};
+    }
     const simulation<System> ended =
         simulate<System, by>(given_state<System>(one.x), given_parameters<System>(p), told_.span, options);
     done.stand_at(ended.time, ended.state);
     done.end = !ended                   ? run_end::failed
                : ended.stopped_by_event ? run_end::stopped_by_event
                                         : run_end::reached_end;
-    keep_lists(ended, asked, done);
-    if (!ended) {
-      done.failure = ended.cause();
-      return;
-    }
+    if (!ended) done.failure = ended.cause();
     input_values<System> r;
-    options.inputs.give(ended.time, ended.state, r);
-    keep_numbers({given, ended, p, r}, done);
+    if (ended) options.inputs.give(ended.time, ended.state, r);
+    if (shows_others) {
+      const simulation<System> shown = sampled(ended, p, options.inputs, asked, each_sample);
+      keep_all({given, shown, p, r, ended.trajectory, options.inputs}, done);
+    } else {
+      keep_all({given, ended, p, r, ended.trajectory, options.inputs}, done);
+    }
+  }
+
+  /// The same simulation with the samples that it was asked for, of one with every step.
+  static simulation<System> sampled(const simulation<System>& of, const parameter_values<System>& p,
+                                    const input_source<System>& inputs, simulated::output_schedule asked,
+                                    const std::function<void(const sample<System>&)>& each_sample) {
+    simulation<System> shown;
+    shown.trajectory = trajectory<System>(p);
+    shown.events = of.events, shown.statistics = of.statistics, shown.time = of.time, shown.state = of.state;
+    shown.stopped_by_event = of.stopped_by_event, shown.failure = of.failure;
+    for (; !asked.is_over() && asked.next() <= of.time; asked.pass())
+      if (auto found = of.trajectory.at(asked.next())) {
+        inputs.give(found->t, found->x, found->r);
+        shown.trajectory.add(*found);
+        if (each_sample) each_sample(*found);
+      }
+    return shown;
+  }
+
+  void keep_all(const ended_run<System>& ended, finished_run& done) const {
+    keep_lists(ended.run, done);
+    if (done.end != run_end::failed) keep_numbers(ended, done);
   }
 
   void keep_numbers(const ended_run<System>& ended, finished_run& done) const {
     double* to = study_columns::kept_in(layout_, done);
     for (const kept<System>& each : told_.keep) {
       *to = each.of(ended);
-      if (std::isnan(*to++) && !each.may_be_missing) return done.fail(each.what.name + " is not a number");
+      if (elementary::detail::is_nan(*to++) && !each.may_be_missing)
+        return done.fail(each.what.name + " is not a number");
     }
   }
 
-  void keep_lists(const simulation<System>& ended, simulated::output_schedule asked,
-                  finished_run& done) const {
-    if (told_.keep_trajectories && needs_motion_ && !asked.takes_each_step()) {
-      for (; !asked.is_over() && asked.next() <= ended.time; asked.pass())
-        if (const auto found = ended.trajectory.at(asked.next())) keep_sample(*found, done);
-    } else if (told_.keep_trajectories) {
+  void keep_lists(const simulation<System>& ended, finished_run& done) const {
+    if (told_.keep_trajectories)
       for (const sample<System>& each : ended.trajectory) keep_sample(each, done);
-    }
     if (!told_.keep_events) return;
     for (const occurrence& each : ended.events) {
       const auto found = std::ranges::find(layout_.events, each.name);

@@ -44,7 +44,8 @@ public:
     bytes_writer numbers;
     numbers.put(told_.step), numbers.put(told_.steps), numbers.put(told_.start),
         numbers.put(told_.look_every);
-    return given_.text(told_) + numbers.bytes();
+    for (const auto& each : told_.keep) numbers.put(each.text);
+    return given_.text(told_) + numbers.bytes() + __PRETTY_FUNCTION__; // which names the step
   }
 
   const study_layout& layout() const override { return layout_; }
@@ -69,7 +70,8 @@ private:
     if (told_.for_each_run) try {
         const run_values first(told_.runs, 0);
         run_setup<System> one = given_.in(first);
-        told_.for_each_run(first, one);
+        auto change = told_.for_each_run;
+        change(first, one);
       } catch (const no_such_value& asked) {
         return asked.what();
       } catch (...) { // that is the run's own
@@ -93,21 +95,34 @@ private:
       for (std::size_t lane = 0; lane < lanes; ++lane)
         if (lane >= count || !is_sound(done[lane])) copy(static_cast<std::size_t>(sound - done), lane, of);
       moving all(of.x, 0, static_cast<Eigen::Index>(lanes), of.p, inputs_of(of), told_.start);
-      move(all, of, count, done);
+      try {
+        move(all, of, count, done);
+      } catch (const std::exception& thrown) {
+        fail_all(thrown.what(), count, done);
+      } catch (...) {
+        fail_all("something was thrown that is no std::exception", count, done);
+      }
     }
     for (std::size_t lane = 0; lane < count; ++lane) study_columns::complete(told_, layout_, done[lane]);
+  }
+
+  /// What a function of the inputs throws at one of them it throws at all that go side by side.
+  static void fail_all(const std::string& why, std::size_t count, finished_run* done) {
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if (is_sound(done[lane])) done[lane].fail(why);
   }
 
   static bool is_sound(const finished_run& one) { return one.end != run_end::failed; }
 
   void begin(std::size_t run, std::size_t lane, lanes_of_runs& of, finished_run& done) const {
     done.run = run;
-    done.values = study_columns::row_of(layout_, run, told_.runs);
+    done.values = study_columns::row_of(layout_, run);
     try {
       const run_values given(told_.runs, run);
       const auto place = static_cast<Eigen::Index>(lane);
+      study_columns::begin(done, given);
       run_setup<System> one = given_.in(given);
-      if (told_.for_each_run) told_.for_each_run(given, one);
+      if (auto change = told_.for_each_run) change(given, one);
       auto& [x, p, r] = one;
       if constexpr (has_law) r = law_(told_.start, rounded<state<System, Number>>(x)).template cast<double>();
       done.stand_at(told_.start, x);
@@ -189,9 +204,10 @@ private:
       const number now = value(each, all);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const Number at = batches::lane_of(now, lane), before = batches::lane_of(of.extremes[i], lane);
-        const bool is_kept = is_first || each.when == in_time::at_end || std::isnan(at) ||
+        const bool is_kept = is_first || each.when == in_time::at_end || elementary::detail::is_nan(at) ||
                              (each.when == in_time::greatest ? at > before : at < before);
-        if (is_kept && !(std::isnan(before) && !is_first)) batches::set_lane(of.extremes[i], lane, at);
+        if (is_kept && !(elementary::detail::is_nan(before) && !is_first))
+          batches::set_lane(of.extremes[i], lane, at);
       }
     }
     if (told_.keep_trajectories) keep_samples(all, count, done);
@@ -219,7 +235,7 @@ private:
     double* to = study_columns::kept_in(layout_, done);
     for (std::size_t i = 0; i < told_.keep.size(); ++i) {
       to[i] = batches::lane_of(of.extremes[i], lane);
-      if (std::isnan(to[i])) return done.fail(told_.keep[i].what.name + " is not a number");
+      if (elementary::detail::is_nan(to[i])) return done.fail(told_.keep[i].what.name + " is not a number");
     }
   }
 

@@ -24,6 +24,7 @@ struct study {
   simulation_options<System> simulation = {}; ///< of all runs; its functions are called by many threads
 
   /// Changes a run by what it is given, as for a push, another controller, or parameters that go together.
+  /// Each run has a copy of it.
   std::function<void(const run_values&, simulation_setup<System>&)> for_each_run = {};
 
   std::vector<kept<System>> keep = {};

@@ -4,6 +4,7 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/ensemble/finished_run.hpp>
 #include <kanexpr/ensemble/layout.hpp>
+#include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/runs.hpp>
 
 #include <algorithm>
@@ -83,12 +84,15 @@ public:
     return found;
   }
 
-  /// A row of the table before its run, in which what will be kept is no number yet.
-  static std::vector<double> row_of(const study_layout& layout, std::size_t run, const runs& given) {
+  /// A row of the table before its run, in which nothing else is a number yet.
+  static std::vector<double> row_of(const study_layout& layout, std::size_t run) {
     std::vector<double> row(layout.columns.size(), std::numeric_limits<double>::quiet_NaN());
     row[0] = static_cast<double>(run);
-    given.values(run, row.data() + own);
     return row;
+  }
+  /// What the run is given.
+  static void begin(finished_run& done, const run_values& given) {
+    std::copy(given.all().begin(), given.all().end(), done.values.begin() + own);
   }
   /// After it, in the state where it ended: what was kept goes where the run failed.
   template <class Study>

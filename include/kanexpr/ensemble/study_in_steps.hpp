@@ -27,6 +27,7 @@ struct kept_in_steps {
                                               const typename side_by_side::template parameters<System>&,
                                               const typename side_by_side::template inputs<System>&)>
       of;
+  std::string text{}; ///< by which a study is known again, beside the name
 };
 
 /// A set of motions of one system in steps of a fixed length, and what is kept of each. In single precision,
@@ -43,7 +44,7 @@ struct study_in_steps {
   int steps = 0;
   double start = 0; ///< the time at which they begin
 
-  /// Changes a run by what it is given, as parameters that go together.
+  /// Changes a run by what it is given, as parameters that go together. Each run has a copy of it.
   std::function<void(const run_values&, run_setup<System>&)> for_each_run = {};
 
   std::vector<kept_in_steps<System, Number>> keep = {};

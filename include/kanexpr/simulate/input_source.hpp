@@ -39,13 +39,13 @@ public:
     requires(std::convertible_to<std::invoke_result_t<Controller, double, const state&>, inputs> &&
              !is_vector<Controller>)
   input_source(Controller control)
-      : give_([c = std::move(control)](double t, const state& x, inputs& r) { r = c(t, x); }),
+      : give_([c = std::move(control)](double t, const state& x, inputs& r) mutable { r = c(t, x); }),
         depends_on_state_(true) {}
 
   template <std::invocable<double> Function>
     requires(std::convertible_to<std::invoke_result_t<Function, double>, inputs> && !is_vector<Function>)
   input_source(Function of_time)
-      : give_([f = std::move(of_time)](double t, const state&, inputs& r) { r = f(t); }) {}
+      : give_([f = std::move(of_time)](double t, const state&, inputs& r) mutable { r = f(t); }) {}
 
   /// Puts constants that were given by name into their places, of a model whose symbols are known only while
   /// the program runs.
@@ -60,6 +60,8 @@ public:
     return constants_ ? constants_->mistake : none;
   }
   bool depends_on_state() const { return depends_on_state_; }
+  /// Those that are constant; nothing of a function.
+  const std::optional<given_inputs<System>>& constants() const { return constants_; }
 
   /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
   void give(double t, const state& x, inputs& r) const {

@@ -1,0 +1,115 @@
+// builds: g++
+// How studies are told.
+#include <kanexpr/ensemble.hpp>
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace simple_pendulum;
+
+// Without gravity and friction the angle is q + u t, and steps are long.
+study<System> turning(std::vector<grid_axis> axes) {
+  return {.runs = grid(std::move(axes)),
+          .parameters = {{m, 1}, {l, 1}, {g, 0}, {c, 0}},
+          .inputs = {{T, 0}},
+          .span = {0, 20}};
+}
+
+TEST(study, begins_functions_anew_with_every_run) {
+  study<System> told = turning({{u, evenly_spaced(0.1, 0.2, 200)}});
+  told.state = {{q, 0}};
+  told.span = {0, 1};
+  told.for_each_run = [calls = 0](const run_values&, simulation_setup<System>& one) mutable {
+    one.x[q] = ++calls;
+  };
+  told.inputs = {};
+  told.simulation.inputs = [begun = false](double, const state<System>& x) mutable {
+    const bool is_first = !begun;
+    begun = true;
+    return input_values<System>{{T, is_first && x[q] > 1.5 ? 1e6 : 0}};
+  };
+  told.keep = {at_end<q>()};
+  const auto found = ensemble<System>(told).run({.threads = 4});
+  ASSERT_TRUE(found) << found.cause();
+  for (std::size_t i = 0; i < 200; ++i) EXPECT_NEAR(found.runs["q_end"][i], 1 + found.runs["u"][i], 1e-6);
+}
+
+TEST(study, is_another_where_anything_of_it_differs) {
+  const auto text = [](const study<System>& told) {
+    return ensembles::simulated_study<System, integrator::adams>(told).text();
+  };
+  study<System> told = turning({{u, {1}}});
+  told.state = {{q, 0}};
+  told.keep = {at_end<q>("kept")};
+  const std::string first = text(told);
+  EXPECT_EQ(text(told), first);
+  const auto expect_other = [&](auto change) {
+    study<System> other = told;
+    change(other);
+    EXPECT_NE(text(other), first);
+  };
+  expect_other([](auto& s) { s.keep = {greatest<q>("kept")}; });
+  expect_other([](auto& s) { s.keep = {at_end<u>("kept")}; });
+  expect_other([](auto& s) { s.simulation.absolute_tolerance = 1e-9; });
+  expect_other([](auto& s) { s.simulation.absolute_tolerances = {{q, 1e-9}}; });
+  expect_other([](auto& s) { s.simulation.greatest_step = 0.1; });
+  expect_other([](auto& s) { s.simulation.output_every = 0.1; });
+  expect_other([](auto& s) { s.simulation.most_steps = 100; });
+  expect_other([](auto& s) { s.simulation.events = {when<System, q>("passes")}; });
+  expect_other([](auto& s) { s.inputs = {{T, std::nextafter(0, 1)}}; });
+  expect_other([](auto& s) { s.inputs = {}, s.simulation.inputs = {{T, 1}}; });
+  EXPECT_NE((ensembles::simulated_study<System, integrator::bdf>(told).text()), first);
+}
+
+TEST(study, says_what_of_it_cannot_be) {
+  const auto refusal = [](const study<System>& told) { return ensemble<System>(told).run().cause(); };
+  study<System> told = turning({{factor{"g"}, {1}}, {u, {1}}});
+  told.state = {{q, 0}};
+  EXPECT_EQ(refusal(told), "the factor g is called as a symbol of the system System");
+  told.runs = grid({{u, {1}}});
+  told.keep_events = true;
+  EXPECT_EQ(refusal(told), "the study has no events that it could keep");
+  told.keep_events = false;
+  told.runs = random_runs(
+      3, {{u, distribution("none", [](double) -> double { throw std::runtime_error("no number"); })}}, 1);
+  EXPECT_EQ(refusal(told), "no number");
+  told.runs = random_runs(3,
+                          {{u, distribution("some",
+                                            [](double part) {
+                                              if (part > 0.5) throw std::runtime_error("no number");
+                                              return part;
+                                            })}},
+                          5);
+  const auto found = ensemble<System>(told).run();
+  EXPECT_TRUE(found.failed > 0 || found.cause() == "no number");
+  told.runs = grid({{u, {1, 2}}});
+  told.for_each_run = [](const run_values&, auto&) {};
+  told.keep = {times_of("flip", "flips")};
+  EXPECT_EQ(refusal(told),
+            "all 2 runs failed, the first of them: the simulations of the study have no event flip");
+}
+
+TEST(study, in_steps_survives_a_law_that_throws) {
+  study_in_steps<runge_kutta_4<System>> told{.runs = grid({{u, evenly_spaced(0.5, 1.5, 9)}}),
+                                             .state = {{q, 0}},
+                                             .parameters = {{m, 1}, {l, 1}, {g, 0}, {c, 0}},
+                                             .step = 0.1,
+                                             .steps = 10};
+  const auto law = [](double, const state<System>& x) {
+    if (x[q] > 1.25) throw std::runtime_error("too far");
+    return input_values<System>{{T, 0}};
+  };
+  const auto found = ensemble_in_steps(told, law).run({.threads = 1});
+  ASSERT_TRUE(found) << found.cause();
+  EXPECT_GT(found.failed, 0u);
+  EXPECT_EQ(found.failures.back().run, 8u);
+  EXPECT_EQ(found.failures.back().cause, "too far");
+}
+
+} // namespace
