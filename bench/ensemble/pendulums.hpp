@@ -35,7 +35,8 @@ inline study<System> in_full(std::size_t count) {
           .keep = {at_end<q1>("q1_end"), at_end<q2>("q2_end")}};
 }
 
-inline study_in_steps<runge_kutta_4<System>> in_steps(std::size_t count) {
+template <class Number = double>
+study_in_steps<runge_kutta_4<System>, Number> in_steps(std::size_t count) {
   return {.runs = starts(count),
           .state = at_rest,
           .parameters = bars,

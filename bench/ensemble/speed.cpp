@@ -115,14 +115,15 @@ int main(int count, char** words) {
   const std::size_t runs = count > 1 ? std::strtoul(words[1], nullptr, 10) : 16;
   const int turns = count > 2 ? std::atoi(words[2]) : 301;
   const ensemble<System> study(in_full(runs));
-  const ensemble_in_steps<runge_kutta_4<System>> stepped(in_steps(runs));
+  const ensemble_in_steps stepped(in_steps(runs));
+  const ensemble_in_steps single(in_steps<float>(runs));
 
   double load[3];
   if (getloadavg(load, 3) == 3) std::printf("load of the machine before\t%.1f\n", load[0]);
   std::printf("%zu runs, %d turns\n", runs, turns);
 
   spread overhead, speedup, of_two_loops, rate, waste;
-  spread lanes, scalar_rate, lane_rate, over_simulate;
+  spread lanes, single_lanes, scalar_rate, lane_rate, over_simulate;
   sum found[5]{};
   for (int turn = 0; turn < turns; ++turn) {
     const taken bare = time_of([&] { found[0] = bare_simulations(runs); });
@@ -131,6 +132,7 @@ int main(int count, char** words) {
     const taken loops = time_of([&] { in_two_processes(runs); });
     const taken scalar = time_of([&] { found[3] = bare_steps(runs); });
     const taken side_by_side = time_of([&] { found[4] = of_table(stepped.run({.threads = 1})); });
+    const taken in_single = time_of([&] { of_table(single.run({.threads = 1})); });
     const auto number = static_cast<double>(runs);
     overhead.all.push_back(100 * (one.processor / bare.processor - 1));
     speedup.all.push_back(one.wall / two.wall);
@@ -138,6 +140,7 @@ int main(int count, char** words) {
     waste.all.push_back(100 * (two.processor / one.processor - 1));
     rate.all.push_back(number / one.processor);
     lanes.all.push_back(scalar.processor / side_by_side.processor);
+    single_lanes.all.push_back(scalar.processor / in_single.processor);
     scalar_rate.all.push_back(number / scalar.processor);
     lane_rate.all.push_back(number / side_by_side.processor);
     over_simulate.all.push_back(one.processor / side_by_side.processor);
@@ -153,5 +156,6 @@ int main(int count, char** words) {
   scalar_rate.print("fixed steps of 1 ms, one by one", " runs/s");
   lane_rate.print("fixed steps of 1 ms, side by side", " runs/s");
   lanes.print("side by side beside one by one", " times");
+  single_lanes.print("the same of single precision", " times");
   over_simulate.print("side by side beside simulations", " times");
 }
