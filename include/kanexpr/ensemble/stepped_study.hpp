@@ -218,11 +218,11 @@ private:
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (!is_sound(done[lane])) continue;
       const auto x = all.state_in(lane);
-      const auto r = all.at_present([&](double now, const auto& at, const auto&, const auto& inputs) {
+      const auto r = all.at_present([&](double now, const auto& at, const auto&, const auto& held) {
         if constexpr (has_law)
           return side_by_side_::get(inputs_by_law(now, at), lane);
         else
-          return side_by_side_::get(inputs, lane);
+          return side_by_side_::get(held, lane);
       });
       done[lane].samples.push_back(t);
       done[lane].samples.insert(done[lane].samples.end(), x.data(), x.data() + x.size());
