@@ -15,6 +15,7 @@ foreach(file IN LISTS files)
 endforeach()
 list(FILTER others EXCLUDE REGEX "<kanexpr/")
 list(REMOVE_DUPLICATES others)
+list(TRANSFORM others REPLACE "#include (<.+>)" "#if __has_include(\\1)\n#include \\1\n#endif") # of another version
 list(JOIN others "\n" others)
 file(WRITE ${folder}/others_headers.hpp "${others}\n")
 
