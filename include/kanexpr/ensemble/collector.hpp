@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/ensemble_options.hpp>
 #include <kanexpr/ensemble/ensemble_results.hpp>
@@ -42,6 +43,7 @@ private:
   const study_layout& layout_;
   const std::string known_by_;
   const ensemble_options& options_;
+  checkpoint_file checkpoint_{};
   ensemble_results found_{};
   std::vector<std::vector<double>> columns_{};
   std::vector<std::size_t> reduced_{}; ///< the column of each reduction

@@ -65,13 +65,14 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
   }
   columns_.resize(options_.hold ? layout_.columns.size() : 0);
   if (options_.checkpoint) {
-    noted before = read_note(options_.checkpoint->text());
+    if (outcome held = checkpoint_.hold(options_.checkpoint->text()); !held) return held;
+    const noted before = checkpoint_.read();
     if (!before) return before;
     if (before.content && !before.content->empty()) return go_on_from(*before.content);
     // Before anything else is written: a checkpoint that cannot be is no surprise after an hour. An empty one
     // stays where the program ends right then.
-    if (outcome can = note(options_.checkpoint->text(), {}); !can) return can;
-    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) return gone;
+    if (outcome can = checkpoint_.write({}); !can) return can;
+    if (outcome gone = checkpoint_.remove(); !gone) return gone;
   }
   for (const auto& each : options_.files) {
     if (outcome begun = each->begin(layout_); !begun) return begun;
@@ -134,7 +135,7 @@ KANEXPR_ENSEMBLES outcome collector::note_now() {
   for (const std::vector<double>& each : columns_) all.put(each);
   all.put(held_.size());
   for (const finished_run& each : held_) each.write(all);
-  outcome done = note(options_.checkpoint->text(), all.bytes());
+  outcome done = checkpoint_.write(all.bytes());
   noted_ = std::chrono::steady_clock::now();
   return done;
 }
@@ -172,7 +173,7 @@ KANEXPR_ENSEMBLES ensemble_results collector::end() {
   for (std::size_t i = 0; i < begun_; ++i)
     if (outcome ended = options_.files[i]->end(); !ended && found_.failure.empty()) fail(ended);
   if (options_.checkpoint && found_.failure.empty() && found_.done == found_.planned)
-    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) fail(gone);
+    if (outcome gone = checkpoint_.remove(); !gone) fail(gone);
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (outcome added = found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); !added) fail(added);
   for (const finished_run& each : held_) {
