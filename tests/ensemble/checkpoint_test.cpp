@@ -247,6 +247,32 @@ TEST(results, are_told_of_as_they_come) {
   EXPECT_EQ(told.back(), 100);
 }
 
+TEST(results, end_with_a_sentence_whatever_is_thrown) {
+  enum class step { begin, take, end };
+  struct thrower final : results_file {
+    step at;
+    explicit thrower(step when) : at(when) {}
+    outcome throw_at(step now) const {
+      if (now == at) throw 5;
+      return {};
+    }
+    outcome begin(const study_layout&) override { return throw_at(step::begin); }
+    outcome go_on(const study_layout&, const std::string&) override { return {}; }
+    outcome take(const finished_run&) override { return throw_at(step::take); }
+    outcome flush(std::string&) override { return {}; }
+    outcome end() override { return throw_at(step::end); }
+  };
+  const auto cause = [](const ensemble_options& options) {
+    ensembles::on_threads crew;
+    return crew.run(squares(100), "", options).cause();
+  };
+  const std::string expected = "the results of the study could not be taken: what was thrown is no "
+                               "std::exception";
+  EXPECT_EQ(cause({.progress = [](double, double, double) { throw 5; }}), expected);
+  for (const step each : {step::begin, step::take, step::end})
+    EXPECT_EQ(cause({.files = {std::make_shared<thrower>(each)}}), expected);
+}
+
 TEST(results, that_progress_throws_at_are_kept) {
   ensembles::on_threads crew;
   const auto found = crew.run(

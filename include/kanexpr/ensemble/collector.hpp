@@ -34,6 +34,7 @@ public:
 
 private:
   outcome begin_files();
+  outcome take_all(std::vector<finished_run>&& runs);
   void take_one(finished_run&& one);
   outcome note_now();
   outcome go_on_from(const std::string& noted);
