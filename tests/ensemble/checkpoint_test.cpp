@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -93,7 +97,7 @@ TEST_F(checkpoint, is_where_an_interrupted_study_goes_on) {
   EXPECT_GT(second.done, first.done);
   EXPECT_FALSE(second);
   expect_whole(run(0, 5));
-  EXPECT_FALSE(files::exists(path)); // it is done
+  EXPECT_TRUE(files::is_empty(folder)); // it is done
 }
 
 TEST_F(checkpoint, of_another_study_is_refused) {
@@ -118,14 +122,92 @@ TEST_F(checkpoint, that_is_damaged_is_refused) {
   EXPECT_EQ(run().cause(), path + " is damaged");
   std::ofstream(path) << "t,q\n0,1\n";
   EXPECT_EQ(run().cause(), path + " is not a checkpoint of a study");
-  files::resize_file(path, 0);
-  EXPECT_EQ(run().cause(), path + " is not a checkpoint of a study");
+}
+
+TEST_F(checkpoint, that_is_empty_begins_anew) {
+  std::ofstream(path).close();
+  static_cast<void>(run(100));
+  EXPECT_GT(files::file_size(path), 0u);
+  expect_whole(run());
+}
+
+TEST_F(checkpoint, at_a_path_that_cannot_be_one_is_refused) {
+  const auto cause_at = [](const std::string& at) {
+    ensembles::on_threads crew;
+    return crew.run(squares(10), "by this", {.checkpoint = at}).cause();
+  };
+  EXPECT_EQ(cause_at(""), "the path of the checkpoint is empty");
+  for (const std::string& each : {folder.string(), folder.string() + '/', std::string(".")})
+    EXPECT_EQ(cause_at(each), each + " is a folder, not a checkpoint");
+  EXPECT_EQ(cause_at("/dev/null"), "/dev/null is no file that could be replaced");
+  EXPECT_TRUE(files::is_empty(folder));
+}
+
+TEST_F(checkpoint, stays_where_it_was_when_the_program_changes_its_folder) {
+  const files::path before = files::current_path(), elsewhere = folder / "elsewhere";
+  files::create_directory(elsewhere);
+  files::current_path(folder);
+  std::stop_source stop;
+  ensembles::on_threads crew;
+  const auto found = crew.run(squares(count), "by this",
+                              {.threads = 1,
+                               .reduce = {statistics_of("square"), quantiles_of("square")},
+                               .checkpoint = files::path(path).filename(),
+                               .checkpoint_every = 0,
+                               .progress =
+                                   [&](double done, double, double) {
+                                     files::current_path(elsewhere);
+                                     if (done > 100) stop.request_stop();
+                                   },
+                               .stop = stop.get_token()});
+  files::current_path(before);
+  EXPECT_LT(found.done, count);
+  EXPECT_TRUE(files::is_empty(elsewhere));
+  expect_whole(run());
+}
+
+TEST_F(checkpoint, serves_one_study_at_a_time) {
+  static_cast<void>(run(100));
+  std::vector<std::string> causes;
+  ensembles::on_threads crew;
+  const auto first = crew.run(squares(count), "by this",
+                              {.threads = 1,
+                               .reduce = {statistics_of("square"), quantiles_of("square")},
+                               .checkpoint = path,
+                               .checkpoint_every = 0,
+                               .progress = [&](double, double, double) { causes.push_back(run().cause()); }});
+  expect_whole(first);
+  EXPECT_THAT(causes, testing::Each(path + " is in use by another study"));
+  EXPECT_TRUE(files::is_empty(folder));
+}
+
+TEST_F(checkpoint, does_not_mind_what_a_killed_study_left) {
+  const ::pid_t other = ::fork();
+  if (other == 0) {
+    ensembles::on_threads crew;
+    static_cast<void>(crew.run(squares(count), "by this",
+                               {.threads = 1,
+                                .reduce = {statistics_of("square"), quantiles_of("square")},
+                                .checkpoint = path,
+                                .checkpoint_every = 0,
+                                .progress = [](double done, double, double) {
+                                  if (done > 100) std::raise(SIGKILL);
+                                }}));
+    ::_exit(1);
+  }
+  int how = 0;
+  ASSERT_EQ(::waitpid(other, &how, 0), other);
+  ASSERT_TRUE(WIFSIGNALED(how));
+  EXPECT_TRUE(files::exists(path + ".lock"));
+  EXPECT_GT(run(1).done, 1u); // it goes on
+  expect_whole(run());
+  EXPECT_TRUE(files::is_empty(folder));
 }
 
 TEST_F(checkpoint, that_cannot_be_written_is_told_before_the_first_run) {
   files::remove_all(folder);
   const auto found = run();
-  EXPECT_EQ(found.cause(), path + ".new cannot be written: No such file or directory");
+  EXPECT_EQ(found.cause(), path + " cannot be written: No such file or directory");
   EXPECT_EQ(found.done, 0u);
 }
 
@@ -163,6 +245,32 @@ TEST(results, are_told_of_as_they_come) {
   ASSERT_TRUE(found);
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_EQ(told.back(), 100);
+}
+
+TEST(results, end_with_a_sentence_whatever_is_thrown) {
+  enum class step { begin, take, end };
+  struct thrower final : results_file {
+    step at;
+    explicit thrower(step when) : at(when) {}
+    outcome throw_at(step now) const {
+      if (now == at) throw 5;
+      return {};
+    }
+    outcome begin(const study_layout&) override { return throw_at(step::begin); }
+    outcome go_on(const study_layout&, const std::string&) override { return {}; }
+    outcome take(const finished_run&) override { return throw_at(step::take); }
+    outcome flush(std::string&) override { return {}; }
+    outcome end() override { return throw_at(step::end); }
+  };
+  const auto cause = [](const ensemble_options& options) {
+    ensembles::on_threads crew;
+    return crew.run(squares(100), "", options).cause();
+  };
+  const std::string expected = "the results of the study could not be taken: what was thrown is no "
+                               "std::exception";
+  EXPECT_EQ(cause({.progress = [](double, double, double) { throw 5; }}), expected);
+  for (const step each : {step::begin, step::take, step::end})
+    EXPECT_EQ(cause({.files = {std::make_shared<thrower>(each)}}), expected);
 }
 
 TEST(results, that_progress_throws_at_are_kept) {

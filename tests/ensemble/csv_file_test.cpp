@@ -64,6 +64,31 @@ TEST(csv_file, goes_on_where_a_study_was_noted) {
   EXPECT_EQ(text_of(path), text_of(whole));
 }
 
+TEST(csv_file, does_not_go_on_behind_the_rows_of_another_study) {
+  const std::string path = TempDir() + "noted.csv", other = TempDir() + "other.csv";
+  const written::study known(5000, false);
+  kanexpr::ensemble_options options{
+      .threads = 1, .files = {csv_file(path)}, .checkpoint = TempDir() + "noted.checkpoint"};
+  ASSERT_FALSE(written::run(known, stopped().after(2000, options)));
+  const std::string noted = text_of(path);
+  std::string rows = noted;
+  rows[rows.rfind(',') - 1] ^= 1; // a digit
+  rows += rows.substr(rows.find('\n') + 1);
+  std::ofstream(path, std::ios::binary) << rows;
+  std::ofstream(other, std::ios::binary) << rows;
+  EXPECT_EQ(written::run(known, options).cause(),
+            path + " does not hold what it held when the study was noted");
+  options.files = {csv_file(other)};
+  EXPECT_EQ(written::run(known, options).cause(),
+            other + " does not hold what " + path + " held when the study was noted");
+  EXPECT_EQ(text_of(path), rows); // as they were
+  EXPECT_EQ(text_of(other), rows);
+
+  std::ofstream(other, std::ios::binary) << noted; // moved
+  const auto rest = written::run(known, options);
+  EXPECT_TRUE(rest) << rest.cause();
+}
+
 TEST(csv_file, says_what_it_cannot) {
   const written::study known(10, false);
   const auto cause = [&](const std::string& path, bool keeps_all = false) {

@@ -13,15 +13,35 @@ namespace kanexpr::ensembles {
 
 /// What was noted of a study, or why it cannot be read.
 struct noted : outcome {
-  std::optional<std::string> content{}; ///< none: there is no file
+  std::optional<std::string> content{}; ///< none: there is no file, or nothing in it
   noted() = default;
   explicit noted(outcome failed) : outcome(std::move(failed)) {}
 };
 
-/// Replaces a file by another content, whole or not at all, also if the machine stops meanwhile.
-KANEXPR_ENSEMBLES outcome note(const std::string& path, const std::string& content);
-KANEXPR_ENSEMBLES noted read_note(const std::string& path);
-KANEXPR_ENSEMBLES outcome remove_note(const std::string& path);
+/// The file in which a study is noted, held against other studies as long as the object lives. It stays the
+/// same one where the program changes its folder.
+class checkpoint_file {
+public:
+  checkpoint_file() = default;
+  checkpoint_file(const checkpoint_file&) = delete;
+  checkpoint_file& operator=(const checkpoint_file&) = delete;
+  KANEXPR_ENSEMBLES ~checkpoint_file();
+
+  /// Once, before all else.
+  KANEXPR_ENSEMBLES outcome hold(const std::string& path);
+  KANEXPR_ENSEMBLES noted read() const;
+  /// Replaces it by another content, whole or not at all, also if the machine stops meanwhile.
+  KANEXPR_ENSEMBLES outcome write(const std::string& content) const;
+  KANEXPR_ENSEMBLES outcome remove() const;
+
+private:
+  outcome failed(const char* what) const;
+  outcome check_kind() const;
+  std::string lock_name() const { return name_ + ".lock"; }
+
+  std::string path_{}, name_{}; ///< as it was given, and in its folder
+  int folder_ = -1, lock_ = -1;
+};
 
 /// A number that is another one for nearly all other contents.
 KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content);

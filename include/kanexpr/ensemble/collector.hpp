@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/ensemble_options.hpp>
 #include <kanexpr/ensemble/ensemble_results.hpp>
@@ -33,6 +34,7 @@ public:
 
 private:
   outcome begin_files();
+  outcome take_all(std::vector<finished_run>&& runs);
   void take_one(finished_run&& one);
   outcome note_now();
   outcome go_on_from(const std::string& noted);
@@ -42,6 +44,7 @@ private:
   const study_layout& layout_;
   const std::string known_by_;
   const ensemble_options& options_;
+  checkpoint_file checkpoint_{};
   ensemble_results found_{};
   std::vector<std::vector<double>> columns_{};
   std::vector<std::size_t> reduced_{}; ///< the column of each reduction

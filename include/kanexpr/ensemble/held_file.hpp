@@ -3,6 +3,8 @@
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace kanexpr::ensembles {
@@ -19,6 +21,8 @@ public:
   ~held_file() { release(); }
 
   KANEXPR_ENSEMBLES outcome hold(const std::string& path);
+  /// The bytes from there on, or as many as there are.
+  KANEXPR_ENSEMBLES std::string read(std::uint64_t from, std::size_t count) const;
   /// Has the system store what was written, so that it is there also after the machine stopped.
   KANEXPR_ENSEMBLES outcome store() const;
   KANEXPR_ENSEMBLES void release();

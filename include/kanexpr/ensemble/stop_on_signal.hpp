@@ -3,12 +3,8 @@
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 
 #include <csignal>
-#include <cstddef>
 #include <initializer_list>
 #include <stop_token>
-#include <thread>
-#include <utility>
-#include <vector>
 
 namespace kanexpr {
 
@@ -18,7 +14,8 @@ namespace kanexpr {
 ///     study.run({.checkpoint = "study.note", .stop = stop.token()});
 ///
 /// Runs that have begun are completed, and all that was done is kept. As long as the object lives, these
-/// signals do not end the program.
+/// signals do not end the program. Several may live at once, on any threads, and end in any order: a signal
+/// asks all of them that listen to it.
 class stop_on_signal {
 public:
   KANEXPR_ENSEMBLES explicit stop_on_signal(std::initializer_list<int> which = {SIGINT, SIGTERM, SIGUSR1});
@@ -30,10 +27,6 @@ public:
 
 private:
   std::stop_source source_{};
-  std::vector<std::pair<int, struct sigaction>> before_{}; ///< what each signal did
-  int ends_[2] = {-1, -1};                                 ///< of a pipe, to read and to write
-  int written_to_before_ = -1;
-  std::thread listens_{};
 };
 
 } // namespace kanexpr

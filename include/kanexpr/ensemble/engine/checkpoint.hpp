@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <cstring>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace kanexpr::ensembles {
@@ -29,16 +31,54 @@ KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content) {
   return sum;
 }
 
-inline outcome failed(const std::string& path, const char* what) {
-  return outcome(path + ' ' + what + ": " + std::generic_category().message(errno));
-}
-
 inline constexpr std::string_view kind_of_note = "kanexpr checkpoint 1\n";
 
-KANEXPR_ENSEMBLES outcome note(const std::string& path, const std::string& content) {
-  const std::string beside = path + ".new";
-  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return failed(beside, "cannot be written");
+inline outcome checkpoint_file::failed(const char* what) const {
+  return outcome(path_ + ' ' + what + ": " + std::generic_category().message(errno));
+}
+
+KANEXPR_ENSEMBLES outcome checkpoint_file::hold(const std::string& path) {
+  if (path.empty()) return outcome("the path of the checkpoint is empty");
+  path_ = path;
+  const std::size_t folders = path.rfind('/') + 1; // 0: it has none
+  name_ = path.substr(folders);
+  const std::string folder = folders > 0 ? path.substr(0, folders) : ".";
+  folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (folder_ < 0) return failed("cannot be written");
+  if (outcome fits = check_kind(); !fits) return fits;
+  // A file beside it is locked, as it is itself replaced by each note. The lock goes with the program; the
+  // file goes with the study, and where it stays, the next study takes it.
+  for (;;) {
+    lock_ = ::openat(folder_, lock_name().c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (lock_ < 0) return failed("cannot be written");
+    const bool is_held = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct stat mine = {}, there = {};
+    const bool is_there = ::fstat(lock_, &mine) == 0 &&
+                          ::fstatat(folder_, lock_name().c_str(), &there, 0) == 0 &&
+                          mine.st_dev == there.st_dev && mine.st_ino == there.st_ino;
+    if (!is_held && is_there) return {};
+    ::close(std::exchange(lock_, -1));
+    if (is_held) return outcome(path_ + " is in use by another study");
+  }
+}
+
+KANEXPR_ENSEMBLES checkpoint_file::~checkpoint_file() {
+  if (lock_ >= 0) ::unlinkat(folder_, lock_name().c_str(), 0), ::close(lock_);
+  if (folder_ >= 0) ::close(folder_);
+}
+
+inline outcome checkpoint_file::check_kind() const {
+  struct stat what = {};
+  if (!name_.empty() && ::fstatat(folder_, name_.c_str(), &what, 0) != 0)
+    return errno == ENOENT ? outcome() : failed("cannot be opened");
+  if (name_.empty() || S_ISDIR(what.st_mode)) return outcome(path_ + " is a folder, not a checkpoint");
+  return S_ISREG(what.st_mode) ? outcome() : outcome(path_ + " is no file that could be replaced");
+}
+
+KANEXPR_ENSEMBLES outcome checkpoint_file::write(const std::string& content) const {
+  const std::string beside = name_ + ".new";
+  const int file = ::openat(folder_, beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return failed("cannot be written");
   bytes_writer sum;
   sum.put(sum_of(content));
   const std::string whole = std::string(kind_of_note) + sum.bytes() + content;
@@ -51,34 +91,41 @@ KANEXPR_ENSEMBLES outcome note(const std::string& path, const std::string& conte
       is_sound = count < 0 && errno == EINTR;
   }
   is_sound = is_sound && ::fsync(file) == 0;
-  outcome done = is_sound ? outcome() : failed(beside, "cannot be written");
-  if (::close(file) != 0 && done) done = failed(beside, "cannot be written");
-  if (done && std::rename(beside.c_str(), path.c_str()) != 0) done = failed(path, "cannot be replaced");
-  if (!done) ::unlink(beside.c_str());
+  outcome done = is_sound ? outcome() : failed("cannot be written");
+  if (::close(file) != 0 && done) done = failed("cannot be written");
+  if (done && ::renameat(folder_, beside.c_str(), folder_, name_.c_str()) != 0)
+    done = failed("cannot be replaced");
+  if (!done) ::unlinkat(folder_, beside.c_str(), 0);
   return done;
 }
 
-KANEXPR_ENSEMBLES noted read_note(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    if (errno == ENOENT) return {};
-    return noted(failed(path, "cannot be opened"));
-  }
-  std::string content(std::istreambuf_iterator<char>(in), {});
-  if (!content.starts_with(kind_of_note)) return noted(outcome(path + " is not a checkpoint of a study"));
+KANEXPR_ENSEMBLES noted checkpoint_file::read() const {
+  const int file = ::openat(folder_, name_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return errno == ENOENT ? noted() : noted(failed("cannot be opened"));
+  std::string content;
+  ::ssize_t count = 0;
+  char some[16384];
+  while ((count = ::read(file, some, sizeof some)) > 0 || (count < 0 && errno == EINTR))
+    if (count > 0) content.append(some, static_cast<std::size_t>(count));
+  const outcome done = count < 0 ? failed("cannot be read") : outcome();
+  ::close(file);
+  if (!done) return noted(done);
+  if (content.empty()) return {}; // as mktemp makes one
+  if (!content.starts_with(kind_of_note)) return noted(outcome(path_ + " is not a checkpoint of a study"));
   content.erase(0, kind_of_note.size());
   bytes_reader sum(content);
   const auto told = sum.get<std::uint64_t>();
-  content.erase(0, sizeof told);
-  if (!sum || told != sum_of(content)) return noted(outcome(path + " is damaged"));
+  const bool is_whole = static_cast<bool>(sum);
+  if (is_whole) content.erase(0, sizeof told);
+  if (!is_whole || told != sum_of(content)) return noted(outcome(path_ + " is damaged"));
   noted found;
   found.content = std::move(content);
   return found;
 }
 
-KANEXPR_ENSEMBLES outcome remove_note(const std::string& path) {
-  if (std::remove(path.c_str()) == 0 || errno == ENOENT) return {};
-  return failed(path, "cannot be removed");
+KANEXPR_ENSEMBLES outcome checkpoint_file::remove() const {
+  return ::unlinkat(folder_, name_.c_str(), 0) == 0 || errno == ENOENT ? outcome()
+                                                                       : failed("cannot be removed");
 }
 
 KANEXPR_ENSEMBLES std::uint64_t this_program() {

@@ -38,6 +38,19 @@ inline std::string identity_of(const study_layout& layout, const std::string& kn
   return all.bytes();
 }
 
+/// What comes of a step that calls functions of the user, also where they throw.
+template <class Step>
+outcome without_throwing(const Step& step) {
+  const std::string cause = "the results of the study could not be taken: ";
+  try {
+    return step();
+  } catch (const std::exception& thrown) {
+    return outcome(cause + thrown.what());
+  } catch (...) {
+    return outcome(cause + "what was thrown is no std::exception");
+  }
+}
+
 KANEXPR_ENSEMBLES collector::collector(const study_layout& layout, const std::string& known_by,
                                        const ensemble_options& options)
     : layout_(layout), known_by_(options.checkpoint ? identity_of(layout, known_by, options) : std::string()),
@@ -47,7 +60,7 @@ KANEXPR_ENSEMBLES collector::collector(const study_layout& layout, const std::st
 }
 
 KANEXPR_ENSEMBLES bool collector::begin() {
-  const outcome begun = begin_files();
+  const outcome begun = without_throwing([&] { return begin_files(); });
   return begun || fail(begun);
 }
 
@@ -65,13 +78,14 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
   }
   columns_.resize(options_.hold ? layout_.columns.size() : 0);
   if (options_.checkpoint) {
-    noted before = read_note(options_.checkpoint->text());
+    if (outcome held = checkpoint_.hold(options_.checkpoint->text()); !held) return held;
+    const noted before = checkpoint_.read();
     if (!before) return before;
     if (before.content && !before.content->empty()) return go_on_from(*before.content);
     // Before anything else is written: a checkpoint that cannot be is no surprise after an hour. An empty one
     // stays where the program ends right then.
-    if (outcome can = note(options_.checkpoint->text(), {}); !can) return can;
-    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) return gone;
+    if (outcome can = checkpoint_.write({}); !can) return can;
+    if (outcome gone = checkpoint_.remove(); !gone) return gone;
   }
   for (const auto& each : options_.files) {
     if (outcome begun = each->begin(layout_); !begun) return begun;
@@ -82,22 +96,20 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
 
 KANEXPR_ENSEMBLES bool collector::take(std::vector<finished_run>&& runs) {
   if (!found_.failure.empty()) return false;
-  try {
-    for (finished_run& each : runs) {
-      for (const auto& file : options_.files)
-        if (outcome taken = file->take(each); !taken) return fail(taken);
-      take_one(std::move(each));
-    }
-    if (options_.progress)
-      options_.progress(static_cast<double>(found_.done), 0, static_cast<double>(found_.planned));
-    using seconds = std::chrono::duration<double>;
-    if (options_.checkpoint &&
-        seconds(std::chrono::steady_clock::now() - noted_).count() >= options_.checkpoint_every)
-      if (outcome noted = note_now(); !noted) return fail(noted);
-  } catch (const std::exception& thrown) {
-    return fail(outcome("the results of the study could not be taken: " + std::string(thrown.what())));
+  const outcome taken = without_throwing([&] { return take_all(std::move(runs)); });
+  return taken || fail(taken);
+}
+
+KANEXPR_ENSEMBLES outcome collector::take_all(std::vector<finished_run>&& runs) {
+  for (finished_run& each : runs) {
+    for (const auto& file : options_.files)
+      if (outcome taken = file->take(each); !taken) return taken;
+    take_one(std::move(each));
   }
-  return true;
+  if (options_.progress)
+    options_.progress(static_cast<double>(found_.done), 0, static_cast<double>(found_.planned));
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - noted_;
+  return options_.checkpoint && since.count() >= options_.checkpoint_every ? note_now() : outcome();
 }
 
 KANEXPR_ENSEMBLES void collector::take_one(finished_run&& one) {
@@ -134,7 +146,7 @@ KANEXPR_ENSEMBLES outcome collector::note_now() {
   for (const std::vector<double>& each : columns_) all.put(each);
   all.put(held_.size());
   for (const finished_run& each : held_) each.write(all);
-  outcome done = note(options_.checkpoint->text(), all.bytes());
+  outcome done = checkpoint_.write(all.bytes());
   noted_ = std::chrono::steady_clock::now();
   return done;
 }
@@ -168,11 +180,13 @@ KANEXPR_ENSEMBLES outcome collector::go_on_from(const std::string& noted) {
 
 KANEXPR_ENSEMBLES ensemble_results collector::end() {
   if (options_.checkpoint && found_.failure.empty() && found_.done < found_.planned)
-    if (outcome noted = note_now(); !noted) fail(noted);
+    if (outcome noted = without_throwing([&] { return note_now(); }); !noted) fail(noted);
   for (std::size_t i = 0; i < begun_; ++i)
-    if (outcome ended = options_.files[i]->end(); !ended && found_.failure.empty()) fail(ended);
+    if (outcome ended = without_throwing([&] { return options_.files[i]->end(); });
+        !ended && found_.failure.empty())
+      fail(ended);
   if (options_.checkpoint && found_.failure.empty() && found_.done == found_.planned)
-    if (outcome gone = remove_note(options_.checkpoint->text()); !gone) fail(gone);
+    if (outcome gone = checkpoint_.remove(); !gone) fail(gone);
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (outcome added = found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); !added) fail(added);
   for (const finished_run& each : held_) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/held_file.hpp>
 #include <kanexpr/simulate/csv.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -35,17 +37,9 @@ public:
   }
 
   outcome go_on(const study_layout& layout, const std::string& position) override {
-    bytes_reader told(position);
-    const auto size = told.get<std::uint64_t>();
-    rows_ = told.get<std::size_t>();
-    if (outcome fits = check_layout(layout); !fits) return fits;
-    if (outcome begins = check_header(layout, size); !begins) return begins;
-    if (outcome free = check_free(path_); !free) return free;
-    if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return not_opened();
-    out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
-    if (!out_) return not_opened();
-    writer_.emplace(csv_writer::behind(out_, rows_, layout.columns.size(), path_));
-    return held_.hold(path_);
+    outcome opened = open_behind(layout, position);
+    if (!opened) held_.release();
+    return opened;
   }
 
   outcome take(const finished_run& run) override {
@@ -56,7 +50,9 @@ public:
   outcome flush(std::string& position) override {
     if (!writer_->finish()) return outcome(writer_->cause());
     bytes_writer told;
-    told.put(static_cast<std::uint64_t>(out_.tellp())), told.put(rows_);
+    const auto size = static_cast<std::uint64_t>(out_.tellp());
+    told.put(size), told.put(rows_);
+    told.put(sum_up_to(size)), told.put(path_);
     position = told.bytes();
     return held_.store();
   }
@@ -69,6 +65,25 @@ public:
   }
 
 private:
+  outcome open_behind(const study_layout& layout, const std::string& position) {
+    bytes_reader told(position);
+    const auto size = told.get<std::uint64_t>();
+    rows_ = told.get<std::size_t>();
+    const auto sum = told.get<std::uint64_t>();
+    const std::string noted_as = told.get_text();
+    if (outcome fits = check_layout(layout); !fits) return fits;
+    if (outcome free = check_free(path_); !free) return free;
+    if (outcome held = held_.hold(path_); !held) return held;
+    if (outcome begins = check_header(layout, size); !begins) return begins;
+    if (sum_up_to(size) != sum)
+      return outcome(path_ + " does not hold what " + (noted_as == path_ ? "it" : noted_as) +
+                     " held when the study was noted");
+    if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return not_opened();
+    out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
+    if (!out_) return not_opened();
+    writer_.emplace(csv_writer::behind(out_, rows_, layout.columns.size(), path_));
+    return {};
+  }
   outcome not_opened() const {
     return outcome(path_ + " cannot be opened: " + std::generic_category().message(errno));
   }
@@ -80,15 +95,16 @@ private:
   outcome check_header(const study_layout& layout, std::uint64_t size) const {
     std::ostringstream header;
     csv_writer(header, names(layout)).finish();
-    std::ifstream in(path_, std::ios::binary);
-    if (!in) return not_opened();
-    std::string beginning(header.str().size(), '\0');
-    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-    if (beginning != header.str()) return outcome(path_ + " does not begin with the columns of the study");
-    in.seekg(0, std::ios::end);
-    if (static_cast<std::uint64_t>(in.tellg()) < size)
+    if (held_.read(0, header.str().size()) != header.str())
+      return outcome(path_ + " does not begin with the columns of the study");
+    if (size > 0 && held_.read(size - 1, 1).empty())
       return outcome(path_ + " is shorter than it was when the study was noted");
     return {};
+  }
+  /// Of what it holds up to there, or of the end of that: the rows of another study are others.
+  std::uint64_t sum_up_to(std::uint64_t size) const {
+    const std::uint64_t count = (std::min)(size, std::uint64_t{65536});
+    return sum_of(held_.read(size - count, static_cast<std::size_t>(count)));
   }
   static std::vector<std::string> names(const study_layout& layout) {
     std::vector<std::string> all;

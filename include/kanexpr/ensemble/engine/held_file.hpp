@@ -36,6 +36,20 @@ KANEXPR_ENSEMBLES outcome held_file::hold(const std::string& path) {
   return file_ < 0 ? not_held(path, "cannot be opened") : lock(file_, LOCK_SH, path);
 }
 
+KANEXPR_ENSEMBLES std::string held_file::read(std::uint64_t from, std::size_t count) const {
+  std::string all(count, '\0');
+  std::size_t have = 0;
+  while (have < count) {
+    const auto more = ::pread(file_, all.data() + have, count - have, static_cast<::off_t>(from + have));
+    if (more > 0)
+      have += static_cast<std::size_t>(more);
+    else if (more == 0 || errno != EINTR)
+      break;
+  }
+  all.resize(have);
+  return all;
+}
+
 KANEXPR_ENSEMBLES outcome held_file::store() const {
   if (::fsync(file_) == 0 || errno == EINVAL) return {}; // or it is nothing that could be stored
   return not_held(path_, "cannot be written");
