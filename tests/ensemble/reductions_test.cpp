@@ -158,7 +158,7 @@ TEST(histograms, count_a_number_where_the_edges_tell) {
         const histogram empty(from, to, bins);
         const double edge = empty.edge(k), end = empty.edge(k + 1);
         ASSERT_LE(edge, end);
-        for (double number : {std::nextafter(edge, -1.8e308), edge, std::nextafter(end, -1.8e308), end}) {
+        for (double number : {std::nextafter(edge, -INFINITY), edge, std::nextafter(end, -INFINITY), end}) {
           histogram one = empty;
           one.take(number);
           EXPECT_EQ(one.count(k), edge <= number && number < end ? 1u : 0u) << k << " of " << bins;

@@ -81,19 +81,20 @@ KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, d
   const ensembles::standard_normal standard;
   const bool is_normal = deviation > 0 && from < to && numeric::is_finite(mean) &&
                          numeric::is_finite(deviation) && !numeric::is_nan(from) && !numeric::is_nan(to);
-  // Probabilities of the nearer tail, which are exact however small they are.
-  const double side = from > mean ? -1 : 1;
-  const auto tail = [&](double bound) {
-    return is_normal ? boost::math::cdf(standard, side * ((bound - mean) / deviation)) : 0;
+  // Seen from the side where less of it lies, as probabilities near 0 are exact and those near 1 are not.
+  const bool is_mirrored = from > mean;
+  const double sign = is_mirrored ? -1 : 1;
+  const auto below = [&](double bound) {
+    return is_normal ? boost::math::cdf(standard, sign * ((bound - mean) / deviation)) : 0;
   };
-  const double first = tail(from), last = tail(to);
+  const double low = below(is_mirrored ? to : from), high = below(is_mirrored ? from : to);
   constexpr double greatest = (std::numeric_limits<double>::max)();
   return ensembles::distribution_of(
       "truncated_normal", {mean, deviation, from, to},
       "the deviation must be positive, and some of it must lie between the bounds",
-      std::fabs(last - first) >= (std::numeric_limits<double>::min)(), [=](double part) {
-        const double z =
-            side * boost::math::quantile(ensembles::standard_normal(), ensembles::between(first, last, part));
+      high - low >= (std::numeric_limits<double>::min)(), [=](double part) {
+        const double within = ensembles::between(low, high, is_mirrored ? 1 - part : part);
+        const double z = sign * boost::math::quantile(ensembles::standard_normal(), within);
         return std::clamp(std::fma(deviation, z, mean), (std::max)(from, -greatest),
                           (std::min)(to, greatest));
       });
