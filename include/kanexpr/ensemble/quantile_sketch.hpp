@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -41,8 +40,7 @@ public:
   /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the least. Not a
   /// number where there are none, or the part is not between 0 and 1.
   double quantile(double part) const {
-    if (count_ == 0 || numeric::is_nan(part) || part < 0 || part > 1)
-      return std::numeric_limits<double>::quiet_NaN();
+    if (count_ == 0 || numeric::is_nan(part) || part < 0 || part > 1) return numeric::not_a_number<double>;
     if (part <= 0) return least_;
     if (part >= 1) return greatest_;
     std::vector<std::pair<double, std::uint64_t>> all;
@@ -94,8 +92,8 @@ private:
 
   std::vector<level> levels_{};
   std::uint64_t count_ = 0, missing_ = 0, rank_error_ = 0;
-  double least_ = std::numeric_limits<double>::infinity();
-  double greatest_ = -std::numeric_limits<double>::infinity();
+  double least_ = numeric::infinity<double>;
+  double greatest_ = -numeric::infinity<double>;
 };
 
 } // namespace kanexpr

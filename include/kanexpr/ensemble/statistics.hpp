@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace kanexpr {
 
@@ -57,11 +56,11 @@ public:
 private:
   bool are_finite() const { return numeric::is_finite(least_) && numeric::is_finite(greatest_); }
 
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double none = numeric::not_a_number<double>;
   std::uint64_t count_ = 0, missing_ = 0;
   double mean_ = 0, squares_ = 0;
-  double least_ = std::numeric_limits<double>::infinity();
-  double greatest_ = -std::numeric_limits<double>::infinity();
+  double least_ = numeric::infinity<double>;
+  double greatest_ = -numeric::infinity<double>;
 };
 
 } // namespace kanexpr
