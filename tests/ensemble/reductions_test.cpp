@@ -62,6 +62,19 @@ TEST(statistics, of_nothing_are_no_numbers) {
   EXPECT_TRUE(std::isnan(found.variance()));
 }
 
+TEST(statistics, of_infinities_and_large_numbers_are_right) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  statistics up, down, both, large;
+  for (double each : {infinity, 1.0, 2.0}) up.take(each), down.take(-each);
+  for (double each : {-infinity, infinity}) both.take(each);
+  for (double each : {1.5e308, -1.5e308, 1.5e308, -1.5e308}) large.take(each);
+  EXPECT_EQ(up.mean(), infinity);
+  EXPECT_EQ(down.mean(), -infinity);
+  EXPECT_TRUE(std::isnan(both.mean()) && std::isnan(up.variance()));
+  EXPECT_NEAR(large.mean(), 0, 1e293);
+  EXPECT_EQ(large.variance(), infinity);
+}
+
 void expect_quantiles_of(std::vector<double> numbers) {
   const quantile_sketch found = halfway_noted(quantile_sketch(), numbers);
   std::ranges::sort(numbers);
@@ -89,6 +102,21 @@ TEST(quantiles, are_exact_for_few_numbers) {
   EXPECT_EQ(few.quantile(1), 5);
   EXPECT_TRUE(std::isnan(few.quantile(1.1)) && std::isnan(few.quantile(none)));
   EXPECT_TRUE(std::isnan(quantile_sketch().quantile(0.5)));
+}
+
+TEST(quantiles, are_exact_up_to_the_room) {
+  quantile_sketch all;
+  for (std::size_t i = 1; i <= quantile_sketch::room; ++i) all.take(static_cast<double>(i));
+  EXPECT_EQ(all.rank_error(), 0u);
+  EXPECT_EQ(all.quantile(0.5), quantile_sketch::room / 2);
+  all.take(0);
+  EXPECT_EQ(all.rank_error(), 1u);
+}
+
+TEST(quantiles, of_hundredths_are_the_hundredths) {
+  quantile_sketch all;
+  for (int i = 1; i <= 100; ++i) all.take(i);
+  for (int i = 1; i <= 100; ++i) EXPECT_EQ(all.quantile(i / 100.0), i);
 }
 
 TEST(quantiles, are_within_the_rank_that_is_told) {
@@ -120,6 +148,24 @@ TEST(histograms, count_all) {
   EXPECT_EQ(found.edge(5), 10);
   found.take(std::nextafter(10, 0)); // whose part of the width is 1 when rounded
   EXPECT_EQ(found.count(4), 2u);
+}
+
+TEST(histograms, count_a_number_where_the_edges_tell) {
+  for (const auto& [from, to] :
+       {std::pair{0.0, 1.0}, {1.0, 3.0}, {-0.1, 0.7}, {-1.7e308, 1.7e308}, {0.0, 1e-322}})
+    for (const std::size_t bins : {1u, 7u, 100u})
+      for (std::size_t k = 0; k < bins; ++k) {
+        const histogram empty(from, to, bins);
+        const double edge = empty.edge(k), end = empty.edge(k + 1);
+        ASSERT_LE(edge, end);
+        for (double number : {std::nextafter(edge, -INFINITY), edge, std::nextafter(end, -INFINITY), end}) {
+          histogram one = empty;
+          one.take(number);
+          EXPECT_EQ(one.count(k), edge <= number && number < end ? 1u : 0u) << k << " of " << bins;
+        }
+      }
+  EXPECT_EQ(histogram(0, 1, 2).count(2), 0u);
+  EXPECT_EQ(histogram().count(0), 0u);
 }
 
 TEST(counts, are_those_of_each_number) {

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <string>
 
 namespace {
 
@@ -133,6 +135,46 @@ TEST(distributions, have_their_quantiles) {
   EXPECT_EQ(own.quantile(0.3), quantile(life, 0.3));
 }
 
+TEST(distributions, cut_far_out_are_as_exact_as_within) {
+  const auto above = [](double z) { return std::erfc(z / std::sqrt(2.0)) / 2; };
+  for (const auto& [from, to] : {std::pair{5.0, 6.0}, {8.2, 8.3}, {9.0, 10.0}, {37.0, 38.0}}) {
+    const auto cut = truncated_normal(0, 1, from, to), mirrored = truncated_normal(0, 1, -to, -from);
+    ASSERT_EQ(cut.mistake() + mirrored.mistake(), "");
+    for (double part : {0x1p-53, 0.001, 0.25, 0.5, 0.75, 1 - 0x1p-53}) {
+      const double z = cut.quantile(part);
+      EXPECT_NEAR((above(from) - above(z)) / (above(from) - above(to)), part, 1e-11) << from;
+      EXPECT_NEAR(mirrored.quantile(1 - part), -z, 1e-13 * to);
+      EXPECT_GE(z, from);
+      EXPECT_LE(z, to);
+    }
+  }
+  const auto positive = truncated_normal(1, 0.2, 0, std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(positive.quantile(0.5), 1 + 0.2 * std::sqrt(2 * std::acos(-1.0)) * above(5) / 2, 1e-12);
+  EXPECT_TRUE(std::isfinite(positive.quantile(1)));
+}
+
+TEST(distributions, over_more_than_numbers_can_say_are_right) {
+  EXPECT_NEAR(uniform(-1.5e308, 1.5e308).quantile(0.75), 0.75e308, 1e293);
+  EXPECT_NEAR(std::log10(log_uniform(1e-300, 1e300).quantile(0.75)), 150, 1e-12);
+  EXPECT_NEAR(triangular(-1e308, 0, 1e308).quantile(0.125), -0.5e308, 1e293);
+  EXPECT_NEAR(triangular(-1e308, 0, 1e308).quantile(0.875), 0.5e308, 1e293);
+  EXPECT_THAT(evenly_spaced(-1.6e308, 1.6e308, 5),
+              ElementsAre(-1.6e308, DoubleEq(-0.8e308), 0, DoubleEq(0.8e308), 1.6e308));
+  EXPECT_EQ(normal(0, 1e308).mistake(),
+            "there is no distribution normal(0, 1e+308): its draws must be numbers");
+}
+
+// Whether or not a compiler fuses products with sums: the exact sum of the product, rounded once.
+TEST(distributions, have_the_same_bits_everywhere) {
+  EXPECT_EQ(uniform(-3.1, 2.7).quantile(0.35), -1.07);
+  EXPECT_EQ(evenly_spaced(-3.1, 2.7, 21)[7], -1.07);
+}
+
+TEST(distributions, are_told_with_all_digits) {
+  EXPECT_EQ(uniform(0, 0.25).text(), "uniform(0, 0.25)");
+  EXPECT_NE(uniform(0, 1).text(), uniform(0, std::nextafter(1, 2)).text());
+}
+
 TEST(runs, that_cannot_be_say_why) {
   const auto mistake_of = [](const runs& all) { return all.mistake(); };
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", normal(1, -1)}}, 1)),
@@ -154,6 +196,12 @@ TEST(runs, that_cannot_be_say_why) {
   const std::vector<double> many(1 << 16);
   EXPECT_EQ(mistake_of(grid({{"a", many}, {"b", many}, {"c", many}, {"d", many}})),
             "the grid has more runs than can be counted");
+  const std::size_t most = std::size_t{1} << 53;
+  EXPECT_EQ(mistake_of(random_runs(most, {{"m", uniform(0, 1)}}, 1)), "");
+  EXPECT_EQ(mistake_of(random_runs(most + 1, {{"m", uniform(0, 1)}}, 1)),
+            "random_runs has more runs than can be counted");
+  EXPECT_EQ(mistake_of(latin_hypercube(most + 1, {{"m", uniform(0, 1)}}, 1)),
+            "latin_hypercube has more runs than can be counted");
   EXPECT_EQ(mistake_of(runs_of({})), "the table of runs has no row");
   table one;
   ASSERT_TRUE(one.add("m", {1}));

@@ -35,7 +35,7 @@ public:
   void copy_lane(std::size_t from, std::size_t to) { Batch::set(values_, to, Batch::get(values_, from)); }
 
 private:
-  with_scalar<Vector, typename Batch::number> values_;
+  with_scalar<Vector, typename Batch::number> values_{};
 };
 
 /// A batch of systems on its way through steps of a fixed length. A system of which a step fails leaves it,

@@ -10,7 +10,13 @@ namespace kanexpr {
 
 /// How a number is distributed, by its quantiles: the value below which it lies with a given probability,
 /// between 0 and 1. `uniform`, `normal` and others are below; any other is made of its quantiles, as those of
-/// Boost.Math: `distribution("weibull", [w](double part) { return quantile(w, part); })`.
+/// Boost.Math: `distribution("weibull(1.5, 2)", [w](double part) { return quantile(w, part); })`.
+///
+/// The text must tell all parameters, with all their digits, since a study is known again by it: a checkpoint
+/// goes on if the text is the same.
+///
+/// `uniform` and `triangular` have the same bits on every machine. The last digits of the others depend on
+/// its long double, and those of the normal ones on Boost.Math too.
 class distribution {
 public:
   distribution(std::string text, std::function<double(double part)> quantile)
@@ -23,7 +29,7 @@ public:
   }
 
   double quantile(double part) const { return quantile_(part); }
-  /// What it is, by which a study is known again.
+  /// What it is, with all digits, by which a study is known again.
   const std::string& text() const { return text_; }
   const std::string& mistake() const { return mistake_; }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/ensemble/between.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,24 +17,30 @@ public:
   histogram(double from, double to, std::size_t bins) : from_(from), to_(to), counts_(bins) {}
 
   void take(double number) {
-    if (std::isnan(number)) {
+    if (numeric::is_nan(number)) {
       ++missing_;
     } else if (number < from_) {
       ++below_;
     } else if (number >= to_) {
       ++above_;
     } else {
-      const double part = (number - from_) / (to_ - from_) * static_cast<double>(bins());
-      ++counts_[(std::min)(static_cast<std::size_t>(part), bins() - 1)];
+      std::size_t bin = 0; // the edges themselves decide, for any other sum rounds otherwise
+      for (std::size_t end = bins(); end - bin > 1;) {
+        const std::size_t middle = bin + (end - bin) / 2;
+        (number < edge(middle) ? end : bin) = middle;
+      }
+      ++counts_[bin];
     }
   }
 
   std::size_t bins() const { return counts_.size(); }
-  std::uint64_t count(std::size_t bin) const { return counts_[bin]; }
+  /// How many x there are with edge(bin) ≤ x < edge(bin + 1); none where there is no such bin.
+  std::uint64_t count(std::size_t bin) const { return bin < bins() ? counts_[bin] : 0; }
   /// Where a bin begins; that behind the last is the end.
   double edge(std::size_t bin) const {
-    return bin == bins() ? to_
-                         : from_ + (to_ - from_) * static_cast<double>(bin) / static_cast<double>(bins());
+    return bin < bins()
+               ? ensembles::between(from_, to_, static_cast<double>(bin) / static_cast<double>(bins()))
+               : to_;
   }
   std::uint64_t below() const { return below_; }
   std::uint64_t above() const { return above_; }

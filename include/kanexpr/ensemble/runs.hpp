@@ -84,7 +84,7 @@ private:
   std::string text_ = "one run", mistake_{};
 };
 
-/// So many numbers from the first to the last, both of which are among them.
+/// So many numbers from the first to the last, both of which are among them; one alone is the first.
 KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count);
 
 /// Every combination of the values: `grid({{q1, evenly_spaced(-3, 3, 100)}, {m, {1, 2}}})`. The last of the

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -15,7 +15,7 @@ public:
   static constexpr std::size_t most_values = 1000;
 
   void take(double number) {
-    if (std::isnan(number))
+    if (numeric::is_nan(number))
       ++missing_;
     else if (const auto found = counts_.find(number); found != counts_.end())
       ++found->second;

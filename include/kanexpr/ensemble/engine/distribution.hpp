@@ -1,77 +1,115 @@
 #pragma once
 
 #include <kanexpr/base/digits.hpp>
+#include <kanexpr/ensemble/between.hpp>
 #include <kanexpr/ensemble/distribution.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 
 #include <boost/math/distributions/normal.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <cstdio>
+#include <limits>
+#include <vector>
 
 namespace kanexpr {
 
 namespace ensembles {
 
 /// "normal(1, 0.2)".
-inline std::string called(const char* name, std::initializer_list<double> numbers) {
+inline std::string called(const char* name, const std::vector<double>& numbers,
+                          std::string (*digits)(double)) {
   std::string text = name;
   for (const char* before = "("; double number : numbers) {
-    text += before + simulated::digits(number);
+    text += before + digits(number);
     before = ", ";
   }
   return text + ')';
 }
 
-inline distribution distribution_of(std::string text, const char* needs, bool can_be,
-                                    std::function<double(double)> quantile) {
-  if (!can_be) return distribution::mistaken("there is no distribution " + text + ": " + needs);
-  return {std::move(text), std::move(quantile)};
+inline std::string all_digits(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
 }
+
+inline distribution distribution_of(const char* name, const std::vector<double>& numbers, const char* needs,
+                                    bool can_be, std::function<double(double)> quantile) {
+  if (!can_be)
+    return distribution::mistaken("there is no distribution " + called(name, numbers, simulated::digits) +
+                                  ": " + needs);
+  return {called(name, numbers, all_digits), std::move(quantile)};
+}
+
+/// Nothing is thrown: what lies too far out is infinite.
+using standard_normal = boost::math::normal_distribution<
+    double, boost::math::policies::policy<
+                boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>>;
 
 } // namespace ensembles
 
 KANEXPR_ENSEMBLES distribution uniform(double from, double to) {
-  return ensembles::distribution_of(ensembles::called("uniform", {from, to}), "it must begin below its end",
-                                    from < to && std::isfinite(from) && std::isfinite(to),
-                                    [=](double part) { return from + part * (to - from); });
+  return ensembles::distribution_of("uniform", {from, to}, "it must begin below its end",
+                                    from < to && numeric::is_finite(from) && numeric::is_finite(to),
+                                    [=](double part) { return ensembles::between(from, to, part); });
 }
 
 KANEXPR_ENSEMBLES distribution log_uniform(double from, double to) {
-  return ensembles::distribution_of(ensembles::called("log_uniform", {from, to}),
-                                    "it must begin above 0, and below its end",
-                                    0 < from && from < to && std::isfinite(to),
-                                    [=](double part) { return from * std::exp(part * std::log(to / from)); });
+  const bool can_be = 0 < from && from < to && numeric::is_finite(from) && numeric::is_finite(to);
+  const double low = can_be ? elementary::log(from) : 0, high = can_be ? elementary::log(to) : 0;
+  return ensembles::distribution_of(
+      "log_uniform", {from, to}, "it must begin above 0, and below its end", can_be, [=](double part) {
+        return std::clamp(elementary::exp(ensembles::between(low, high, part)), from, to);
+      });
 }
 
 KANEXPR_ENSEMBLES distribution normal(double mean, double deviation) {
+  // No draw is farther than 8.3 deviations from the mean.
+  const bool can_be = deviation > 0 && numeric::is_finite(std::fabs(mean) + 9 * deviation);
   return ensembles::distribution_of(
-      ensembles::called("normal", {mean, deviation}), "the deviation must be positive",
-      deviation > 0 && std::isfinite(mean) && std::isfinite(deviation), [=](double part) {
-        return mean + deviation * boost::math::quantile(boost::math::normal_distribution<>(), part);
+      "normal", {mean, deviation},
+      deviation > 0 ? "its draws must be numbers" : "the deviation must be positive", can_be,
+      [=](double part) {
+        return std::fma(deviation, boost::math::quantile(ensembles::standard_normal(), part), mean);
       });
 }
 
 KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, double from, double to) {
-  const boost::math::normal_distribution<> standard;
-  const bool can_be = deviation > 0 && from < to && std::isfinite(mean) && std::isfinite(deviation);
-  const double low = can_be ? boost::math::cdf(standard, (from - mean) / deviation) : 0;
-  const double high = can_be ? boost::math::cdf(standard, (to - mean) / deviation) : 1;
+  const ensembles::standard_normal standard;
+  const bool is_normal = deviation > 0 && from < to && numeric::is_finite(mean) &&
+                         numeric::is_finite(deviation) && !numeric::is_nan(from) && !numeric::is_nan(to);
+  // Seen from the side where less of it lies, as probabilities near 0 are exact and those near 1 are not.
+  const bool is_mirrored = from > mean;
+  const double sign = is_mirrored ? -1 : 1;
+  const auto below = [&](double bound) {
+    return is_normal ? boost::math::cdf(standard, sign * ((bound - mean) / deviation)) : 0;
+  };
+  const double low = below(is_mirrored ? to : from), high = below(is_mirrored ? from : to);
+  constexpr double greatest = (std::numeric_limits<double>::max)();
   return ensembles::distribution_of(
-      ensembles::called("truncated_normal", {mean, deviation, from, to}),
-      "the deviation must be positive, and some of it must lie between the bounds", can_be && high > low,
-      [=](double part) {
-        const double within = mean + deviation * boost::math::quantile(standard, low + part * (high - low));
-        return within < from ? from : within > to ? to : within;
+      "truncated_normal", {mean, deviation, from, to},
+      "the deviation must be positive, and some of it must lie between the bounds",
+      high - low >= (std::numeric_limits<double>::min)(), [=](double part) {
+        const double within = ensembles::between(low, high, is_mirrored ? 1 - part : part);
+        const double z = sign * boost::math::quantile(ensembles::standard_normal(), within);
+        return std::clamp(std::fma(deviation, z, mean), (std::max)(from, -greatest),
+                          (std::min)(to, greatest));
       });
 }
 
 KANEXPR_ENSEMBLES distribution triangular(double from, double mode, double to) {
+  // Halves, where the width is beyond the greatest number.
+  const double scale = numeric::is_finite(to - from) ? 1 : 0.5;
+  const double rises = (mode * scale - from * scale) / (to * scale - from * scale);
   return ensembles::distribution_of(
-      ensembles::called("triangular", {from, mode, to}), "its mode must lie between its ends",
-      from <= mode && mode <= to && from < to && std::isfinite(from) && std::isfinite(to), [=](double part) {
-        const double width = to - from, rises = (mode - from) / width;
-        return part < rises ? from + width * std::sqrt(part * rises)
-                            : to - width * std::sqrt((1 - part) * (1 - rises));
+      "triangular", {from, mode, to}, "its mode must lie between its ends",
+      from <= mode && mode <= to && from < to && numeric::is_finite(from) && numeric::is_finite(to),
+      [=](double part) {
+        return part < rises ? ensembles::between(from, to, std::sqrt(part * rises))
+                            : ensembles::between(to, from, std::sqrt((1 - part) * (1 - rises)));
       });
 }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/bytes.hpp>
 #include <kanexpr/base/digits.hpp>
+#include <kanexpr/ensemble/between.hpp>
 #include <kanexpr/ensemble/permutation.hpp>
 #include <kanexpr/ensemble/runs.hpp>
 
@@ -11,6 +12,9 @@
 namespace kanexpr {
 
 namespace ensembles {
+
+/// Their numbers stand in a column.
+inline constexpr std::size_t most_runs = std::size_t{1} << 53;
 
 /// Values that a run has in each column.
 class combined final : public runs::plan {
@@ -87,6 +91,7 @@ inline runs drawn_runs(std::size_t count, std::vector<drawn> what, std::uint64_t
   }
   text += "}, " + std::to_string(seed) + ')';
   if (count == 0) return runs::mistaken("a study needs a run at least");
+  if (count > most_runs) return runs::mistaken(name + " has more runs than can be counted");
   return {count, std::move(names), std::make_shared<random>(count, std::move(what), seed, spread),
           std::move(text)};
 }
@@ -115,9 +120,7 @@ KANEXPR_ENSEMBLES runs runs::mistaken(std::string mistake) {
 KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count) {
   std::vector<double> values(count, first);
   for (std::size_t i = 1; i < count; ++i)
-    values[i] = i + 1 == count
-                    ? last
-                    : first + (last - first) * (static_cast<double>(i) / static_cast<double>(count - 1));
+    values[i] = ensembles::between(first, last, static_cast<double>(i) / static_cast<double>(count - 1));
   return values;
 }
 
@@ -127,7 +130,7 @@ KANEXPR_ENSEMBLES runs grid(std::vector<grid_axis> axes) {
   std::string text = "grid";
   for (const grid_axis& each : axes) {
     if (each.values.empty()) return runs::mistaken("the grid has no values of " + each.what.name());
-    if (count > (std::size_t{1} << 53) / each.values.size()) // their numbers stand in a column
+    if (count > ensembles::most_runs / each.values.size())
       return runs::mistaken("the grid has more runs than can be counted");
     count *= each.values.size();
     names.push_back(each.what);
