@@ -29,6 +29,7 @@ struct stopped {
   std::stop_source source{};
   kanexpr::ensemble_options after(double runs, kanexpr::ensemble_options options) {
     options.stop = source.get_token();
+    options.threads = 1; // another thread could do the rest meanwhile
     options.progress = [this, runs](double done, double, double) {
       if (done >= runs) source.request_stop();
     };
