@@ -9,7 +9,8 @@
 #include <kanexpr/simulate/simulate.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <exception>
 #include <string>
 #include <utility>
@@ -101,8 +102,10 @@ private:
     simulation_setup<System> one{given_.in(given), told_.simulation};
     const input_values<System> before = one.r;
     if (auto change = told_.for_each_run) change(given, one);
-    const bool changes_inputs = std::memcmp(before.data(), one.r.data(),
-                                            static_cast<std::size_t>(before.size()) * sizeof(double)) != 0;
+    const bool changes_inputs =
+        !std::equal(before.begin(), before.end(), one.r.begin(), [](double a, double b) {
+          return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+        });
     if (given_.gives_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
     return one;
   }
