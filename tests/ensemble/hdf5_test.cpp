@@ -160,7 +160,7 @@ private:
 
 TEST(hdf5_file, has_all_that_a_study_keeps) {
   const written::study known(1000);
-  const std::string path = "study.h5"; // stays, for read_hdf5.py
+  const std::string path = "known_study.h5"; // stays, for read_hdf5.py
   const auto found = written::run(known, {.threads = 3, .files = {hdf5_file(path)}});
   ASSERT_TRUE(found) << found.cause();
   const reader file(path);

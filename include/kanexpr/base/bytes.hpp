@@ -46,7 +46,7 @@ public:
   T get() {
     T value{};
     if (const std::string_view from = take(sizeof value); !from.empty())
-      std::memcpy(&value, from.data(), sizeof value);
+      std::memcpy(&value, from.data(), from.size());
     return value;
   }
   std::string get_text() { return std::string(take(get<std::size_t>())); }

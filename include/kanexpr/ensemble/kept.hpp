@@ -132,7 +132,10 @@ struct kept_event {
     const auto of = [name = event](const ended_run<System>& ended) {
       double time = std::numeric_limits<double>::quiet_NaN(), count = 0;
       for (const occurrence& each : ended.run.events)
-        if (each.name == name && (++count, asked != of_event::first_time || count < 2)) time = each.t;
+        if (each.name == name) {
+          ++count;
+          if (asked != of_event::first_time || count < 2) time = each.t;
+        }
       return asked == of_event::count ? count : time;
     };
     return {what, of, false, false, asked != of_event::count, event, __PRETTY_FUNCTION__};

@@ -41,4 +41,22 @@ private:
   std::vector<double> values_;
 };
 
+namespace ensembles {
+
+/// What a function asks for that no run is given; what else it throws is the affair of its run.
+template <class Function>
+std::string mistake_in_call(const Function& of) {
+  std::string mistake;
+  try {
+    of();
+  } catch (const no_such_value& asked) {
+    mistake = asked.what();
+  } catch (...) {
+    mistake.clear();
+  }
+  return mistake;
+}
+
+} // namespace ensembles
+
 } // namespace kanexpr

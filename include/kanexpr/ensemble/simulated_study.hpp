@@ -89,13 +89,7 @@ private:
 
   /// A name that the function asks for, of the first run as of all.
   std::string mistake_in_function() const {
-    try {
-      setup(run_values(told_.runs, 0));
-    } catch (const no_such_value& asked) {
-      return asked.what();
-    } catch (...) { // that is the run's own
-    }
-    return {};
+    return mistake_in_call([&] { setup(run_values(told_.runs, 0)); });
   }
 
   simulation_setup<System> setup(const run_values& given) const {

@@ -67,16 +67,13 @@ private:
     if (told_.steps < 0) return "the number of steps is negative";
     if (told_.look_every < 1) return "a study looks at its runs after a step at least";
     if (std::string mistake = mistake_in(layout_.columns); !mistake.empty()) return mistake;
-    if (told_.for_each_run) try {
-        const run_values first(told_.runs, 0);
-        run_setup<System> one = given_.in(first);
-        auto change = told_.for_each_run;
-        change(first, one);
-      } catch (const no_such_value& asked) {
-        return asked.what();
-      } catch (...) { // that is the run's own
-      }
-    return {};
+    if (!told_.for_each_run) return {};
+    return mistake_in_call([&] {
+      const run_values first(told_.runs, 0);
+      run_setup<System> one = given_.in(first);
+      auto change = told_.for_each_run;
+      change(first, one);
+    });
   }
 
   /// What a batch of runs is given, and how it stands.

@@ -79,7 +79,7 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
   columns_.resize(options_.hold ? layout_.columns.size() : 0);
   if (options_.checkpoint) {
     if (outcome held = checkpoint_.hold(options_.checkpoint->text()); !held) return held;
-    const noted before = checkpoint_.read();
+    noted before = checkpoint_.read();
     if (!before) return before;
     if (before.content && !before.content->empty()) return go_on_from(*before.content);
     // Before anything else is written: a checkpoint that cannot be is no surprise after an hour. An empty one

@@ -108,6 +108,7 @@ private:
   }
   static std::vector<std::string> names(const study_layout& layout) {
     std::vector<std::string> all;
+    all.reserve(layout.columns.size());
     for (const column_label& each : layout.columns) all.push_back(each.name);
     return all;
   }

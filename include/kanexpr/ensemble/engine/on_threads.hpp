@@ -30,10 +30,11 @@ KANEXPR_ENSEMBLES ensemble_results on_threads::run(const job& study, const std::
   };
   {
     std::vector<std::jthread> others;
-    try {
-      while (others.size() + 1 < threads) others.emplace_back(work);
-    } catch (const std::system_error&) { // fewer do it too
-    }
+    for (bool are_there = true; are_there && others.size() + 1 < threads;) try {
+        others.emplace_back(work);
+      } catch (const std::system_error&) {
+        are_there = false; // fewer do it too
+      }
     work();
   }
   return results.end();

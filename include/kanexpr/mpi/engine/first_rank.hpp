@@ -127,6 +127,7 @@ private:
     }
     while (const auto one = shares.hopeless(options_.patience)) {
       std::vector<finished_run> none;
+      none.reserve(one->count);
       for (std::size_t i = 0; i < one->count; ++i) none.push_back(unfinished(one->first + i, layout));
       shares.finish(*one, std::move(none), 0.0);
     }

@@ -29,15 +29,16 @@ inline bool write_attribute(hid_t of, const char* name, std::uint64_t number) {
 inline bool write_attribute(hid_t of, const char* name, const std::string& text) {
   const hdf5_handle space(H5Screate(H5S_SCALAR), &H5Sclose), type = type_of_texts();
   const char* const first = text.c_str();
-  return write_attribute(of, name, type.id(), space.id(), &first);
+  return write_attribute(of, name, type.id(), space.id(), static_cast<const void*>(&first));
 }
 
 inline bool write_attribute(hid_t of, const char* name, const std::vector<std::string>& texts) {
   const hsize_t count = texts.size();
   const hdf5_handle space(H5Screate_simple(1, &count, nullptr), &H5Sclose), type = type_of_texts();
   std::vector<const char*> all;
+  all.reserve(texts.size());
   for (const std::string& each : texts) all.push_back(each.c_str());
-  return write_attribute(of, name, type.id(), space.id(), all.data());
+  return write_attribute(of, name, type.id(), space.id(), static_cast<const void*>(all.data()));
 }
 
 } // namespace kanexpr::ensembles
