@@ -1,7 +1,6 @@
 // builds: g++
 // What is greatest or least in a run, beside functions of time that are known.
-#include <kanexpr/ensemble.hpp>
-#include <models/simple_pendulum.hpp>
+#include "ensemble/turning.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,14 +10,6 @@
 namespace {
 
 using namespace simple_pendulum;
-
-// Without gravity and friction the angle is q + u t, and steps are long.
-study<System> turning(std::vector<grid_axis> axes) {
-  return {.runs = grid(std::move(axes)),
-          .parameters = {{m, 1}, {l, 1}, {g, 0}, {c, 0}},
-          .inputs = {{T, 0}},
-          .span = {0, 20}};
-}
 
 TEST(extremes, are_found_where_many_lie_in_one_step) {
   study<System> told = turning({{q, {0, 1}}, {u, evenly_spaced(0.3, 6, 60)}});

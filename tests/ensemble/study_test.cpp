@@ -1,7 +1,6 @@
 // builds: g++
 // How studies are told.
-#include <kanexpr/ensemble.hpp>
-#include <models/simple_pendulum.hpp>
+#include "ensemble/turning.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,14 +11,6 @@
 namespace {
 
 using namespace simple_pendulum;
-
-// Without gravity and friction the angle is q + u t, and steps are long.
-study<System> turning(std::vector<grid_axis> axes) {
-  return {.runs = grid(std::move(axes)),
-          .parameters = {{m, 1}, {l, 1}, {g, 0}, {c, 0}},
-          .inputs = {{T, 0}},
-          .span = {0, 20}};
-}
 
 TEST(study, begins_functions_anew_with_every_run) {
   study<System> told = turning({{u, evenly_spaced(0.1, 0.2, 200)}});

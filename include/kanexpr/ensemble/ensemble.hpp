@@ -1,9 +1,8 @@
 #pragma once
 
-#include <kanexpr/ensemble/run_study.hpp>
+#include <kanexpr/ensemble/runnable.hpp>
 #include <kanexpr/ensemble/simulated_study.hpp>
 
-#include <memory>
 #include <utility>
 
 namespace kanexpr {
@@ -25,26 +24,10 @@ namespace kanexpr {
 /// the others, with its cause among the `failures`, and the study goes on. Another method of integration is
 /// named as in `ensemble<System, integrator::bdf>`.
 template <class System, integrator by = integrator::adams>
-class ensemble {
+class ensemble : public ensembles::runnable<ensembles::simulated_study<System, by>> {
 public:
   explicit ensemble(study<System> told)
-      : job_(std::make_shared<ensembles::simulated_study<System, by>>(std::move(told))) {
-    job_->itself = job_;
-  }
-
-  ensemble_results run(const ensemble_options& options = {}) const {
-    ensembles::on_threads threads;
-    return run(options, threads);
-  }
-  /// The same by others than threads of this process, as the ranks of <kanexpr/mpi.hpp>.
-  ensemble_results run(const ensemble_options& options, ensembles::crew& who) const {
-    return ensembles::run_study(*job_, options, who);
-  }
-
-  const study_layout& layout() const { return job_->layout(); }
-
-private:
-  std::shared_ptr<const ensembles::simulated_study<System, by>> job_;
+      : ensembles::runnable<ensembles::simulated_study<System, by>>(std::in_place, std::move(told)) {}
 };
 
 } // namespace kanexpr

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <kanexpr/ensemble/run_study.hpp>
+#include <kanexpr/ensemble/runnable.hpp>
 #include <kanexpr/ensemble/stepped_study.hpp>
 
-#include <memory>
 #include <utility>
 
 namespace kanexpr {
@@ -25,26 +24,11 @@ namespace kanexpr {
 /// There are no events, and extremes are those of the states that are looked at. Of a `study_in_steps<Step,
 /// float>` twice as many go side by side.
 template <class Step, class Law = ensembles::constant_inputs, class Number = double>
-class ensemble_in_steps {
+class ensemble_in_steps : public ensembles::runnable<ensembles::stepped_study<Step, Law, Number>> {
 public:
   explicit ensemble_in_steps(study_in_steps<Step, Number> told, Law law = {})
-      : job_(std::make_shared<ensembles::stepped_study<Step, Law, Number>>(std::move(told), std::move(law))) {
-    job_->itself = job_;
-  }
-
-  ensemble_results run(const ensemble_options& options = {}) const {
-    ensembles::on_threads threads;
-    return run(options, threads);
-  }
-  /// The same by others than threads of this process, as the ranks of <kanexpr/mpi.hpp>.
-  ensemble_results run(const ensemble_options& options, ensembles::crew& who) const {
-    return ensembles::run_study(*job_, options, who);
-  }
-
-  const study_layout& layout() const { return job_->layout(); }
-
-private:
-  std::shared_ptr<const ensembles::stepped_study<Step, Law, Number>> job_;
+      : ensembles::runnable<ensembles::stepped_study<Step, Law, Number>>(std::in_place, std::move(told),
+                                                                         std::move(law)) {}
 };
 
 } // namespace kanexpr

@@ -2,6 +2,7 @@
 
 namespace kanexpr {
 
+/// How long the ranks of a study wait for each other.
 struct mpi_options {
   /// Seconds after which a run that has not ended is given to another rank too; longer than any run takes.
   double patience = 600;
