@@ -28,7 +28,7 @@ public:
   }
   [[gnu::always_inline]] bool holds() const {
     if constexpr (lower::vector_extension<Pack>)
-      return !is_wrong_ && numeric::detail::any_of(wrong_) == 0;
+      return !is_wrong_ && !numeric::detail::is_set_in_a_lane(wrong_);
     else
       return !is_wrong_;
   }

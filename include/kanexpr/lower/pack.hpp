@@ -102,7 +102,7 @@ struct scalar_math<T> {
     return is_in_no_lane(~(x > bound));
   }
   [[gnu::always_inline]] static bool is_in_no_lane(const decltype(T{} <= T{})& comparison) {
-    return numeric::detail::any_of(comparison) == 0;
+    return !numeric::detail::is_set_in_a_lane(comparison);
   }
 
   [[gnu::always_inline]] static bool is_finite(const T& x) {
@@ -110,7 +110,7 @@ struct scalar_math<T> {
     if constexpr (are_known) {
       constexpr auto infinity =
           __builtin_bit_cast(numeric::detail::number_bits<T>, std::numeric_limits<element>::infinity());
-      return numeric::detail::any_of((__builtin_bit_cast(bits, x) & infinity) == infinity) == 0;
+      return is_in_no_lane((__builtin_bit_cast(bits, x) & infinity) == infinity);
     }
 #endif
     bool all = true;

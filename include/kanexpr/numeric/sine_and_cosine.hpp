@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/numeric/vectors.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -34,47 +35,7 @@ namespace kanexpr::numeric {
 /// In radians, 20 860 turns: as far as sines and cosines are computed without the C library.
 inline constexpr double farthest_angle = 131072;
 
-/// The bytes of the vectors that are computed with; 0: none. Those of AVX-512 would be slower.
-#if defined(__AVX2__)
-inline constexpr std::size_t widest_vector = 32;
-#elif defined(__SSE2__) || defined(__aarch64__)
-inline constexpr std::size_t widest_vector = 16;
-#else
-inline constexpr std::size_t widest_vector = 0;
-#endif
-
 namespace detail {
-
-template <class Number, std::size_t count>
-struct vector_of {
-  typedef Number type __attribute__((vector_size(count * sizeof(Number))));
-};
-template <class Number>
-struct vector_of<Number, 1> {
-  using type = Number;
-};
-
-/// What T holds `count` of: T itself is a number or one of the compiler's vectors.
-template <class T>
-struct lanes {
-  using number = T;
-  static constexpr std::size_t count = 1;
-};
-template <class T>
-  requires requires(const T v) { v[0]; }
-struct lanes<T> {
-  using number = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
-  static constexpr std::size_t count = sizeof(T) / sizeof(number);
-};
-template <class T>
-using number_of = typename lanes<T>::number;
-/// As many of another number.
-template <class T, class Number>
-using lanes_as = typename vector_of<Number, lanes<T>::count>::type;
-template <class T>
-using number_bits = std::conditional_t<sizeof(number_of<T>) == 8, std::uint64_t, std::uint32_t>;
-template <class T>
-using bits_of = lanes_as<T, number_bits<T>>;
 
 /// sin r = r + r³ S(r²) and cos r = 1 − r²/2 + r⁴ C(r²) for |r| ≤ π/4, with the least largest relative error.
 template <class Number>
@@ -112,14 +73,6 @@ struct reduced_angle {
   T offset, rest;
   bits_of<T> quadrant;
 };
-
-template <class To, class From>
-[[gnu::always_inline]] constexpr To converted(const From& v) {
-  if constexpr (lanes<From>::count == 1)
-    return static_cast<To>(v);
-  else
-    return __builtin_convertvector(v, To);
-}
 
 /// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is what the
 /// first leaves. The closest that an angle comes to a multiple of π/2 is 2^-60 (to 29 of them).
@@ -192,7 +145,7 @@ template <class T>
     const wide exact = rounded<wide>(all - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
     const T offset = converted<T>(exact);
     return {offset, converted<T>(exact - converted<wide>(offset)),
-            converted<bits_of<T>>(__builtin_bit_cast(bits_of<wide>, shifted))};
+            lower_halves(__builtin_bit_cast(bits_of<wide>, shifted))};
   }
 }
 
@@ -242,12 +195,7 @@ template <class T>
   using bits = number_bits<T>;
   const bits_of<T> given = __builtin_bit_cast(bits_of<T>, angle);
   const bits_of<T> left = __builtin_bit_cast(bits, number_of<T>(farthest_angle)) - (given << 1 >> 1);
-  bits any{};
-  if constexpr (lanes<T>::count == 1)
-    any = left;
-  else
-    for (std::size_t i = 0; i < lanes<T>::count; ++i) any |= left[i];
-  return any >> (8 * sizeof(bits) - 1) != 0;
+  return is_set_in_a_lane(left);
 }
 
 /// Corrects those that are out of reach.

@@ -14,20 +14,12 @@ template <class T>
   return __builtin_bit_cast(number_bits<T>, number_of<T>(farthest_angle)) - (given << 1 >> 1);
 }
 
-/// All lanes, joined by "or".
-template <class Bits>
-[[gnu::always_inline]] inline auto any_of(const Bits& bits) {
-  auto any = bits[0];
-  for (std::size_t i = 1; i < lanes<Bits>::count; ++i) any |= bits[i];
-  return any;
-}
-
 template <class T, std::size_t count, std::size_t... i>
 [[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const T (&angle)[count], T (&sine)[count],
                                                                 T (&cosine)[count],
                                                                 std::index_sequence<i...>) {
   (sine_and_cosine_within_reach(angle[i], sine[i], cosine[i]), ...);
-  return any_of((beyond_reach(angle[i]) | ...)) >> (8 * sizeof(number_of<T>) - 1) != 0;
+  return is_set_in_a_lane((beyond_reach(angle[i]) | ...));
 }
 
 } // namespace detail
