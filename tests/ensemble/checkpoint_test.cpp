@@ -19,8 +19,8 @@ namespace files = std::filesystem;
 // A study whose runs cost nothing. Run 5 fails, and each third has an event.
 class squares final : public ensembles::job {
 public:
-  explicit squares(std::size_t count) {
-    layout_.study = "squares", layout_.runs = count, layout_.columns = {{"run"}, {"square", "m2"}};
+  explicit squares(std::size_t count, const char* name = "squares") {
+    layout_.study = name, layout_.runs = count, layout_.columns = {{"run"}, {"square", "m2"}};
     layout_.state = {{"q"}}, layout_.samples = {{"t", "s"}, {"q"}}, layout_.events = {"third"};
   }
   const study_layout& layout() const override { return layout_; }
@@ -100,13 +100,29 @@ TEST_F(checkpoint, is_where_an_interrupted_study_goes_on) {
   EXPECT_TRUE(files::is_empty(folder)); // it is done
 }
 
+TEST_F(checkpoint, is_written_where_a_link_leads) {
+  const files::path scratch = folder / "scratch";
+  files::create_directory(scratch);
+  files::create_symlink("scratch/note", path); // which is not there yet
+  EXPECT_FALSE(run(100));
+  EXPECT_TRUE(files::is_symlink(path));
+  EXPECT_TRUE(files::is_regular_file(scratch / "note"));
+  expect_whole(run());
+  EXPECT_TRUE(files::is_empty(scratch));
+}
+
 TEST_F(checkpoint, of_another_study_is_refused) {
   const std::size_t done = run(100).done;
-  const auto other = run(0, 1, "by that");
-  EXPECT_FALSE(other);
-  EXPECT_EQ(other.cause(),
-            path + " is of another study, or of another build of this program; remove it to begin anew");
-  EXPECT_EQ(other.done, 0u);
+  ensembles::on_threads crew;
+  for (const auto& other :
+       {run(0, 1, "by that"),
+        crew.run(squares(count, "of a name that differs"), "by this",
+                 {.reduce = {statistics_of("square"), quantiles_of("square")}, .checkpoint = path})}) {
+    EXPECT_FALSE(other);
+    EXPECT_EQ(other.cause(),
+              path + " is of another study, or of another build of this program; remove it to begin anew");
+    EXPECT_EQ(other.done, 0u);
+  }
   EXPECT_GT(run(done + 1).done, done); // it is still there
 }
 

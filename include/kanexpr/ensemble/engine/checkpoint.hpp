@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -33,6 +34,16 @@ KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content) {
 
 inline constexpr std::string_view kind_of_note = "kanexpr checkpoint 1\n";
 
+/// Where a path leads by links: what stands there is replaced, not a link to it.
+inline std::string end_of_links(const std::string& path) {
+  constexpr int most = 40; // as Linux follows
+  std::filesystem::path end = path;
+  std::error_code none;
+  for (int i = 0; i < most && std::filesystem::is_symlink(end, none); ++i)
+    end = end.parent_path() / std::filesystem::read_symlink(end, none);
+  return end.string();
+}
+
 inline outcome checkpoint_file::failed(const char* what) const {
   return outcome(path_ + ' ' + what + ": " + std::generic_category().message(errno));
 }
@@ -40,9 +51,10 @@ inline outcome checkpoint_file::failed(const char* what) const {
 KANEXPR_ENSEMBLES outcome checkpoint_file::hold(const std::string& path) {
   if (path.empty()) return outcome("the path of the checkpoint is empty");
   path_ = path;
-  const std::size_t folders = path.rfind('/') + 1; // 0: it has none
-  name_ = path.substr(folders);
-  const std::string folder = folders > 0 ? path.substr(0, folders) : ".";
+  const std::string end = end_of_links(path);
+  const std::size_t folders = end.rfind('/') + 1; // 0: it has none
+  name_ = end.substr(folders);
+  const std::string folder = folders > 0 ? end.substr(0, folders) : ".";
   folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
   if (folder_ < 0) return failed("cannot be written");
   if (outcome fits = check_kind(); !fits) return fits;
