@@ -1,5 +1,7 @@
 #pragma once
 
+#include "timing.hpp"
+
 #include <kanexpr/ensemble.hpp>
 #include <models/double_pendulum.hpp>
 
@@ -45,6 +47,36 @@ study_in_steps<runge_kutta_4<System>, Number> in_steps(std::size_t count) {
           .steps = static_cast<int>(span.to / step),
           .keep = {at_end<q1>("q1_end"), at_end<q2>("q2_end")},
           .look_every = static_cast<int>(span.to / step)};
+}
+
+/// The same numbers, whoever formed them, have the same sum.
+using sum = double;
+
+inline sum of_table(const ensemble_results& found) {
+  if (!found || found.failed > 0) timing::give_up(found.cause());
+  sum all = 0;
+  for (double angle : found.runs["q1_end"]) all += angle;
+  return all;
+}
+
+inline state<System> start_of(const runs& all, std::size_t run) {
+  const run_values given(all, run);
+  return {{q1, given[q1]}, {q2, given[q2]}, {u1, 0}, {u2, 0}};
+}
+
+inline sum bare_simulations(std::size_t count, std::size_t first = 0, std::size_t stride = 1) {
+  const runs all = starts(count);
+  const given_parameters<System> p(bars);
+  const simulation_options<System> options{.inputs = given_inputs<System>(without_motors),
+                                           .relative_tolerance = tolerance,
+                                           .output_times = {span.to}};
+  sum found = 0;
+  for (std::size_t i = first; i < count; i += stride) {
+    const auto ended = simulate<System>(start_of(all, i), p, span, options);
+    if (!ended) timing::give_up(ended.cause());
+    found += ended.state[q1];
+  }
+  return found;
 }
 
 } // namespace pendulums
