@@ -2,6 +2,7 @@
 #include "ensemble/written_study.hpp"
 
 #include <kanexpr/ensemble/csv_file.hpp>
+#include <kanexpr/ensemble/held_file.hpp>
 #include <kanexpr/simulate/csv.hpp>
 
 #include <gmock/gmock.h>
@@ -106,6 +107,15 @@ TEST(csv_file, says_what_it_cannot) {
   ::flock(other, LOCK_SH);
   EXPECT_EQ(cause(path), path + " is open in another program");
   ::close(other);
+
+  kanexpr::ensembles::held_file first, second; // which begin at the same moment
+  EXPECT_TRUE(first.claim(path));
+  EXPECT_EQ(second.claim(path).cause(), path + " is open in another program");
+  EXPECT_EQ(cause(path), path + " is open in another program");
+  first.release();
+  EXPECT_TRUE(second.claim(path));
+  second.release();
+  EXPECT_FALSE(std::filesystem::exists(path + ".lock"));
 
   std::string position(16, '\0');
   position[0] = 100;

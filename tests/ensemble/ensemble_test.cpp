@@ -35,7 +35,7 @@ study<System> bouncing_balls() {
                                    const simulation<System>& run) { return given[h] - run.state[h]; })},
       .keep_end_state = true,
       .keep_events = true,
-      .units = {{h, "m"}, {g, "m/s2"}}};
+      .units = {{h, "m"}, {v, "m/s"}, {g, "m/s2"}, {m, "kg"}}};
 }
 
 // To the last bit, also of what is not a number.
@@ -226,11 +226,17 @@ TEST(ensemble, ends_as_an_event_asks) {
 }
 
 TEST(ensemble, names_columns_with_units) {
-  const auto columns = ensemble<System>(bouncing_balls()).layout().columns;
+  const study_layout layout = ensemble<System>(bouncing_balls()).layout();
+  const auto& columns = layout.columns;
   std::vector<column_label> first(columns.begin(), columns.begin() + 6);
   EXPECT_THAT(first, testing::ElementsAre(column_label{"run"}, column_label{"end"},
                                           column_label{"t_end", "s"}, column_label{"h", "m"},
                                           column_label{"g", "m/s2"}, column_label{"speed", "m/s"}));
+  EXPECT_EQ(columns[8], (column_label{"fastest down", "m/s"})); // as its symbol
+  EXPECT_EQ(columns[13], (column_label{"fallen"}));
+  EXPECT_EQ(columns[15], (column_label{"v_end", "m/s"}));
+  EXPECT_THAT(layout.constants,
+              testing::ElementsAre(constant_of_runs{{"v", "m/s"}, 0}, constant_of_runs{{"m", "kg"}, 0.3}));
 }
 
 std::string refusal(study<System> told, const ensemble_options& options = {}) {

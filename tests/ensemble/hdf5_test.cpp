@@ -2,6 +2,7 @@
 // Files of HDF5 as a program sees them that reads them with HDF5 itself.
 #include "ensemble/written_study.hpp"
 
+#include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/hdf5/engine/errors.hpp>
 #include <kanexpr/ensemble/hdf5/engine/handle.hpp>
 #include <kanexpr/hdf5.hpp>
@@ -23,15 +24,18 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
 
+using kanexpr::csv_file;
 using kanexpr::hdf5_file;
 using kanexpr::ensembles::hdf5_errors;
 using kanexpr::ensembles::hdf5_handle;
 using testing::HasSubstr;
+using testing::StartsWith;
 using testing::TempDir;
 
 // Where those files are that a test writes often: in memory, where nothing has to wait for a disk.
@@ -276,6 +280,58 @@ TEST(hdf5_file, goes_on_after_the_program_was_killed) {
   std::filesystem::remove(path);
 }
 
+TEST(hdf5_file, does_not_go_on_in_rows_that_are_not_those_of_its_study) {
+  const std::string path = in_memory("changed.h5"), noted = path + ".noted";
+  const written::study known(3000);
+  for (int compression : {0, 1}) {
+    const auto file = hdf5_file(path, {compression});
+    std::string position;
+    ASSERT_TRUE(file->begin(known.layout()));
+    for (const auto& each : known.run(0, 2000)) ASSERT_TRUE(file->take(each));
+    ASSERT_TRUE(file->flush(position));
+    for (const auto& each : known.run(2000, 500)) ASSERT_TRUE(file->take(each));
+    ASSERT_TRUE(file->end());
+    std::filesystem::copy_file(path, noted, std::filesystem::copy_options::overwrite_existing);
+
+    const auto size = std::filesystem::file_size(path);
+    for (std::uintmax_t left : {size / 2, size / 10}) { // as a copy that was interrupted
+      std::filesystem::copy_file(noted, path, std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::resize_file(path, left);
+      EXPECT_FALSE(file->go_on(known.layout(), position)) << left << " of " << size << " bytes";
+    }
+    ASSERT_TRUE(file->begin(known.layout())); // of a study with the same columns
+    for (const auto& each : known.run(1, 2500)) ASSERT_TRUE(file->take(each));
+    ASSERT_TRUE(file->end());
+    EXPECT_EQ(file->go_on(known.layout(), position).cause(),
+              path + " does not hold what it held when the study was noted");
+
+    std::filesystem::copy_file(noted, path, std::filesystem::copy_options::overwrite_existing);
+    ASSERT_TRUE(file->go_on(known.layout(), position));
+    for (const auto& each : known.run(2000, 1000)) ASSERT_TRUE(file->take(each));
+    ASSERT_TRUE(file->end());
+    expect_same(path, whole(known));
+  }
+  std::filesystem::remove(path), std::filesystem::remove(noted);
+}
+
+TEST(hdf5_file, is_written_where_a_link_leads_and_replaces_files_alone) {
+  const std::filesystem::path folder = TempDir() + "kanexpr_links";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder / "scratch");
+  const std::string link = folder / "link.h5", pipe = folder / "pipe";
+  std::filesystem::create_symlink("scratch/study.h5", link);
+  const written::study known(10);
+  ASSERT_EQ(written::run(known, {.files = {hdf5_file(link)}}).cause(), "");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(reader(folder / "scratch" / "study.h5").rows("runs"), 10u);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(written::run(known, {.files = {hdf5_file(pipe)}}).cause(),
+            pipe + " is no file that could be replaced");
+  EXPECT_EQ(written::run(known, {.files = {hdf5_file(folder.string())}}).cause(),
+            folder.string() + " is a folder, not a file");
+  std::filesystem::remove_all(folder);
+}
+
 TEST(hdf5_file, ends_where_a_study_is_asked_to_stop_before_it_was_interrupted) {
   const written::study known(100);
   const std::string path = TempDir() + "stopped.h5";
@@ -356,6 +412,9 @@ TEST(hdf5_file, says_what_it_cannot) {
   const std::string path = TempDir() + "mistaken.h5";
   EXPECT_EQ(cause(path, {.compression = 12}), path + " cannot be written: invalid deflate level");
   EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+  EXPECT_THAT(written::run(known, {.files = {hdf5_file(path), csv_file("some.csv")}}).cause(),
+              StartsWith("some.csv cannot hold the trajectories"));
+  EXPECT_FALSE(std::filesystem::exists(path));
 
   kanexpr::study_layout wide = known.layout();
   for (int i = 0; i < 3000; ++i) wide.columns.push_back({"a long name of a column " + std::to_string(i)});

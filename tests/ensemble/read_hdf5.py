@@ -34,3 +34,5 @@ with h5py.File(path, "r") as file:
     assert file["failures"][1]["cause"].decode().endswith("xxx…")
     assert list(file["events"].attrs["names"]) == ["falls over", 'touches/ground, "hard" ü']
     assert file["samples"].dtype.names == ("run_", "t", "q", "run")
+    assert file.attrs["constants"].dtype.names == ("m", 'g"') and file.attrs["constants"].tolist() == (2.5, -9.81)
+    assert list(file.attrs["units_of_constants"]) == ["kg", ""]

@@ -20,6 +20,7 @@ public:
     layout_.study = "a known study";
     layout_.runs = runs;
     layout_.varied = 1;
+    layout_.constants = {{{"m", "kg"}, 2.5}, {{"g\""}, -9.81}};
     layout_.columns = {{"run"},         {"end"},      {"t_end", "s"},
                        {"push", "N s"}, {"q", "rad"}, {"u/ω \"fast\"", "°/s"}};
     layout_.state = {{"q", "rad"}, {"run"}}; // a coordinate of that name

@@ -2,11 +2,11 @@
 
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
+#include <kanexpr/ensemble/lock_beside.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace kanexpr::ensembles {
@@ -36,15 +36,11 @@ public:
 
 private:
   outcome failed(const char* what) const;
-  outcome check_kind() const;
-  std::string lock_name() const { return name_ + ".lock"; }
 
   std::string path_{}, name_{}; ///< as it was given, and in its folder
-  int folder_ = -1, lock_ = -1;
+  int folder_ = -1;
+  lock_beside lock_{};
 };
-
-/// A number that is another one for nearly all other contents.
-KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content);
 
 /// By what a program is known again: a number formed of its file; 0 where that cannot be read.
 KANEXPR_ENSEMBLES std::uint64_t this_program();

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
+#include <kanexpr/ensemble/lock_beside.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -9,10 +10,8 @@
 
 namespace kanexpr::ensembles {
 
-/// Whether a file could be replaced: it is not there, or may be written and no other program holds it.
-KANEXPR_ENSEMBLES outcome check_free(const std::string& path);
-
-/// A file that is held against other programs which ask, as HDF5 does. They may read it.
+/// A file that is held against other studies, and against other programs which ask, as HDF5 does. They may
+/// read it.
 class held_file {
 public:
   held_file() = default;
@@ -20,6 +19,9 @@ public:
   held_file& operator=(const held_file&) = delete;
   ~held_file() { release(); }
 
+  /// Before it is replaced or changed: it is not there, or may be written and no other program holds it.
+  KANEXPR_ENSEMBLES outcome claim(const std::string& path);
+  /// Behind that, when it is there.
   KANEXPR_ENSEMBLES outcome hold(const std::string& path);
   /// The bytes from there on, or as many as there are.
   KANEXPR_ENSEMBLES std::string read(std::uint64_t from, std::size_t count) const;
@@ -29,6 +31,7 @@ public:
 
 private:
   std::string path_{};
+  lock_beside lock_{};
   int file_ = -1;
 };
 

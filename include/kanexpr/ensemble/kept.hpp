@@ -46,6 +46,7 @@ struct kept {
   bool may_be_missing = false; ///< not a number then
   std::string event{};         ///< of which it speaks
   std::string text{};          ///< by which a study is known again, beside the name
+  std::string symbol{};        ///< whose unit it has if it was told none; empty: of none
 };
 
 namespace ensembles {
@@ -72,7 +73,11 @@ struct watched {
 
   /// That of a symbol with something behind it; else it has to be given one.
   static std::string name(const char* what) {
-    if constexpr (requires { symbol_name(expression); }) return symbol_name(expression).name() + what;
+    const std::string of = symbol();
+    return of.empty() ? of : of + what;
+  }
+  static std::string symbol() {
+    if constexpr (requires { symbol_name(expression); }) return symbol_name(expression).name();
     return {};
   }
 };
@@ -91,7 +96,7 @@ struct kept_expression {
       const auto of = [](const ended_run<System>& ended) {
         return watched::template at<System>(ended.run.time, ended.run.state, ended.p, ended.r);
       };
-      return {what, of, false, false, false, {}, text()};
+      return {what, of, false, false, false, {}, text(), watched::symbol()};
     } else {
       const auto of = [](const ended_run<System>& ended) {
         constexpr double sign = when == in_time::greatest ? 1 : -1;
@@ -101,7 +106,7 @@ struct kept_expression {
                             return sign * watched::template at<System>(s.t, s.x, ended.p, s.r);
                           });
       };
-      return {what, of, true, false, false, {}, text()};
+      return {what, of, true, false, false, {}, text(), watched::symbol()};
     }
   }
   template <class System, class Number>
@@ -112,7 +117,7 @@ struct kept_expression {
       else
         return x[0];
     };
-    return {what, when, of, text()};
+    return {what, when, of, text(), watched<expression>::symbol()};
   }
 
 private:

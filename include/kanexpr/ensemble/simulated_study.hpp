@@ -41,10 +41,11 @@ public:
     const simulation_options<System>& o = told_.simulation;
     bytes_writer all;
     for (double each :
-         {told_.span.from, told_.span.to, o.relative_tolerance, o.absolute_tolerance.value_or(0),
+         {told_.span.from, told_.span.to, o.relative_tolerance, o.absolute_tolerance.value_or(-1),
           o.output_every, o.first_step, o.least_step, o.greatest_step})
       all.put(each);
-    all.put(static_cast<int>(by)), all.put(o.most_steps), all.put(o.output_times);
+    all.put(static_cast<int>(by)), all.put(o.analytic_jacobian), all.put(o.most_steps),
+        all.put(o.output_times);
     for (const named_value& each : o.absolute_tolerances) all.put(each.what.name()), all.put(each.value);
     for (const event<System>& each : o.events) all.put(each.name), all.put(static_cast<int>(each.direction));
     if (const auto& inputs = o.inputs.constants())

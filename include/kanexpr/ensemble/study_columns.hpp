@@ -69,14 +69,20 @@ public:
   /// Of a study, as it is told.
   template <class Study>
   static study_layout layout_of(const Study& told, const deriving::survey& known, std::string_view system) {
-    std::vector<column_label> kept;
-    for (const auto& each : told.keep) kept.push_back(each.what);
     const study_columns columns(known, told.units);
+    std::vector<column_label> kept;
+    for (const auto& each : told.keep) {
+      kept.push_back(each.what);
+      if (kept.back().unit.empty() && !each.symbol.empty()) kept.back().unit = columns.unit(each.symbol);
+    }
     study_layout found;
     found.study = told.name.empty() ? std::string(system) : told.name;
     found.runs = told.runs.size();
     found.columns = columns.of_runs(told.runs, kept);
     found.varied = told.runs.varied().size();
+    for (const auto* list : {&told.state, &told.parameters, &told.inputs})
+      for (const auto& each : *list)
+        found.constants.push_back({{each.what.name(), columns.unit(each.what.name())}, each.value});
     found.state = columns.of_state();
     if (told.keep_end_state)
       for (const column_label& each : found.state) found.columns.push_back({each.name + "_end", each.unit});

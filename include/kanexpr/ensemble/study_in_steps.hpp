@@ -27,7 +27,8 @@ struct kept_in_steps {
                                               const typename side_by_side::template parameters<System>&,
                                               const typename side_by_side::template inputs<System>&)>
       of;
-  std::string text{}; ///< by which a study is known again, beside the name
+  std::string text{};   ///< by which a study is known again, beside the name
+  std::string symbol{}; ///< whose unit it has if it was told none; empty: of none
 };
 
 /// A set of motions of one system in steps of a fixed length, and what is kept of each. In single precision,

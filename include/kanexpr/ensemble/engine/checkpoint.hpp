@@ -2,47 +2,20 @@
 
 #include <kanexpr/base/bytes.hpp>
 #include <kanexpr/ensemble/checkpoint.hpp>
-#include <kanexpr/ensemble/random_number.hpp>
+#include <kanexpr/ensemble/sum_of_bytes.hpp>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace kanexpr::ensembles {
 
-KANEXPR_ENSEMBLES std::uint64_t sum_of(std::string_view content) {
-  std::uint64_t sum = content.size();
-  while (!content.empty()) {
-    std::uint64_t word = 0;
-    const std::size_t count = (std::min)(content.size(), sizeof word);
-    std::memcpy(&word, content.data(), count);
-    sum = mixed((sum << 1 | sum >> 63) ^ mixed(word + 0x9e3779b97f4a7c15));
-    content.remove_prefix(count);
-  }
-  return sum;
-}
-
 inline constexpr std::string_view kind_of_note = "kanexpr checkpoint 1\n";
-
-/// Where a path leads by links: what stands there is replaced, not a link to it.
-inline std::string end_of_links(const std::string& path) {
-  constexpr int most = 40; // as Linux follows
-  std::filesystem::path end = path;
-  std::error_code none;
-  for (int i = 0; i < most && std::filesystem::is_symlink(end, none); ++i)
-    end = end.parent_path() / std::filesystem::read_symlink(end, none);
-  return end.string();
-}
 
 inline outcome checkpoint_file::failed(const char* what) const {
   return outcome(path_ + ' ' + what + ": " + std::generic_category().message(errno));
@@ -51,40 +24,24 @@ inline outcome checkpoint_file::failed(const char* what) const {
 KANEXPR_ENSEMBLES outcome checkpoint_file::hold(const std::string& path) {
   if (path.empty()) return outcome("the path of the checkpoint is empty");
   path_ = path;
+  if (outcome fits = check_replaceable(path, "a checkpoint"); !fits) return fits;
   const std::string end = end_of_links(path);
   const std::size_t folders = end.rfind('/') + 1; // 0: it has none
   name_ = end.substr(folders);
   const std::string folder = folders > 0 ? end.substr(0, folders) : ".";
   folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
   if (folder_ < 0) return failed("cannot be written");
-  if (outcome fits = check_kind(); !fits) return fits;
-  // A file beside it is locked, as it is itself replaced by each note. The lock goes with the program; the
-  // file goes with the study, and where it stays, the next study takes it.
-  for (;;) {
-    lock_ = ::openat(folder_, lock_name().c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0) return failed("cannot be written");
-    const bool is_held = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    struct stat mine = {}, there = {};
-    const bool is_there = ::fstat(lock_, &mine) == 0 &&
-                          ::fstatat(folder_, lock_name().c_str(), &there, 0) == 0 &&
-                          mine.st_dev == there.st_dev && mine.st_ino == there.st_ino;
-    if (!is_held && is_there) return {};
-    ::close(std::exchange(lock_, -1));
-    if (is_held) return outcome(path_ + " is in use by another study");
+  // A file beside it is locked, as it is itself replaced by each note.
+  switch (lock_.hold(end)) {
+  case lock_beside::answer::held: return {};
+  case lock_beside::answer::taken: return outcome(path_ + " is in use by another study");
+  case lock_beside::answer::impossible: break;
   }
+  return failed("cannot be written");
 }
 
 KANEXPR_ENSEMBLES checkpoint_file::~checkpoint_file() {
-  if (lock_ >= 0) ::unlinkat(folder_, lock_name().c_str(), 0), ::close(lock_);
   if (folder_ >= 0) ::close(folder_);
-}
-
-inline outcome checkpoint_file::check_kind() const {
-  struct stat what = {};
-  if (!name_.empty() && ::fstatat(folder_, name_.c_str(), &what, 0) != 0)
-    return errno == ENOENT ? outcome() : failed("cannot be opened");
-  if (name_.empty() || S_ISDIR(what.st_mode)) return outcome(path_ + " is a folder, not a checkpoint");
-  return S_ISREG(what.st_mode) ? outcome() : outcome(path_ + " is no file that could be replaced");
 }
 
 KANEXPR_ENSEMBLES outcome checkpoint_file::write(const std::string& content) const {

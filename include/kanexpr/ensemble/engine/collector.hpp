@@ -76,6 +76,8 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
                      " needs a bin at least, and must begin below its end");
     reduced_.push_back(static_cast<std::size_t>(column - layout_.columns.begin()));
   }
+  for (const auto& each : options_.files)
+    if (outcome fits = each->fits(layout_); !fits) return fits;
   columns_.resize(options_.hold ? layout_.columns.size() : 0);
   if (options_.checkpoint) {
     if (outcome held = checkpoint_.hold(options_.checkpoint->text()); !held) return held;

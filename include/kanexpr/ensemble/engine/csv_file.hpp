@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/bytes.hpp>
-#include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/held_file.hpp>
+#include <kanexpr/ensemble/sum_of_bytes.hpp>
 #include <kanexpr/simulate/csv.hpp>
 
 #include <algorithm>
@@ -26,9 +26,14 @@ class csv_results final : public results_file {
 public:
   explicit csv_results(std::string path) : path_(std::move(path)) {}
 
+  outcome fits(const study_layout& layout) const override {
+    if (layout.samples.empty() && layout.events.empty()) return {};
+    return outcome(path_ + " cannot hold the " + (layout.samples.empty() ? "events" : "trajectories") +
+                   " that the study keeps, as it is a table of runs; a file of HDF5 can");
+  }
+
   outcome begin(const study_layout& layout) override {
-    if (outcome fits = check_layout(layout); !fits) return fits;
-    if (outcome free = check_free(path_); !free) return free;
+    if (outcome claimed = held_.claim(path_); !claimed) return claimed;
     out_ = std::ofstream(path_, std::ios::binary);
     if (!out_) return not_opened();
     rows_ = 0;
@@ -71,8 +76,7 @@ private:
     rows_ = told.get<std::size_t>();
     const auto sum = told.get<std::uint64_t>();
     const std::string noted_as = told.get_text();
-    if (outcome fits = check_layout(layout); !fits) return fits;
-    if (outcome free = check_free(path_); !free) return free;
+    if (outcome claimed = held_.claim(path_); !claimed) return claimed;
     if (outcome held = held_.hold(path_); !held) return held;
     if (outcome begins = check_header(layout, size); !begins) return begins;
     if (sum_up_to(size) != sum)
@@ -86,11 +90,6 @@ private:
   }
   outcome not_opened() const {
     return outcome(path_ + " cannot be opened: " + std::generic_category().message(errno));
-  }
-  outcome check_layout(const study_layout& layout) const {
-    if (layout.samples.empty() && layout.events.empty()) return {};
-    return outcome(path_ + " cannot hold the " + (layout.samples.empty() ? "events" : "trajectories") +
-                   " that the study keeps, as it is a table of runs; a file of HDF5 can");
   }
   outcome check_header(const study_layout& layout, std::uint64_t size) const {
     std::ostringstream header;

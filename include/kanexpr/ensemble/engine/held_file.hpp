@@ -20,7 +20,11 @@ inline outcome lock(int file, int how, const std::string& path) {
   return outcome(path + " is open in another program");
 }
 
-KANEXPR_ENSEMBLES outcome check_free(const std::string& path) {
+KANEXPR_ENSEMBLES outcome held_file::claim(const std::string& path) {
+  release();
+  // Where no file can stand beside it, or it is no file, as /dev/stdout, nothing holds it.
+  if (check_replaceable(path, "a file") && lock_.hold(end_of_links(path)) == lock_beside::answer::taken)
+    return outcome(path + " is open in another program");
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) return {};
   if (file < 0) return not_held(path, "cannot be opened");
@@ -30,7 +34,7 @@ KANEXPR_ENSEMBLES outcome check_free(const std::string& path) {
 }
 
 KANEXPR_ENSEMBLES outcome held_file::hold(const std::string& path) {
-  release();
+  if (file_ >= 0) ::close(file_);
   path_ = path;
   file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   return file_ < 0 ? not_held(path, "cannot be opened") : lock(file_, LOCK_SH, path);
@@ -58,6 +62,7 @@ KANEXPR_ENSEMBLES outcome held_file::store() const {
 KANEXPR_ENSEMBLES void held_file::release() {
   if (file_ >= 0) ::close(file_);
   file_ = -1;
+  lock_.release();
 }
 
 } // namespace kanexpr::ensembles

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/ensemble/checkpoint.hpp>
+#include <kanexpr/ensemble/sum_of_bytes.hpp>
 #include <kanexpr/mpi/engine/first_rank.hpp>
 #include <kanexpr/mpi/engine/mpi_mailbox.hpp>
 #include <kanexpr/mpi/engine/other_rank.hpp>

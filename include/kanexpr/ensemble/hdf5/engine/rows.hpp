@@ -4,6 +4,7 @@
 #include <kanexpr/ensemble/layout.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -103,6 +104,19 @@ public:
     waiting_.clear();
     done_ = end;
     return true;
+  }
+
+  /// The bytes of the last rows before the next one, or of all; none where they cannot be read.
+  std::optional<std::string> last() const {
+    const hsize_t count = (std::min)(done_, hsize_t{bytes_of_chunk} / row_size_ + 1), first = done_ - count;
+    std::string bytes(count * row_size_, '\0');
+    if (count == 0) return bytes;
+    const hdf5_handle space(H5Dget_space(rows_.id()), &H5Sclose),
+        memory(H5Screate_simple(1, &count, nullptr), &H5Sclose);
+    if (H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &first, nullptr, &count, nullptr) < 0 ||
+        H5Dread(rows_.id(), type_.id(), memory.id(), space.id(), H5P_DEFAULT, bytes.data()) < 0)
+      return {};
+    return bytes;
   }
 
   hid_t id() const { return rows_.id(); }

@@ -6,6 +6,7 @@
 #include <kanexpr/ensemble/hdf5/engine/study_tables.hpp>
 #include <kanexpr/ensemble/hdf5/hdf5_file.hpp>
 #include <kanexpr/ensemble/held_file.hpp>
+#include <kanexpr/ensemble/sum_of_bytes.hpp>
 
 #include <cerrno>
 #include <chrono>
@@ -34,10 +35,12 @@ public:
   outcome begin(const study_layout& layout) override {
     const hdf5_errors errors;
     restart(layout);
-    if (outcome free = check_free(path_); !free) return free;
-    const std::string beside = path_ + ".new";
+    if (path_.empty()) return outcome("the path of the file is empty");
+    if (outcome fits = check_replaceable(path_, "a file"); !fits) return fits;
+    if (outcome claimed = held_.claim(path_); !claimed) return claimed;
+    const std::string end = end_of_links(path_), beside = end + ".new";
     const bool is_sound = create(beside);
-    if (is_sound && std::rename(beside.c_str(), path_.c_str()) == 0) return held_.hold(path_);
+    if (is_sound && std::rename(beside.c_str(), end.c_str()) == 0) return held_.hold(path_);
     outcome failed = is_sound
                          ? outcome(path_ + " cannot be replaced: " + std::generic_category().message(errno))
                          : not_written(errors);
@@ -49,21 +52,16 @@ public:
   outcome go_on(const study_layout& layout, const std::string& position) override {
     const hdf5_errors errors;
     restart(layout);
-    if (outcome free = check_free(path_); !free) return free;
+    if (outcome claimed = held_.claim(path_); !claimed) return claimed;
     if (outcome fits = check_content(errors); !fits) return fits;
     if (!open(H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE) || H5Fincrement_filesize(file_.id(), 0) < 0 ||
         !tables_->open(file_.id())) {
       abandon();
       return not_opened(errors);
     }
-    bytes_reader told(position);
-    for (const auto& each : tables_->all()) {
-      const auto done = told.get<std::size_t>();
-      if (done > each.rows->in_file()) {
-        abandon();
-        return outcome(path_ + " has fewer rows in " + each.name + " than when the study was noted");
-      }
-      each.rows->go_on(done);
+    if (outcome holds = check_rows(position); !holds) {
+      abandon();
+      return holds;
     }
     return held_.hold(path_);
   }
@@ -84,7 +82,11 @@ public:
     if (!failure_) return failure_;
     if (!flush()) return fail(errors);
     bytes_writer told;
-    for (const auto& each : tables_->all()) told.put(each.rows->done());
+    for (const auto& each : tables_->all()) {
+      const std::optional<std::string> last = each.rows->last();
+      if (!last) return fail(errors);
+      told.put(each.rows->done()), told.put(sum_of(*last));
+    }
     position = told.bytes();
     return held_.store();
   }
@@ -135,6 +137,23 @@ private:
     const bool fits = tables_->open(file_.id());
     close();
     return fits ? outcome() : outcome(path_ + " does not have the columns of the study");
+  }
+
+  /// Whether the rows are there that the study had noted: those of another one may have the same columns, and
+  /// a file that was cut off is filled up with zeros.
+  outcome check_rows(const std::string& position) {
+    bytes_reader told(position);
+    for (const auto& each : tables_->all()) {
+      const auto done = told.get<std::size_t>();
+      const auto sum = told.get<std::uint64_t>();
+      if (done > each.rows->in_file())
+        return outcome(path_ + " has fewer rows in " + each.name + " than when the study was noted");
+      each.rows->go_on(done);
+      const std::optional<std::string> last = each.rows->last();
+      if (done > 0 && (!last || sum_of(*last) != sum))
+        return outcome(path_ + " does not hold what it held when the study was noted");
+    }
+    return {};
   }
 
   bool flush() {

@@ -41,7 +41,7 @@ public:
     for (const named_rows& each : all_)
       if (!each.rows->create(file, each.name, each.columns, compression)) return false;
     return write_attribute(file, "study", layout_.study) &&
-           write_attribute(file, "planned_runs", layout_.runs) &&
+           write_attribute(file, "planned_runs", layout_.runs) && write_constants(file) &&
            write_attribute(runs_.id(), "varied", layout_.varied) &&
            write_attribute(runs_.id(), "ends",
                            std::vector<std::string>{"reached_end", "stopped_by_event", "failed"}) &&
@@ -80,6 +80,19 @@ public:
   }
 
 private:
+  /// As one row, whose fields have their names.
+  bool write_constants(hid_t file) const {
+    if (layout_.constants.empty()) return true;
+    row_columns names;
+    std::vector<double> values;
+    for (const constant_of_runs& each : layout_.constants) {
+      names.add(each.what, H5T_NATIVE_DOUBLE);
+      values.push_back(each.value);
+    }
+    const hdf5_handle type = names.type(), one(H5Screate(H5S_SCALAR), &H5Sclose);
+    return type && write_attribute(file, "constants", type.id(), one.id(), values.data()) &&
+           write_attribute(file, "units_of_constants", names.units());
+  }
   row_columns columns_of_runs() const {
     row_columns all;
     all.add(layout_.columns[0], H5T_NATIVE_UINT64);
