@@ -6,6 +6,7 @@
 #include <kanexpr/robots/robot_builder.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,6 +111,34 @@ TEST(robot_builder, feels_what_is_at_joints) {
   auto forcing = m.function(m.forcing()), plain = n.function(n.forcing());
   const Eigen::Vector3d felt(-0.6 * 1.5 - 0.2, 0.4 * 0.7, 0);
   EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
+}
+
+// The cart carries along what floats off it, along the axis of the rail.
+TEST(robot_builder, floats_off_a_slide) {
+  const read_robot read = read_urdf_text(
+      "<robot name='r'><link name='ground'/>"
+      "<link name='cart'><inertial><mass value='2'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+      "iyz='0'/>"
+      "</inertial></link>"
+      "<link name='ship'><inertial><mass value='3'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+      "iyz='0'/>"
+      "</inertial></link>"
+      "<joint name='rail' type='prismatic'><parent link='ground'/><child link='cart'/><axis xyz='1 0 0'/>"
+      "<limit effort='1' velocity='1' lower='-1' upper='1'/></joint>"
+      "<joint name='mooring' type='floating'><parent link='cart'/><child link='ship'/></joint></robot>");
+  ASSERT_TRUE(read) << read.cause();
+  const robot_builder built(read.robot);
+  ASSERT_EQ(built.cause(), "");
+  model m = derive(built);
+  auto mass = m.function(m.mass_matrix());
+  auto at = built.at_rest();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.7, 0.1, -0.5, 0.5).normalized();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(at.size()));
+  x.segment<4>(4) << turn.vec(), turn.w();
+  const Eigen::MatrixXd of_all = mass(x, Eigen::VectorXd(), Eigen::VectorXd(1));
+  EXPECT_NEAR(of_all(0, 0), 5, 1e-12);
+  const Eigen::RowVector3d coupled = 3 * turn.toRotationMatrix().row(0);
+  EXPECT_TRUE((of_all.block<1, 3>(0, 1).isApprox(coupled, 1e-12))) << of_all;
 }
 
 TEST(robot_builder, survives_broken_files) {

@@ -70,8 +70,8 @@ struct fixed_in : describe::fixing_words {
   static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
 };
 
-/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in a moving one the
-/// point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
+/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in any other frame
+/// the point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
 template <class Reference, auto... value>
 struct velocity : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;

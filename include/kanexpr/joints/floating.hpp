@@ -30,6 +30,7 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
                          Joint::template q<2> * basis(Joint::home_frame(), 2)>;
     r.reference = Joint::parent_frame();
     r.velocity = phrase_of<drift<Joint>>;
+    r.from_parent = true;
   }
 
   template <class Joint, std::size_t i>

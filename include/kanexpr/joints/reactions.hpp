@@ -39,6 +39,7 @@ struct freed_joint {
       r.velocity = phrase_of<kind::template drift<Joint> + by_force>;
     else
       r.velocity = phrase_of<by_force>;
+    r.from_parent = true;
     return r;
   }();
 };

@@ -169,7 +169,7 @@ private:
     angular_velocity(own, in, along(own, m.u[3], m.u[4], m.u[5]));
     const point_id at = offset(called + "_origin", start, along(in, m.q[0], m.q[1], m.q[2]));
     const vector v = along(own, m.u[0], m.u[1], m.u[2]);
-    velocity(at, in, v);
+    velocity_from_parent(at, in, v);
     for (std::size_t i = 0; i < 3; ++i) {
       vector3 basis{};
       basis[i] = 1;

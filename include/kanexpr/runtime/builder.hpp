@@ -148,8 +148,11 @@ public:
   void fixed_in(point_id point, frame_id frame);
   /// The position of a point from another.
   vector position_of(point_id point, point_id from);
-  /// The velocity of a point in `reference`, used in place of the derived one.
+  /// The velocity of a point in `reference`, used in place of the derived one: in the inertial frame as it
+  /// is, in any other with the motion of its parent, which is fixed there (one-point theorem).
   void velocity(point_id point, frame_id reference, const vector& value);
+  /// The same with the motion of the parent in any frame.
+  void velocity_from_parent(point_id point, frame_id reference, const vector& value);
 
   // ---- bodies and loads
 

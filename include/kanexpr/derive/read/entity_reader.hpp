@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/points.hpp>
 
 namespace kanexpr::deriving {
 
@@ -98,8 +99,13 @@ public:
     }
     if (told.fixed_in != nullptr) p.fixed_in = frame(told.fixed_in, told.called);
     if (told.reference != nullptr) {
-      p.reference = frame(told.reference, told.called);
-      p.velocity = phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
+      const int reference = frame(told.reference, told.called);
+      const mechanics::vector v =
+          phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
+      if (told.from_parent)
+        mechanics::declare_velocity_from_parent(p, reference, v);
+      else
+        mechanics::declare_velocity(p, reference, v);
     }
     if (reading_.mistake) return 0;
     points_.push(r);

@@ -101,7 +101,8 @@ public:
   /// inertial frame.
   constexpr bool is_declared(const describe::token& t) const {
     using describe::token_kind;
-    if (t.what == token_kind::velocity) return t.point->reference == reading_.from.inertial;
+    if (t.what == token_kind::velocity)
+      return t.point->reference == reading_.from.inertial && !t.point->from_parent;
     if (t.what == token_kind::angular_velocity) return t.frame->reference == reading_.from.inertial;
     return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
            t.what != token_kind::derivative;

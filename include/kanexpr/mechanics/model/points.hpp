@@ -25,11 +25,19 @@ constexpr int add_point(mechanism& m, const name& called, int parent, const vect
 /// given.
 constexpr void fix_point(mechanism& m, int point, int frame) { m.points[point].fixed_in = frame; }
 
-/// The velocity of a point in `reference`, given by hand; it is used in place of the derived one. In a frame
-/// that turns it is the one-point theorem: the parent has to be fixed there.
-constexpr void declare_velocity(mechanism& m, int point, int reference, const vector& value) {
-  m.points[point].reference = reference;
-  m.points[point].velocity = value;
+/// The one-point theorem: the velocity of a point as `reference` sees it, where its parent is fixed. It is
+/// used in place of the derived one.
+constexpr void declare_velocity_from_parent(point& p, int reference, const vector& value) {
+  p.reference = reference;
+  p.velocity = value;
+  p.from_parent = true;
+}
+
+/// The velocity of a point in `reference`, used in place of the derived one: in the inertial frame as it is,
+/// in any other by the one-point theorem, whether that frame turns or not.
+constexpr void declare_velocity(point& p, int reference, const vector& value) {
+  declare_velocity_from_parent(p, reference, value);
+  p.from_parent = reference != mechanism::inertial;
 }
 
 } // namespace kanexpr::mechanics

@@ -89,7 +89,7 @@ private:
   constexpr int declared_station(const point& at) {
     const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
-    if (in == mechanism::inertial) {
+    if (!at.from_parent) {
       station n;
       n.absolute = true;
       n.parent = s_.station_of_point[at.parent];

@@ -216,7 +216,13 @@ KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
   if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
       inspect_.own(value, name_of(point)))
-    mechanics::declare_velocity(m_, place(point), place(reference), value);
+    mechanics::declare_velocity(m_.points[place(point)], place(reference), value);
+}
+
+KANEXPR_ENGINE void builder::velocity_from_parent(point_id point, frame_id reference, const vector& value) {
+  if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
+      inspect_.own(value, name_of(point)))
+    mechanics::declare_velocity_from_parent(m_.points[place(point)], place(reference), value);
 }
 
 KANEXPR_ENGINE void builder::particle(std::string_view called, point_id at, expression mass) {
