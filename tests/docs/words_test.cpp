@@ -100,10 +100,10 @@ struct C : origin<C, N> {};
 struct First : particle<First, Q, m> {};
 struct Second : particle<Second, G, m> {};
 struct Third : particle<Third, B0, m> {};
-struct System : kane_system<inertial<N>, coordinates<q1, q2, q3, q4, x>, speeds<u1, u2, u3, v1>,
-                            kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3, dot(q4) == v1,
-                                       dot(x) == v1 * dot(B::x, N::x)>,
-                            bodies<First, Second, Third>> {};
+struct System
+    : kane_system<inertial<N>, coordinates<q1, q2, q3, q4, x>, speeds<u1, u2, u3, v1>,
+                  kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3, dot(q4) == v1, dot(x) == v1>,
+                  bodies<First, Second, Third>> {};
 
 TEST(words, are_points) { expect_no_mistake<System>(); }
 

@@ -420,6 +420,27 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
 }
 
+TEST(builder_mistakes, compares_velocities_with_positions) {
+  const std::string expected =
+      "the velocity of point Q is not the rate of its position; if that is meant, write "
+      "velocity_apart_from_position<...>";
+  const auto slides = [](auto& b, bool apart) {
+    const auto place = b.offset("Q", b.o, b.along(b.rod, b.x, 0, 0));
+    b.particle("Bead", place, b.m);
+    if (apart)
+      b.velocity_apart_from_position(place, b.n, b.along(b.rod, b.dot(b.x), 0, 0));
+    else
+      b.velocity(place, b.n, b.along(b.rod, b.dot(b.x), 0, 0));
+  };
+  EXPECT_EQ(told([&](auto& b) { slides(b, false); }), expected);
+  EXPECT_EQ(told([&](auto& b) { slides(b, true); }), "");
+  EXPECT_EQ(told([](auto& b) { // as the rod sees it
+              const auto place = b.offset("Q", b.o, b.along(b.rod, b.x, 0, 0));
+              b.velocity(place, b.rod, b.along(b.rod, b.dot(b.x), 0, 0));
+            }),
+            "");
+}
+
 TEST(builder_mistakes, looks_at_constraints) {
   const std::string foreign = " has an expression that belongs to another mechanism or to none";
   EXPECT_EQ(told([](auto& b) { b.configuration_constraint(expression()); }),

@@ -27,6 +27,7 @@ constexpr point_record record_point() {
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;
     r.velocity = Point::declared_velocity;
+    r.moves_apart = Point::moves_apart;
     if (r.fits) r.fits = Point::moves_with;
   }
   return r;
@@ -71,13 +72,25 @@ struct fixed_in : describe::fixing_words {
 };
 
 /// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in any other frame
-/// the point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem).
+/// the point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem). It
+/// is the rate of the point's position, unless the offset is zero: then the model leaves the position out.
 template <class Reference, auto... value>
 struct velocity : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
   static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
   static constexpr describe::arguments moves_with =
       describe::arguments_of("velocity<Reference, vector>", sizeof...(value), 1);
+  static constexpr bool moves_apart = false;
+};
+
+/// The same of a point whose position does not follow its velocity, on purpose.
+template <class Reference, auto... value>
+struct velocity_apart_from_position : describe::velocity_words {
+  static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
+  static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
+  static constexpr describe::arguments moves_with =
+      describe::arguments_of("velocity_apart_from_position<Reference, vector>", sizeof...(value), 1);
+  static constexpr bool moves_apart = true;
 };
 
 } // namespace kanexpr

@@ -112,6 +112,7 @@ struct point_record {
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
+  bool moves_apart = false;   ///< from its position
   bool from_parent = false;   ///< the velocity, also where `reference` is the inertial frame
   std::string_view instead{}; ///< what it is, if it is not a point
   std::string_view its_own{}; ///< the point of that

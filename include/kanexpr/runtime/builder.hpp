@@ -151,7 +151,9 @@ public:
   /// The velocity of a point in `reference`, used in place of the derived one: in the inertial frame as it
   /// is, in any other with the motion of its parent, which is fixed there (one-point theorem).
   void velocity(point_id point, frame_id reference, const vector& value);
-  /// The same with the motion of the parent in any frame.
+  /// The same of a point whose position does not follow its velocity, on purpose.
+  void velocity_apart_from_position(point_id point, frame_id reference, const vector& value);
+  /// `velocity` with the motion of the parent in any frame.
   void velocity_from_parent(point_id point, frame_id reference, const vector& value);
 
   // ---- bodies and loads
@@ -230,6 +232,7 @@ private:
 
   /// How a point moves is said once.
   bool unsaid_motion(point_id p);
+  bool may_move(point_id point, frame_id reference, const vector& velocity);
 
   frame_id by_sequence(std::string_view called, frame_id parent, std::string_view letters,
                        const symbolic::sequence<expression>& angles, bool space_fixed);

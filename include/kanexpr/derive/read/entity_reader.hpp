@@ -102,6 +102,7 @@ public:
       const int reference = frame(told.reference, told.called);
       const mechanics::vector v =
           phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
+      p.moves_apart = told.moves_apart;
       if (told.from_parent)
         mechanics::declare_velocity_from_parent(p, reference, v);
       else

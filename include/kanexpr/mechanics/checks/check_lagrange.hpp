@@ -43,6 +43,11 @@ public:
       check_velocity(b);
       check_mass(b);
     }
+    for (int p = 0; p < m_.points.size() && !found_; ++p)
+      if (m_.points[p].moves_by_declaration() && !m_.points[p].moves_apart &&
+          !m_.points[p].offset.is_zero() && !moves_as_placed(p))
+        fail({"the velocity of point ", m_.points[p].called.view(),
+              " is not the rate of its position; if that is meant, write velocity_apart_from_position<...>"});
     return found_;
   }
 
@@ -102,13 +107,15 @@ private:
     bool declared = false;
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
-    if (!declared) return;
-    const station& at = s_.stations[s_.station_of_point[b.center]];
-    const int ground = mechanism::inertial;
-    components v = express(m_, k_.velocity(s_.station_of_point[b.center]), s_.working_axes[at.axes], ground);
-    v -= express(m_, k_.rate(position_from_origin(m_, b.center), ground), s_.working_axes[ground], ground);
-    if (!vanish(m_, {v.x, v.y, v.z}))
+    if (declared && !moves_as_placed(b.center))
       fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
+  }
+
+  constexpr bool moves_as_placed(int point) {
+    const int at = s_.station_of_point[point], ground = mechanism::inertial;
+    components v = express(m_, k_.velocity(at), s_.working_axes[s_.stations[at].axes], ground);
+    v -= express(m_, k_.rate(position_from_origin(m_, point), ground), s_.working_axes[ground], ground);
+    return vanish(m_, {v.x, v.y, v.z});
   }
 
   /// Forces are rates of momentum where masses change; with coordinates, T's derivatives say something else.

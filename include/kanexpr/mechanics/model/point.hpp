@@ -11,6 +11,7 @@ struct point {
   int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
   int reference = none; ///< the frame that a declared velocity is measured in
   vector velocity{};
+  bool moves_apart = false; ///< from its position, on purpose
   bool from_parent = false; ///< the declared velocity is that from the parent, which is fixed in `reference`
 
   constexpr bool moves_by_declaration() const { return reference != none; }

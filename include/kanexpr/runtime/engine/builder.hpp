@@ -214,14 +214,19 @@ KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
 }
 
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
-  if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
-      inspect_.own(value, name_of(point)))
+  if (may_move(point, reference, value))
     mechanics::declare_velocity(m_.points[place(point)], place(reference), value);
 }
 
+KANEXPR_ENGINE void builder::velocity_apart_from_position(point_id point, frame_id reference,
+                                                          const vector& value) {
+  if (!may_move(point, reference, value)) return;
+  mechanics::declare_velocity(m_.points[place(point)], place(reference), value);
+  m_.points[place(point)].moves_apart = true;
+}
+
 KANEXPR_ENGINE void builder::velocity_from_parent(point_id point, frame_id reference, const vector& value) {
-  if (inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
-      inspect_.own(value, name_of(point)))
+  if (may_move(point, reference, value))
     mechanics::declare_velocity_from_parent(m_.points[place(point)], place(reference), value);
 }
 
@@ -300,6 +305,11 @@ KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
   if (at.fixed_in != mechanics::none || at.moves_by_declaration())
     return inspect_.fail({"point ", name_of(p), " is given two motions"});
   return true;
+}
+
+KANEXPR_ENGINE bool builder::may_move(point_id point, frame_id reference, const vector& velocity) {
+  return inspect_.present(reference, "a declared velocity") && unsaid_motion(point) &&
+         inspect_.own(velocity, name_of(point));
 }
 
 KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id parent,
