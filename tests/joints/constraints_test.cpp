@@ -1,5 +1,7 @@
 #include "joints/by_hand.hpp"
 
+#include <Eigen/Geometry>
+
 // Constraints of machines against what they leave.
 namespace {
 
@@ -53,6 +55,31 @@ TEST(constraints, let_a_wheel_roll) {
   EXPECT_NEAR(eom::velocity_residual(x).norm(), 0.1, 1e-14);
   x[q_of<Ring, 3>] = 0.5;
   EXPECT_NEAR(eom::configuration_residual(x)[0], 0.05, 1e-14);
+}
+
+// On a table that slides and turns, a wheel that does not spin relative to it rests on it.
+struct Slide : prismatic<Slide, Ground, axis<Ground::x>> {};
+struct Table
+    : pin<Table, Slide, axis<own::z>, at<0.1 * Ground::y>, body<3, 0 * own::x, inertia<own, 1, 1, 1>>> {};
+struct On_table : kane_system<inertial<Ground>, joints<Slide, Table, Ring>,
+                              configuration_constraints<touches<Ring, Table, Ring::y, 0.4, 0.05>>,
+                              velocity_constraints<rolls_on<Ring, Table, Ring::y, 0.4, 0.05>>,
+                              dependent<q_of<Ring, 3>, u_of<Ring, 1>, u_of<Ring, 2>, u_of<Ring, 3>>,
+                              loads<gravity<-9.81 * Ground::z>>> {};
+
+TEST(constraints, let_a_wheel_roll_on_what_moves) {
+  state<On_table> x;
+  x[q_of<Slide>] = 0.3, x[u_of<Slide>] = 0.7, x[u_of<Table>] = -1.3;
+  const Eigen::Vector3d table(0.3, 0.1, 0), wheel(0.9, -0.4, 0.45), turning(0, 0, -1.3);
+  x[q_of<Ring, 1>] = wheel.x(), x[q_of<Ring, 2>] = wheel.y(), x[q_of<Ring, 3>] = wheel.z(),
+               x[q_of<Ring, 7>] = 1;
+  const Eigen::Vector3d carried = Eigen::Vector3d(0.7, 0, 0) + turning.cross(wheel - table);
+  for (int i = 0; i < 3; ++i) x[x.size() - 6 + i] = carried[i];
+  x[u_of<Ring, 6>] = -1.3;
+  EXPECT_LT(equations_of_motion<On_table>::velocity_residual(x).norm(), 1e-14);
+  const double spin = 2;
+  x[u_of<Ring, 5>] = spin, x[u_of<Ring, 1>] += 0.45 * spin;
+  EXPECT_LT(equations_of_motion<On_table>::velocity_residual(x).norm(), 1e-14);
 }
 
 // A pendulum on a rod of length l: the angle of a bar is the same from a bob in a plane.

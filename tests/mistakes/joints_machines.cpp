@@ -138,3 +138,18 @@ namespace n20 {
 struct System : jointed<joints<Arm>, configuration_constraints<parallel<Arm::x, l * Ground::x>>> {};
 void f() { use<System>(); }
 } // namespace n20
+
+// expect: a velocity constraint with Wheel holds a radius or length below zero
+namespace n21 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, -0.3>>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: a velocity constraint with Wheel holds a radius or length of 0, which is what 1/2 is in C++;
+// expect: write 0.5 or rational<1, 2>
+namespace n22 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, 1 / 2>>> {};
+void f() { use<System>(); }
+} // namespace n22

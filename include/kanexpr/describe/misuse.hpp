@@ -33,6 +33,8 @@ enum class misuse : unsigned char {
   coupling,
   own_coupling,
   parallel,
+  negative_length,
+  whole_zero_length,
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
@@ -65,6 +67,9 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::own_coupling: return " couples a joint with itself";
   case misuse::parallel:
     return " keeps a direction parallel to something other than an axis of a frame: parallel<A::z, B::z>";
+  case misuse::negative_length: return " holds a radius or length below zero";
+  case misuse::whole_zero_length:
+    return " holds a radius or length of 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";

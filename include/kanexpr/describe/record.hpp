@@ -99,6 +99,8 @@ struct frame_record {
   std::string_view its_own{}; ///< the frame of that
   bool is_of_joint = false;
   misfit beside = misfit::none;
+
+  constexpr bool is_inertial() const { return parent == nullptr; }
 };
 
 struct point_record {
@@ -117,6 +119,8 @@ struct point_record {
   std::string_view instead{}; ///< what it is, if it is not a point
   std::string_view its_own{}; ///< the point of that
   misfit beside = misfit::none;
+
+  constexpr bool is_origin() const { return parent == nullptr; }
 };
 
 struct body_record {

@@ -49,21 +49,58 @@ constexpr vector<1> turning_of(const frame_record* frame) {
 template <auto axis, auto up>
 inline constexpr auto up_the_wheel = up - dot(up, unit_along(axis)) * unit_along(axis);
 
+/// A radius or the length of a rod as an expression.
+template <auto given>
+constexpr auto length_of() {
+  if constexpr (plain_number<decltype(given)>) {
+    if (given < 0) return scalar<1>{{misused(misuse::negative_length)}};
+    if (std::integral<decltype(given)> && !(given > 0))
+      return scalar<1>{{misused(misuse::whole_zero_length)}};
+  }
+  return operand(given);
+}
+
 /// From the centre of a wheel to where it touches a plane.
 template <auto axis, auto up, auto radius, auto... tube>
 constexpr auto to_contact() {
   if constexpr (sizeof...(tube) == 0)
-    return -radius * normalized(up_the_wheel<axis, up>);
+    return -length_of<radius>() * normalized(up_the_wheel<axis, up>);
   else
-    return -radius * normalized(up_the_wheel<axis, up>) - one_of<0, tube...>() * up;
+    return -length_of<radius>() * normalized(up_the_wheel<axis, up>) - length_of<one_of<0, tube...>()>() * up;
 }
 
 template <auto axis, auto up, auto radius, auto... tube>
 constexpr auto height_of_center() {
   if constexpr (sizeof...(tube) == 0)
-    return radius * magnitude(up_the_wheel<axis, up>);
+    return length_of<radius>() * magnitude(up_the_wheel<axis, up>);
   else
-    return radius * magnitude(up_the_wheel<axis, up>) + one_of<0, tube...>();
+    return length_of<radius>() * magnitude(up_the_wheel<axis, up>) + length_of<one_of<0, tube...>()>();
+}
+
+template <class Place>
+constexpr auto velocity_of_place() {
+  return velocity_at(parts_of<Place>::point());
+}
+template <class Place>
+constexpr auto turning_of_place() {
+  return turning_of(parts_of<Place>::frame());
+}
+template <class Place, class From>
+constexpr auto position_between() {
+  return motion_of(token_kind::position, parts_of<Place>::point()) -
+         motion_of(token_kind::position, parts_of<From>::point());
+}
+
+/// The velocity of the point of `Wheel` that touches `Ground`, as that sees it.
+template <class Wheel, class Ground, auto axis, auto... radii>
+constexpr auto slip_on() {
+  constexpr auto to_ground = to_contact<axis, Ground::z, radii...>();
+  constexpr auto of_wheel = velocity_of_place<Wheel>() + cross(turning_of_place<Wheel>(), to_ground);
+  if constexpr (parts_of<Ground>::frame()->is_inertial() && parts_of<Ground>::point()->is_origin())
+    return of_wheel;
+  else
+    return of_wheel - velocity_of_place<Ground>() -
+           cross(turning_of_place<Ground>(), position_between<Wheel, Ground>() + to_ground);
 }
 
 } // namespace describe
@@ -71,8 +108,8 @@ constexpr auto height_of_center() {
 /// Two points stay at a distance, as the ends of a rod without mass: `rod_of_length<P, Q, l>`, of the
 /// configuration. Its multiplier times −2 l is the tension.
 template <class Point, class Other, auto length>
-inline constexpr auto rod_of_length =
-    dot(position_of<Point, Other>, position_of<Point, Other>) == describe::operand(length) * length;
+inline constexpr auto rod_of_length = dot(position_of<Point, Other>, position_of<Point, Other>) ==
+                                      describe::length_of<length>() * describe::length_of<length>();
 
 /// Two gears: the first joint has turned `ratio` times as far as the second, against it where the ratio is
 /// negative. Of the configuration.
@@ -108,21 +145,16 @@ inline constexpr auto same_axes =
                    dot(Frame::z, Other::x) * Other::z,
                Other::x, Other::y, Other::z>;
 
-/// A wheel rolls on the plane x, y of `Ground` without slipping: `rolls_on<Wheel, Ground, Wheel::y, r>`, with
-/// its axis, and behind the radius that of its tube, if it is a torus. Of the velocity.
-/// `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
+/// A wheel rolls on the plane x, y of `Ground` without slipping, which may move itself: `rolls_on<Wheel,
+/// Ground, Wheel::y, r>`, with its axis, and after the radius that of its tube, if it is a torus. Of the
+/// velocity. `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
 inline constexpr auto rolls_on =
-    zero_along<describe::velocity_at(describe::parts_of<Wheel>::point()) +
-                   cross(describe::turning_of(describe::parts_of<Wheel>::frame()),
-                         describe::to_contact<axis, Ground::z, radius, tube...>()),
-               Ground::x, Ground::y, Ground::z>;
+    zero_along<describe::slip_on<Wheel, Ground, axis, radius, tube...>(), Ground::x, Ground::y, Ground::z>;
 
 /// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
 template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
-inline constexpr auto touches =
-    dot(describe::motion_of(describe::token_kind::position, describe::parts_of<Wheel>::point()) -
-            describe::motion_of(describe::token_kind::position, describe::parts_of<Ground>::point()),
-        Ground::z) == describe::height_of_center<axis, Ground::z, radius, tube...>();
+inline constexpr auto touches = dot(describe::position_between<Wheel, Ground>(), Ground::z) ==
+                                describe::height_of_center<axis, Ground::z, radius, tube...>();
 
 } // namespace kanexpr

@@ -115,7 +115,11 @@ private:
     if (p.parent < 0) return points.push_back(b_.origin(called));
     points.push_back(b_.offset(called, points[at(p.parent)], vector(p.offset)));
     if (p.fixed_in >= 0) b_.fixed_in(points.back(), frames[at(p.fixed_in)]);
-    if (p.reference >= 0) b_.velocity(points.back(), frames[at(p.reference)], vector(p.velocity));
+    if (p.reference < 0) return;
+    if (p.moves_apart)
+      b_.velocity_apart_from_position(points.back(), frames[at(p.reference)], vector(p.velocity));
+    else
+      b_.velocity(points.back(), frames[at(p.reference)], vector(p.velocity));
   }
 
   void add(const body& b, const std::string& called) {

@@ -83,7 +83,7 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
   for (const recipe::point& p : m.points) {
     const jet3 offset = here.in_ground(p.offset, now);
     jet3 rate = offset.rate();
-    if (p.reference == 0) rate = here.in_ground(p.velocity, now); // need not be that of any position
+    if (p.reference == 0) rate = here.in_ground(p.velocity, now);
     if (p.fixed_in >= 0) rate = cross(angular_velocity(here.frames[at(p.fixed_in)]), offset);
     const bool moves_on = p.parent >= 0 && p.reference != 0;
     here.points.push_back(p.parent < 0 ? offset : here.points[at(p.parent)] + offset);

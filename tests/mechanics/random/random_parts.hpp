@@ -81,7 +81,8 @@ protected:
   int fixed_point(int from, int in) {
     point p{from, {{in, constant_vector()}}, -1, -1, {}};
     if (d_.chance(0.03)) {
-      p.reference = 0; // a velocity that no position has
+      p.reference = 0;
+      p.moves_apart = true;
       p.velocity = {{any_frame(), {rolling(), rolling(), rolling()}},
                     {any_frame(), {rolling(), rolling(), rolling()}}};
     } else if (d_.chance(0.2))

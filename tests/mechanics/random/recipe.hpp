@@ -61,6 +61,7 @@ struct point {
   int fixed_in = -1;
   int reference = -1; // of a declared velocity
   sum velocity;
+  bool moves_apart = false; // from the position
 };
 
 struct inertia {

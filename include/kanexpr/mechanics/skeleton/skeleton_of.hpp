@@ -85,11 +85,19 @@ private:
     return s_.stations.push(n);
   }
 
+  constexpr bool is_at_rest(int station) const {
+    const auto is_carried = [&] {
+      return s_.stations[station].rigid && s_.stations[station].frame == mechanism::inertial;
+    };
+    while (!s_.stations[station].absolute && is_carried()) station = s_.stations[station].parent;
+    return s_.stations[station].absolute && s_.stations[station].relative_velocity.is_zero();
+  }
+
   /// The one-point theorem, or a velocity measured from the ground.
   constexpr int declared_station(const point& at) {
     const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
-    if (!at.from_parent) {
+    if (!at.from_parent || (in == mechanism::inertial && is_at_rest(s_.station_of_point[at.parent]))) {
       station n;
       n.absolute = true;
       n.parent = s_.station_of_point[at.parent];
