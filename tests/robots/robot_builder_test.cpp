@@ -161,4 +161,34 @@ TEST(robot_builder, says_what_is_wrong) {
   EXPECT_NE(robot_builder(light.robot).cause(), "");
 }
 
+// That the last link has no mass is found when the mass matrix is formed: from there on nothing has a value.
+TEST(robot_builder, tells_of_a_mistake_in_every_function) {
+  robot r = robot_of("arm.urdf");
+  for (robots::link& l : r.links)
+    if (l.name == "forearm" || l.name == "flange") l.inertial.reset();
+  const robot_builder built(r);
+  ASSERT_EQ(built.cause(), "");
+  const std::string cause = "speed u_elbow moves no mass";
+  const Eigen::VectorXd x = Eigen::VectorXd::Constant(6, 0.3), none, torques = Eigen::VectorXd::Ones(3);
+  model m = derive(built);
+  const symbolic::matrix before = m.get(quantity::kinetic_energy);
+  for (const quantity each :
+       {quantity::udot, quantity::rhs, quantity::mass_matrix, quantity::regressor, quantity::kinetic_energy,
+        quantity::state_jacobian, quantity::weighted_hessian}) {
+    auto f = m.function(m.get(each));
+    EXPECT_FALSE(f(x, none, torques).allFinite() && f(x, none, torques).size() > 0);
+    EXPECT_EQ(f.status().cause(), cause);
+  }
+  auto energy = m.function(before);
+  EXPECT_TRUE(std::isnan(energy(x, none, torques)(0, 0)));
+  EXPECT_EQ(energy.status().cause(), cause);
+  model again = derive(built);
+  auto linear = again.linearize();
+  for (const symbolic::matrix& each : {linear.explicit_form().A, linear.implicit_form().M}) {
+    EXPECT_TRUE(each.entries.empty());
+    EXPECT_EQ(again.function(each).status().cause(), cause);
+  }
+  EXPECT_THAT(linear.failures(), testing::ElementsAre(cause));
+}
+
 } // namespace

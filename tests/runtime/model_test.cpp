@@ -2,9 +2,12 @@
 // What a system derived at run time shows to a person.
 #include "models/rolling_disc.hpp"
 
+#include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace rolling_disc;
 
@@ -80,10 +83,28 @@ TEST(model, says_what_is_no_scalar_and_no_vector) {
 
 TEST(model, evaluates_no_expression_of_another) {
   auto derived = derive<System>(), other = derive<System>();
-  EXPECT_EQ(
-      derived.function(other.mass_matrix())(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1))
-          .size(),
-      0);
+  auto mass = derived.function(other.mass_matrix());
+  EXPECT_EQ(mass(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);
+  EXPECT_EQ(mass.status().cause(), "the result that is to be evaluated is one of another model");
+}
+
+TEST(model, tells_in_the_status_why_a_result_was_not_formed) {
+  auto derived = derive<System>();
+  const symbolic::matrix refused = derived.get<speed<"w">{} * u1>();
+  auto now = derived.function(refused);
+  derived.mass_matrix(); // lets go of what was refused
+  auto later = derived.function(refused);
+  for (auto* f : {&now, &later})
+    EXPECT_EQ((*f)(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);
+  EXPECT_EQ(now.status().cause(), "speed w, which an expression holds, is not in the list of speeds");
+  EXPECT_EQ(later.status().cause(), "the result that is to be evaluated was not formed");
+}
+
+TEST(model, tells_in_the_status_what_was_not_given) {
+  auto derived = derive<System>();
+  auto mass = derived.function(derived.mass_matrix());
+  EXPECT_TRUE(std::isnan(mass(state<System>::Zero().eval())(0, 0)));
+  EXPECT_EQ(mass.status().cause(), "the parameter vector has 0 entries, and none for r");
 }
 
 constexpr parameter<"kappa"> pull;
@@ -114,4 +135,18 @@ TEST(model, of_a_system_with_a_mistake_has_results_without_entries) {
   EXPECT_EQ(derived.measured_by<q1 * u1>().entries.size(), 0);
   EXPECT_EQ(symbolic::print(derived.imposed(derived.mechanism().one())), "1");
   EXPECT_TRUE(derived.imposed(mechanics::vector()).parts.empty());
+  auto mass = derived.function(derived.mass_matrix());
+  EXPECT_EQ(mass(Eigen::VectorXd::Zero(2)).size(), 0);
+  EXPECT_EQ(mass.status().cause(), derived.mistake());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
+  EXPECT_EQ(assemble(derived, x).cause(), derived.mistake());
+  EXPECT_EQ(check_consistency(derived, x, x, x).cause(), derived.mistake());
+}
+
+TEST(model, is_assembled_from_whole_states) {
+  auto derived = derive<System>();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
+  EXPECT_EQ(assemble(derived, x).cause(), "the state vector of the model has 6 entries, not 2");
+  EXPECT_EQ(check_consistency(derived, x, x, x).cause(),
+            "the state vector of the model has 6 entries, not 2");
 }

@@ -12,22 +12,25 @@ namespace kanexpr::runtime {
 /// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
 /// f(t, x, p, r, a). Behind the inputs stands what the result reads beside them, in this order: the rates of
 /// the speeds, weights, a direction. It keeps the matrix that it returns, and takes no memory when it is
-/// called. Where a vector is too short for what is needed of it, the result is not a number, and the status
-/// says so.
+/// called. Where a vector is not given, or too short for what is needed of it, and of a model with a mistake,
+/// the result is not a number, and the status says so.
 template <class Scalar = double>
 class interpreted {
-  /// Stands for arguments that are not given; whoever needs one of them gets not-a-number.
+  /// Stands for arguments that are not given.
   struct nothing {
+    static constexpr Eigen::Index size() { return 0; }
     Scalar operator[](Eigen::Index) const { return not_a_number(); }
   };
 
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `checks`: what may be singular on the way to the results.
+  /// `checks`: what may be singular on the way to the results. `mistake`: why they have no values anywhere.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
-              const symbolic::sequence<mechanics::singularity_check>& checks = {})
-      : code_(g, wanted, checks), coordinates_(coordinates), result_(wanted.rows, wanted.columns) {
+              const symbolic::sequence<mechanics::singularity_check>& checks = {},
+              const mechanics::sentence& mistake = {})
+      : code_(g, wanted, checks), coordinates_(coordinates), mistake_(mistake),
+        result_(wanted.rows, wanted.columns) {
     for (const lower::load& each : code_.code().loads)
       if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);
   }
@@ -36,7 +39,10 @@ public:
   symbolic::cost cost() const { return code_.cost(); }
 
   /// Whether all that the last call had to solve could be solved at its state.
-  kanexpr::status status() const { return too_short_ ? kanexpr::status(too_short_.view()) : code_.status(); }
+  kanexpr::status status() const {
+    if (mistake_) return kanexpr::status(mistake_.view());
+    return too_short_ ? kanexpr::status(too_short_.view()) : code_.status();
+  }
 
   template <class X>
   const matrix& operator()(const X& x) {
@@ -63,7 +69,7 @@ public:
     behind(0, [&](const auto& given) { check_length(rates_, given); });
     behind(weights, [&](const auto& given) { check_length(weights_, given); });
     behind(direction, [&](const auto& given) { check_length(direction_, given); });
-    if (too_short_) {
+    if (mistake_ || too_short_) {
       result_.setConstant(not_a_number());
       return result_;
     }
@@ -143,6 +149,7 @@ private:
 
   checked_code<Scalar> code_;
   int coordinates_;
+  mechanics::sentence mistake_;
   need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"},
       weights_{"weight"}, direction_{"direction"};
   mechanics::sentence too_short_{};

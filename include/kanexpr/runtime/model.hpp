@@ -115,10 +115,12 @@ public:
   /// Interpreted evaluation of a result: the steps of the compiled function, so a result that is the first to
   /// be asked for agrees with that to the last bit. Results share expressions with those that were formed
   /// before them, which may change the order of operations, and so the last bits.
-  /// Of expressions that are not this model's it has no entries.
+  /// Of a model with a mistake, of a result that was refused and of expressions that are not this model's, it
+  /// has no values, and its status says why.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    if (!owns(result)) return {graph(), symbolic::matrix(), coordinates()};
+    if (const mechanics::sentence wrong = mistake_of(result))
+      return {graph(), owns(result) ? result : symbolic::matrix(), coordinates(), {}, wrong};
     return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
   /// Whether all entries are expressions of this model.
@@ -134,6 +136,8 @@ public:
 
 private:
   int coordinates() const;
+  /// Why a result has no values.
+  mechanics::sentence mistake_of(const symbolic::matrix& result) const;
   /// What may be singular on the way to a result.
   symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 

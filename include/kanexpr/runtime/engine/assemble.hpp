@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -89,8 +90,17 @@ private:
   interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
 };
 
+/// Why the constraints of a model cannot be looked at in a state of so many entries; empty: they can.
+inline mechanics::sentence mistake_of_constraints(model& m, std::size_t entries) {
+  m.get(mechanics::quantity::velocity_residual); // lets go of what was refused before
+  if (!m.mistake().empty()) return mechanics::sentence({m.mistake()});
+  return compiled::check_size("state", "the model", static_cast<int>(entries),
+                              m.mechanism().coordinates.size() + m.mechanism().speeds.size());
+}
+
 KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const double> p,
                                  std::span<const double> r, double t, const assembly_options& options) {
+  if (const mechanics::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   Eigen::Map<Eigen::VectorXd> given(x.data(), static_cast<Eigen::Index>(x.size()));
   Eigen::VectorXd placed = given;
@@ -101,6 +111,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance) {
+  if (const mechanics::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   const Eigen::VectorXd state =
       Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));

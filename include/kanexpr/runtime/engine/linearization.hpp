@@ -35,14 +35,15 @@ public:
   const implicit_matrices& implicit_form() {
     if (implicit_.M.rows != 0 || !point_) return implicit_;
     const mechanics::implicit_linearization& l = equations().linearized().in_full().implicit_form();
-    implicit_ = {values(l.mass, "M"), values(l.state, "A"), values(l.input, "B")};
-    return implicit_;
+    return implicit_ = unless_mistaken<implicit_matrices>(
+               {values(l.mass, "M"), values(l.state, "A"), values(l.input, "B")});
   }
 
   const explicit_matrices& explicit_form() {
     if (explicit_.A.rows != 0 || !point_) return explicit_;
-    if (point_->is_empty()) return explicit_ = from_derivation();
-    explicit_ = from_implicit();
+    if (point_->is_empty()) return explicit_ = unless_mistaken(from_derivation());
+    explicit_ = unless_mistaken(from_implicit());
+    if (system_->mistake()) return explicit_;
     if (solve_numbers::are_numbers(explicit_.A) && solve_numbers::are_numbers(explicit_.B)) return explicit_;
     const std::size_t known_problems = failures_.size();
     const explicit_matrices derived = from_derivation();
@@ -55,7 +56,7 @@ public:
   output_matrices outputs(const symbolic::matrix& y) {
     if (!point_) return {};
     const mechanics::explicit_linearization l = equations().linearized().reduced().outputs(y.entries);
-    return {values(l.state, "C"), values(l.input, "D")};
+    return unless_mistaken<output_matrices>({values(l.state, "C"), values(l.input, "D")});
   }
 
   symbolic::matrix permutation() {
@@ -82,6 +83,14 @@ public:
 private:
   mechanics::equations& equations() { return *system_->equations(); }
   symbolic::graph& graph() { return system_->graph(); }
+
+  /// What was formed; nothing where forming it showed that the system has a mistake.
+  template <class Form>
+  Form unless_mistaken(const Form& formed) {
+    if (!system_->mistake()) return formed;
+    failures_.assign(1, std::string(system_->mistake().view()));
+    return {};
+  }
 
   symbolic::matrix values(const symbolic::matrix& m, const std::string& called) {
     const symbolic::point_values found = point_->values(m);

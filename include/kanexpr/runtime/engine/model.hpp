@@ -140,6 +140,15 @@ KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   return true;
 }
 
+KANEXPR_ENGINE mechanics::sentence model::mistake_of(const symbolic::matrix& result) const {
+  if (system_->mistake()) return system_->mistake();
+  if (!owns(result))
+    return mechanics::sentence({"the result that is to be evaluated is one of another model"});
+  if (result.rows != 0 || result.columns != 0) return {};
+  return system_->refused ? system_->refused
+                          : mechanics::sentence({"the result that is to be evaluated was not formed"});
+}
+
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
 KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
