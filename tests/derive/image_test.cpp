@@ -1,6 +1,7 @@
 // builds: g++
 // A derivation that is set aside and taken up again is the one that went on.
 #include <kanexpr/derive/cut.hpp>
+#include <kanexpr/derive/digest.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <models/andrews.hpp>
 #include <models/bicycle.hpp>
@@ -108,21 +109,10 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
   }
 }
 
-/// A number that tells images apart: nodes, and all that refers to them.
-constexpr std::uint64_t digest_of(const image& of) {
-  std::uint64_t digest = 0;
-  const auto take = [&digest](auto value) {
-    digest = (digest ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u; // FNV-1a, by words
-  };
-  for (int i = 0; i < of.nodes; ++i) take(of.op[i]), take(of.a[i]), take(of.b[i]);
-  for (int i = 0; i < of.numbers; ++i) take(of.numerators[i]), take(of.denominators[i]);
-  for (int i = 0; i < of.integers; ++i) take(of.integer[i]);
-  return digest;
-}
-
 template <class System>
 void expect_the_image_of_the_compiler() {
-  constexpr std::uint64_t of_compiler = digest_of(kanexpr::deriving::stages_of<System>::linearized.aside);
+  constexpr std::uint64_t of_compiler =
+      kanexpr::deriving::digest_of(kanexpr::deriving::stages_of<System>::linearized.aside);
   derived_system system(System::record);
   for (const stage to : {stage::constrained, stage::equations, stage::linearized}) go_on(system, to);
   EXPECT_EQ(digest_of(*set_aside(system)), of_compiler);
@@ -134,6 +124,28 @@ TEST(image, of_the_compiler_is_that_of_the_program) {
   expect_the_image_of_the_compiler<four_bar::System>();
   expect_the_image_of_the_compiler<rattleback::System>();
   expect_the_image_of_the_compiler<pendulum_nonminimal::System>();
+}
+
+// The sign of two numbers at once is what a sum of words would lose.
+TEST(image, has_a_digest_that_sees_every_entry) {
+  derived_system system(simple_pendulum::System::record);
+  go_on(system, stage::constrained);
+  const auto aside = set_aside(system);
+  ASSERT_GT(aside->numbers, 1);
+  aside->denominators[0] = aside->denominators[1] = 0, aside->reals[0] = 0.25, aside->reals[1] = 0.75;
+  const std::uint64_t before = digest_of(*aside);
+  EXPECT_EQ(digest_of(*set_aside(system)), digest_of(*set_aside(system)));
+  const auto expect_other = [&](auto&... entries) {
+    (void(entries = -entries), ...);
+    EXPECT_NE(digest_of(*aside), before);
+    (void(entries = -entries), ...);
+  };
+  expect_other(aside->reals[0]);
+  expect_other(aside->reals[0], aside->reals[1]);
+  expect_other(aside->numerators[2]);
+  expect_other(aside->a[aside->nodes - 1]);
+  expect_other(aside->integer[aside->integers - 1], aside->integer[0]);
+  EXPECT_EQ(digest_of(*aside), before);
 }
 
 TEST(image, of_a_system_that_there_is_no_room_for_says_so) {

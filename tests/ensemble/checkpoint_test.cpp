@@ -119,8 +119,9 @@ TEST_F(checkpoint, of_another_study_is_refused) {
         crew.run(squares(count, "of a name that differs"), "by this",
                  {.reduce = {statistics_of("square"), quantiles_of("square")}, .checkpoint = path})}) {
     EXPECT_FALSE(other);
-    EXPECT_EQ(other.cause(),
-              path + " is of another study, or of another build of this program; remove it to begin anew");
+    EXPECT_EQ(
+        other.cause(),
+        path + " is of another study, another model or another version of kanexpr; remove it to begin anew");
     EXPECT_EQ(other.done, 0u);
   }
   EXPECT_GT(run(done + 1).done, done); // it is still there

@@ -12,6 +12,18 @@ namespace {
 
 using namespace simple_pendulum;
 
+// Two states of one model, whose symbols are the same, and the first one once more, as another build has it.
+namespace before {
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
+                  inputs<T>, bodies<Bob>, loads<gravity<g * N::x>, torque<A, (T - c * u) * N::z>>> {};
+} // namespace before
+namespace after {
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
+                  inputs<T>, bodies<Bob>, loads<gravity<g * N::x>, torque<A, (T - 2 * c * u) * N::z>>> {};
+} // namespace after
+
 TEST(study, begins_functions_anew_with_every_run) {
   study<System> told = turning({{u, evenly_spaced(0.1, 0.2, 200)}});
   told.state = {{q, 0}};
@@ -53,9 +65,77 @@ TEST(study, is_another_where_anything_of_it_differs) {
   expect_other([](auto& s) { s.simulation.output_every = 0.1; });
   expect_other([](auto& s) { s.simulation.most_steps = 100; });
   expect_other([](auto& s) { s.simulation.events = {when<System, q>("passes")}; });
+  expect_other([](auto& s) { s.simulation.dense = true; });
   expect_other([](auto& s) { s.inputs = {{T, std::nextafter(0, 1)}}; });
   expect_other([](auto& s) { s.inputs = {}, s.simulation.inputs = {{T, 1}}; });
+  expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
   EXPECT_NE((ensembles::simulated_study<System, integrator::bdf>(told).text()), first);
+}
+
+TEST(study, is_another_with_another_event_of_the_same_name) {
+  const auto text = [](event<System> passes, kept<System> kept) {
+    study<System> told = turning({{u, {1}}});
+    told.state = {{q, 0}};
+    told.simulation.events = {std::move(passes), when < System, q == 3 > ("turns")};
+    told.keep = {std::move(kept)};
+    return ensembles::simulated_study<System, integrator::adams>(told).text();
+  };
+  const auto passes = first_time_of("passes", "t");
+  const std::string first = text(when<System, q>("passes"), passes);
+  EXPECT_EQ(text(when<System, q>("passes"), passes), first);
+  EXPECT_NE(text(when<System, u>("passes"), passes), first);
+  EXPECT_NE(text(when<System, 2 * q>("passes"), passes), first);
+  EXPECT_NE(text(when<System, q>("passes", crossing::rising), passes), first);
+  EXPECT_NE(text(when<System, q>("passes", crossing::either, after_event::stop), passes), first);
+  EXPECT_NE(text({"passes", [](double, const auto& x, const auto&, const auto&) { return x[q]; }}, passes),
+            first);
+  EXPECT_NE(text(when<System, q>("passes"), first_time_of("turns", "t")), first);
+  EXPECT_NE(text(when<System, q>("passes"), last_time_of("passes", "t")), first);
+}
+
+TEST(study, is_another_of_another_model_alone) {
+  const auto text = []<class Model>(Model) {
+    return ensembles::simulated_study<Model, integrator::adams>(
+               {.runs = grid({{q, {1, 2}}}),
+                .state = {{u, 0}},
+                .parameters = {{m, 1}, {l, 1}, {g, 9.81}},
+                .span = {0, 1},
+                .simulation = {.events = {when<Model, q>("passes")}},
+                .keep = {at_end<q>(), greatest<u>()}})
+        .text();
+  };
+  const std::string first = text(System());
+  EXPECT_EQ(text(before::System()), first);
+  EXPECT_NE(text(after::System()), first);
+  // The text of a study in steps has the whole name of the system, which is the same in another build.
+  EXPECT_EQ(compiled::digest_of_model<System>, compiled::digest_of_model<before::System>);
+  EXPECT_NE(compiled::digest_of_model<System>, compiled::digest_of_model<after::System>);
+}
+
+TEST(study, in_steps_is_another_where_anything_of_it_differs) {
+  using told_study = study_in_steps<runge_kutta_4<System>>;
+  const auto text = [](const told_study& told) {
+    return ensembles::stepped_study<runge_kutta_4<System>, ensembles::constant_inputs, double>(told, {})
+        .text();
+  };
+  const told_study told{.runs = grid({{q, {1, 2}}}), .step = 0.1, .steps = 10, .keep = {at_end<q>("kept")}};
+  const std::string first = text(told);
+  EXPECT_NE(
+      first.find(std::string_view(reinterpret_cast<const char*>(&compiled::digest_of_model<System>), 8)),
+      std::string::npos);
+  const auto expect_other = [&](auto change) {
+    told_study other = told;
+    change(other);
+    EXPECT_NE(text(other), first);
+  };
+  expect_other([](auto& s) { s.keep = {at_end<u>("kept")}; });
+  expect_other([](auto& s) { s.keep = {least<q>("kept")}; });
+  expect_other([](auto& s) { s.step = 0.2; });
+  expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
+  EXPECT_NE((ensembles::stepped_study<semi_implicit_euler<System>, ensembles::constant_inputs, double>(
+                 {.runs = told.runs, .step = 0.1, .steps = 10, .keep = {at_end<q>("kept")}}, {})
+                 .text()),
+            first);
 }
 
 TEST(study, says_what_of_it_cannot_be) {

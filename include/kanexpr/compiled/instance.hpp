@@ -4,6 +4,7 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
+#include <cstdint>
 #include <tuple>
 
 namespace kanexpr {
@@ -80,6 +81,8 @@ struct instance {
   [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
                                             const typename vectors::inputs& r) noexcept;
+  /// By which the code is known again, of the very library that holds it.
+  [[gnu::noinline]] static std::uint64_t digest() noexcept;
 };
 
 /// The same of a function that is given the rates of the speeds.

@@ -88,6 +88,13 @@ linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vec
   return results_or_why_not<T, Function, results>(t, x, p, r);
 }
 template <class T, class Function, int alignment>
+std::uint64_t linked_instance<T, Function, alignment>::digest() noexcept {
+  if constexpr (static_cast<bool>(lacking<Function>::why))
+    return 0;
+  else
+    return digest_of_function<Function>;
+}
+template <class T, class Function, int alignment>
 typename linked_instance_at_rates<T, Function, alignment>::results
 linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
                                                            const typename vectors::parameters& p,
@@ -116,7 +123,8 @@ constexpr bool is_up_to_date() {
 
 template <class T, class... Functions>
 constexpr auto code_of(function_list<Functions...>) {
-  return std::tuple(&linked_instance<T, Functions>::evaluate...);
+  return std::tuple(
+      std::pair(&linked_instance<T, Functions>::evaluate, &linked_instance<T, Functions>::digest)...);
 }
 template <class T, class... Functions>
 constexpr auto code_at_rates_of(function_list<Functions...>) {

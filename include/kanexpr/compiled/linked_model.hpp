@@ -4,6 +4,7 @@
 #include <kanexpr/compiled/named_results.hpp>
 
 #include <complex>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -109,6 +110,7 @@ struct linked_instance : instance<T, Function, alignment> {
   using typename instance<T, Function, alignment>::results;
   static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
                           const typename vectors::inputs& r) noexcept;
+  static std::uint64_t digest() noexcept;
 };
 template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct linked_instance_at_rates : instance_at_rates<T, Function, alignment> {

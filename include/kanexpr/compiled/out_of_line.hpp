@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/digest.hpp>
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/instance.hpp>
 #include <kanexpr/compiled/linked_model.hpp>
@@ -44,6 +45,11 @@ instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::s
                                            const typename vectors::parameters& p,
                                            const typename vectors::inputs& r) noexcept {
   return results_of<results, Function>(t, x, p, r);
+}
+
+template <class T, class Function, int alignment>
+std::uint64_t instance<T, Function, alignment>::digest() noexcept {
+  return digest_of_function<Function>;
 }
 
 template <class T, class Function, int alignment>
@@ -100,6 +106,12 @@ struct out_of_line {
         lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
         compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r),
         compiled::passed<typename vectors::rates>(a));
+  }
+
+  /// By which the function is known again: its system, its code and the version of the library, wherever the
+  /// code of it for `double` stands.
+  static std::uint64_t digest() noexcept {
+    return code<typename compiled::stated<Function>::System, double>::digest();
   }
 
 private:

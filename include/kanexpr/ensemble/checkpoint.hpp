@@ -4,7 +4,6 @@
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/lock_beside.hpp>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,9 +40,6 @@ private:
   int folder_ = -1;
   lock_beside lock_{};
 };
-
-/// By what a program is known again: a number formed of its file; 0 where that cannot be read.
-KANEXPR_ENSEMBLES std::uint64_t this_program();
 
 } // namespace kanexpr::ensembles
 

@@ -13,8 +13,7 @@
 
 namespace kanexpr::ensembles {
 
-/// By what a study is known again: what it is, and the program that does its runs, whose functions nobody can
-/// look into.
+/// By what a study is known again: what it is, and the version of the library that does its runs.
 KANEXPR_ENSEMBLES std::string identity_of(const study_layout& layout, const std::string& known_by);
 
 /// Takes what the runs of a study leave, in their order, and makes of it what was asked for: a table,

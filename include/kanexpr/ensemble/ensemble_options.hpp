@@ -21,8 +21,9 @@ struct ensemble_options {
   std::vector<reduction> reduce = {}; ///< formed as the runs come
   std::vector<std::shared_ptr<results_file>> files = {}; ///< written as the runs come
 
-  /// Where the study is noted from time to time, so that it can go on there if it is interrupted: by the same
-  /// program, on any number of threads or processes. The file is gone when the study is complete.
+  /// Where the study is noted from time to time, so that it can go on there if it is interrupted: by any
+  /// program that has the same study, on any number of threads or processes. The file is gone when the study
+  /// is complete.
   std::optional<file_path> checkpoint = {};
   double checkpoint_every = 60; ///< seconds
 

@@ -108,14 +108,13 @@ struct given_to_systems {
   /// By which a study is known again.
   template <class Study>
   static std::string text(const Study& told) {
-    std::string all = told.runs.text();
-    for (const auto* list : {&told.state, &told.parameters, &told.inputs})
-      for (const named_value& each : *list) {
-        bytes_writer value;
-        value.put(each.value);
-        all += ' ' + each.what.name() + ' ' + value.bytes();
-      }
-    return all;
+    bytes_writer all;
+    all.put(told.runs.text());
+    for (const auto* list : {&told.state, &told.parameters, &told.inputs}) {
+      all.put(list->size());
+      for (const named_value& each : *list) all.put(each.what.name()), all.put(each.value);
+    }
+    return all.bytes();
   }
 
   /// Of a run, before a function changes it.

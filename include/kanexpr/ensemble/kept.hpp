@@ -8,6 +8,7 @@
 #include <kanexpr/simulate/simulation.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -71,6 +72,19 @@ struct watched {
     return 0;
   }
 
+  /// By which it is known again, of the library that holds its code.
+  template <class System>
+  static std::uint64_t digest() {
+    if constexpr (is_scalar) return out_of_line<function<System, expression>>::digest();
+    return 0;
+  }
+  /// And where it is expanded.
+  template <class System>
+  static constexpr std::uint64_t expanded_digest() {
+    if constexpr (is_scalar) return compiled::digest_of_function<function<System, expression>>;
+    return 0;
+  }
+
   /// That of a symbol with something behind it; else it has to be given one.
   static std::string name(const char* what) {
     const std::string of = symbol();
@@ -92,11 +106,12 @@ struct kept_expression {
   template <class System>
   operator kept<System>() const {
     using watched = ensembles::watched<expression>;
+    const std::string text = text_of(watched::template digest<System>());
     if constexpr (when == in_time::at_end) {
       const auto of = [](const ended_run<System>& ended) {
         return watched::template at<System>(ended.run.time, ended.run.state, ended.p, ended.r);
       };
-      return {what, of, false, false, false, {}, text(), watched::symbol()};
+      return {what, of, false, false, false, {}, text, watched::symbol()};
     } else {
       const auto of = [](const ended_run<System>& ended) {
         constexpr double sign = when == in_time::greatest ? 1 : -1;
@@ -106,7 +121,7 @@ struct kept_expression {
                             return sign * watched::template at<System>(s.t, s.x, ended.p, s.r);
                           });
       };
-      return {what, of, true, false, false, {}, text(), watched::symbol()};
+      return {what, of, true, false, false, {}, text, watched::symbol()};
     }
   }
   template <class System, class Number>
@@ -117,12 +132,15 @@ struct kept_expression {
       else
         return x[0];
     };
-    return {what, when, of, text(), watched<expression>::symbol()};
+    return {what, when, of, text_of(watched<expression>::template expanded_digest<System>()),
+            watched<expression>::symbol()};
   }
 
 private:
   /// By which it is known from others.
-  static const char* text() { return __PRETTY_FUNCTION__; }
+  static std::string text_of(std::uint64_t digest) {
+    return std::to_string(static_cast<int>(when)) + ' ' + std::to_string(digest);
+  }
 };
 
 enum class of_event { first_time, last_time, count };
@@ -143,7 +161,7 @@ struct kept_event {
         }
       return asked == of_event::count ? count : time;
     };
-    return {what, of, false, false, asked != of_event::count, event, __PRETTY_FUNCTION__};
+    return {what, of, false, false, asked != of_event::count, event, std::to_string(static_cast<int>(asked))};
   }
 };
 

@@ -36,21 +36,30 @@ public:
 
   /// What was told wrongly, as a sentence.
   const std::string& mistake() const { return mistake_; }
-  /// By what it is known from others, beside its layout.
+  /// By what it is known from others, beside its layout. Of functions it is known whether there are any.
   std::string text() const {
     const simulation_options<System>& o = told_.simulation;
     bytes_writer all;
+    all.put(simulated::compiled_system<System, by>::digest());
     for (double each :
          {told_.span.from, told_.span.to, o.relative_tolerance, o.absolute_tolerance.value_or(-1),
           o.output_every, o.first_step, o.least_step, o.greatest_step})
       all.put(each);
-    all.put(static_cast<int>(by)), all.put(o.analytic_jacobian), all.put(o.most_steps),
-        all.put(o.output_times);
+    all.put(static_cast<int>(by)), all.put(o.most_steps), all.put(o.output_times);
+    for (bool each : {o.analytic_jacobian, o.dense, o.keep, o.inputs.depends_on_state(),
+                      static_cast<bool>(told_.for_each_run)})
+      all.put(each);
+    all.put(o.absolute_tolerances.size());
     for (const named_value& each : o.absolute_tolerances) all.put(each.what.name()), all.put(each.value);
-    for (const event<System>& each : o.events) all.put(each.name), all.put(static_cast<int>(each.direction));
+    all.put(o.events.size());
+    for (const event<System>& each : o.events) {
+      all.put(each.name), all.put(each.text), all.put(static_cast<int>(each.direction));
+      all.put(static_cast<bool>(each.handler));
+    }
+    all.put(o.inputs.constants().has_value());
     if (const auto& inputs = o.inputs.constants())
       for (Eigen::Index i = 0; i < inputs->values.size(); ++i) all.put(inputs->values(i));
-    for (const kept<System>& each : told_.keep) all.put(each.text);
+    for (const kept<System>& each : told_.keep) all.put(each.event), all.put(each.text);
     return given_.text(told_) + all.bytes();
   }
 

@@ -41,11 +41,12 @@ public:
   const std::string& mistake() const { return mistake_; }
   /// By what it is known from others, beside its layout.
   std::string text() const {
-    bytes_writer numbers;
-    numbers.put(told_.step), numbers.put(told_.steps), numbers.put(told_.start),
-        numbers.put(told_.look_every);
-    for (const auto& each : told_.keep) numbers.put(each.text);
-    return given_.text(told_) + numbers.bytes() + __PRETTY_FUNCTION__; // which names the step
+    bytes_writer all;
+    all.put(whole_name_of<Step>().whole), all.put(compiled::digest_of_model<System>);
+    all.put(sizeof(Number)), all.put(has_law), all.put(static_cast<bool>(told_.for_each_run));
+    all.put(told_.step), all.put(told_.steps), all.put(told_.start), all.put(told_.look_every);
+    for (const auto& each : told_.keep) all.put(each.text);
+    return given_.text(told_) + all.bytes();
   }
 
   const study_layout& layout() const override { return layout_; }

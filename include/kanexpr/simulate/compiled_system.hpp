@@ -7,6 +7,7 @@
 #include <kanexpr/simulate/system.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace kanexpr::simulated {
 
@@ -30,6 +31,12 @@ public:
                   trajectory<System>& kept)
       : system(of, System::record, type_name<System>(), maker_of_manifold()), p_(p), options_(options),
         kept_(kept) {}
+
+  /// By which the system is known again as it moves here.
+  static std::uint64_t digest() {
+    constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // that is derived anyway
+    return out_of_line<function<System, first>>::digest();
+  }
 
   status rates(double t, const double* x, const double* r, double* xdot) const override {
     return told(call<quantity::rhs>(t, x, r), xdot);

@@ -59,6 +59,7 @@ struct event {
   function value;
   crossing direction;
   event_handler<System> handler;
+  std::string text{}; ///< by which a study knows again what passes zero; empty: a function
 };
 
 namespace simulated {
@@ -85,14 +86,17 @@ struct watched {
 template <class System, auto expression>
 event<System> when(std::string name, crossing direction = crossing::either,
                    event_handler<System> handler = {}) {
-  return {std::move(name),
-          [](double t, const state<System>& x, const parameter_values<System>& p,
-             const input_values<System>& r) -> double {
-            if constexpr (simulated::watched<expression>::passes_zero)
-              return out_of_line<kanexpr::function<System, expression>>{}(t, x, p, r);
-            return 0;
-          },
-          direction, std::move(handler)};
+  using function = out_of_line<kanexpr::function<System, expression>>;
+  event<System> found(
+      std::move(name),
+      [](double t, const state<System>& x, const parameter_values<System>& p,
+         const input_values<System>& r) -> double {
+        if constexpr (simulated::watched<expression>::passes_zero) return function{}(t, x, p, r);
+        return 0;
+      },
+      direction, std::move(handler));
+  if constexpr (simulated::watched<expression>::passes_zero) found.text = std::to_string(function::digest());
+  return found;
 }
 
 } // namespace kanexpr

@@ -1,3 +1,6 @@
+#include <kanexpr/compiled/out_of_line.hpp>
+
+#include <cinttypes>
 #include <cstdio>
 
 /// The same digits, whoever compiled the functions.
@@ -24,6 +27,8 @@ void print_all(const kanexpr::state<System>& at, const kanexpr::input_values<Sys
   const auto [A, B] = kanexpr::linearization<System>::explicit_form(at, p, r);
   print("A", A), print("B", B);
   std::printf("energy: %.17g\n", static_cast<double>(eom::kinetic_energy(at, p)));
+  using rates = kanexpr::function<System, kanexpr::mechanics::quantity::rhs>;
+  std::printf("known by: %016" PRIx64 "\n", kanexpr::out_of_line<rates>::digest());
 }
 
 /// What cannot be solved has its cause.

@@ -5,8 +5,6 @@
 #include <kanexpr/ensemble/sum_of_bytes.hpp>
 
 #include <cerrno>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -95,16 +93,6 @@ KANEXPR_ENSEMBLES noted checkpoint_file::read() const {
 KANEXPR_ENSEMBLES outcome checkpoint_file::remove() const {
   return ::unlinkat(folder_, name_.c_str(), 0) == 0 || errno == ENOENT ? outcome()
                                                                        : failed("cannot be removed");
-}
-
-KANEXPR_ENSEMBLES std::uint64_t this_program() {
-  static const std::uint64_t sum = [] {
-    std::ifstream in("/proc/self/exe", std::ios::binary);
-    std::ostringstream content;
-    if (in) content << in.rdbuf();
-    return in ? sum_of(content.view()) : 0;
-  }();
-  return sum;
 }
 
 } // namespace kanexpr::ensembles

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/version.hpp>
 #include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/collector.hpp>
 
@@ -15,7 +16,7 @@ inline constexpr std::size_t most_failures_held = 1000;
 
 KANEXPR_ENSEMBLES std::string identity_of(const study_layout& layout, const std::string& known_by) {
   bytes_writer all;
-  all.put(this_program());
+  all.put(KANEXPR_VERSION);
   all.put(layout.study), all.put(known_by), all.put(layout.runs);
   for (const auto* columns : {&layout.columns, &layout.state, &layout.samples}) {
     all.put(columns->size());
@@ -157,8 +158,8 @@ KANEXPR_ENSEMBLES outcome collector::go_on_from(const std::string& noted) {
   const std::string& path = options_.checkpoint->text();
   bytes_reader all(noted);
   if (all.get_text() != known_by_)
-    return outcome(path +
-                   " is of another study, or of another build of this program; remove it to begin anew");
+    return outcome(
+        path + " is of another study, another model or another version of kanexpr; remove it to begin anew");
   std::vector<std::string> positions;
   while (positions.size() < options_.files.size()) positions.push_back(all.get_text());
   found_.done = all.get<std::size_t>();

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <kanexpr/ensemble/checkpoint.hpp>
+#include <kanexpr/base/bytes.hpp>
 #include <kanexpr/ensemble/sum_of_bytes.hpp>
 #include <kanexpr/mpi/engine/first_rank.hpp>
 #include <kanexpr/mpi/engine/mpi_mailbox.hpp>
 #include <kanexpr/mpi/engine/other_rank.hpp>
 #include <kanexpr/mpi/engine/siblings.hpp>
+#include <kanexpr/mpi/engine/this_program.hpp>
 #include <kanexpr/mpi/mpi_ranks.hpp>
 
 #include <cstdint>
@@ -90,7 +91,9 @@ KANEXPR_MPI int mpi_ranks::count() const { return state_->post.ranks(); }
 KANEXPR_MPI ensemble_results mpi_ranks::run(const ensembles::job& study, const std::string& known_by,
                                             const ensemble_options& options) {
   const std::uint64_t number = ++state_->studies;
-  const std::uint64_t identity = ensembles::sum_of(ensembles::identity_of(study.layout(), known_by));
+  bytes_writer known;
+  known.put(mpi::this_program()), known.put(ensembles::identity_of(study.layout(), known_by));
+  const std::uint64_t identity = ensembles::sum_of(known.bytes());
   ensemble_results found;
   if (is_first()) {
     mpi::first_rank first(state_->post, state_->options, number, identity);
