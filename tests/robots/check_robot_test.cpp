@@ -84,6 +84,7 @@ TEST(check_robot, knows_what_is_no_number) {
             "the damping, friction or rotor of joint j2 is negative or not finite");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].gear_ratio = inf; }),
             "the damping, friction or rotor of joint j2 is negative or not finite");
+  EXPECT_EQ(cause_of([](robot& r) { r.joints[1].gear_ratio = 0; }), "the gear ratio of joint j2 is 0");
 }
 
 TEST(check_robot, knows_who_follows_nobody) {

@@ -148,9 +148,76 @@ TEST(read_urdf, notes_inertias_of_no_body) {
   EXPECT_THAT(
       in_robot(inertial("1", "ixx='1' iyy='1' izz='1' ixy='2'")).notes,
       ElementsAre("line 2: the inertia of link a is indefinite: about some axis its moment is negative"));
-  const read_robot rounded = in_robot(inertial("1", "ixy='1e-20'")); // where a program computed zero
+  const read_robot rounded = // where a program computed zero
+      in_robot(inertial("1", "ixx='0' iyy='0' izz='0' ixy='1e-20'"));
   EXPECT_THAT(rounded.notes, IsEmpty());
   EXPECT_EQ(rounded.robot.links[0].inertial->inertia.largest(), 0);
+}
+
+TEST(read_urdf, notes_masses_and_inertias_that_are_not_together) {
+  EXPECT_THAT(in_robot(inertial("0", "ixx='1' iyy='1' izz='1'")).notes,
+              ElementsAre("line 2: the inertia of link a comes without a mass, and is taken as it is"));
+  EXPECT_THAT(in_robot("<link name='a'><inertial><mass value='2'/></inertial></link>").notes,
+              ElementsAre("line 2: link a has a mass without an inertia, and is taken for a particle"));
+  EXPECT_THAT(in_robot(inertial("1", "ixx='1' iyy='1'")).notes,
+              ElementsAre("line 2: the inertia of link a has no izz, which is taken for 0"));
+}
+
+TEST(read_urdf, takes_quaternions) {
+  const auto turn_of = [](const std::string& origin, const reading_options& options = {}) {
+    const read_robot read = in_robot(two_links + joint_with("<origin " + origin + "/>"), options);
+    EXPECT_TRUE(read) << read.cause();
+    EXPECT_THAT(read.notes, IsEmpty());
+    return read ? read.robot.joints[0].origin.turn : rotation{};
+  };
+  EXPECT_EQ(turn_of("quat_xyzw='0 0 0.7071 0.7071'"), (rotation{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}));
+  EXPECT_EQ(turn_of("quat_xyzw='0 0.7071068 0 0.7071068'"), turn_of("rpy='0 1.5708 0'"));
+  const double s = std::sin(0.15), c = std::cos(0.15);
+  const rotation turned =
+      turn_of("quat_xyzw='" + std::to_string(s) + " 0 0 " + std::to_string(c) + "'", {.right_angles = 0});
+  EXPECT_NEAR(turned[1][2], -std::sin(0.3), 1e-6);
+  EXPECT_EQ(cause_of(two_links + joint_with("<origin rpy='0 0 0' quat_xyzw='0 0 0 1'/>")),
+            "line 3: the origin of joint j has both rpy and quat_xyzw");
+  EXPECT_EQ(cause_of(two_links + joint_with("<origin quat_xyzw='0 0 0 0'/>")),
+            "line 3: quat_xyzw=\"0 0 0 0\" of the origin of joint j does not have the norm 1");
+}
+
+TEST(read_urdf, notes_angles_that_may_be_degrees) {
+  EXPECT_THAT(in_robot(two_links + joint_with("<origin rpy='0 0 90'/>")).notes,
+              ElementsAre("line 3: rpy=\"0 0 90\" of the origin of joint j is more than a whole turn; angles "
+                          "are taken as radians"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<origin rpy='0 -6.2832 6.2832'/>")).notes, IsEmpty());
+}
+
+// What an element has twice is read once, and what is not known is not read.
+TEST(read_urdf, notes_what_is_left_out) {
+  const std::string box = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>";
+  EXPECT_THAT(in_robot("<link name='a'>" + box + "\n" + box + "</link>").notes,
+              ElementsAre("line 3: link a has a second <inertial>, which is left out"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<origin xyz='0 0 1'/>\n<origin xyz='0 0 2'/>")).notes,
+              ElementsAre("line 4: joint j has a second <origin>, which is left out"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<axis xyz='0 0 1'/>\n<axis xyz='0 1 0'/>")).notes,
+              ElementsAre("line 4: joint j has a second <axis>, which is left out"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<origin xzy='0 0 1'/>")).notes,
+              ElementsAre("line 3: the origin of joint j has the attribute xzy, which is not known here and "
+                          "left out"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<dynamics damping='1' stiffness='3'/>")).notes,
+              ElementsAre("line 3: the dynamics of joint j has the attribute stiffness, which is not known "
+                          "here and left out"));
+  EXPECT_THAT(in_robot(two_links + joint_with("<joint_properties damping='1'/>")).notes,
+              ElementsAre("line 3: joint j holds <joint_properties>, which is not known here and left out"));
+  EXPECT_THAT(in_robot("<link name='a'><mass value='1'/></link>").notes,
+              ElementsAre("line 2: link a holds <mass>, which is not known here and left out"));
+  EXPECT_THAT(in_robot("<link name='a'/><loop_joint/>").notes,
+              ElementsAre("line 2: the robot holds <loop_joint>, which is not known here and left out"));
+  EXPECT_THAT(
+      in_robot(two_links + joint_with("<dynamics damping='1'/>", "planar")).notes,
+      ElementsAre("line 3: the dynamics of joint j are left out, as it has more than one coordinate"));
+  EXPECT_THAT(in_robot("<link name='a'/><gazebo reference='a'><gravity>0</gravity><mu1>1</mu1></gazebo>"
+                       "\n<gazebo><turnGravityOff>false</turnGravityOff><static>1</static></gazebo>")
+                  .notes,
+              ElementsAre("line 2: <gravity>0</gravity> of a, a word for Gazebo, is left out",
+                          "line 3: <static>1</static>, a word for Gazebo, is left out"));
 }
 
 TEST(read_urdf, says_what_is_wrong_with_names) {
@@ -227,9 +294,31 @@ TEST(read_urdf, reads_gears_and_rotors) {
                      "\n<transmission name='t'><joint name='j'/><mechanicalReduction>x</mechanicalReduction>"
                      "</transmission>"),
             "line 4: the mechanicalReduction of the transmission of joint j is not a finite number");
+  EXPECT_EQ(cause_of(robot +
+                     "\n<transmission name='t'><joint name='j'/><mechanicalReduction>0</mechanicalReduction>"
+                     "</transmission>"),
+            "line 4: the mechanicalReduction of the transmission of joint j is 0");
   EXPECT_THAT(
       in_robot(robot + "\n<transmission name='t'><joint name='k'/></transmission>").notes,
       ElementsAre("line 4: a transmission speaks of the joint k, which is not there, and is left out"));
+}
+
+// n² J is right of one rotor that turns with one joint.
+TEST(read_urdf, notes_rotors_that_are_not_alone) {
+  const std::string robot = two_links + joint_with("<axis xyz='0 0 1'/>") + "\n",
+                    rotor = "<actuator name='m'><rotorInertia>2</rotorInertia></actuator>";
+  const auto transmission = [](const std::string& inside) {
+    return "<transmission name='t'><joint name='j'/>" + inside + "</transmission>";
+  };
+  for (const auto& [more, why] :
+       {std::pair<std::string, std::string>(transmission(rotor + rotor), "it is not alone"),
+        {transmission(rotor + "<joint name='j'/>"), "it is not alone"},
+        {transmission(rotor) + transmission(rotor), "the joint has another one"}})
+    EXPECT_THAT(in_robot(robot + more).notes,
+                testing::Contains("line 4: the rotor in the transmission of joint j is left out, as " + why));
+  const read_robot read = in_robot(robot + transmission(rotor));
+  EXPECT_THAT(read.notes, IsEmpty());
+  EXPECT_EQ(read.robot.joints[0].rotor_inertia, 2);
 }
 
 TEST(read_urdf, reads_ten_thousand_links) {

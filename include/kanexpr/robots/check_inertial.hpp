@@ -56,6 +56,8 @@ inline inertial_remarks remarks_on(inertial& of, const std::string& whose) {
   if (is_indefinite(i) && is_rounding(i, of.mass)) i = {};
   if (i.xx < 0 || i.yy < 0 || i.zz < 0) return {"a moment of inertia of " + whose + " is negative", {}};
   const std::string inertia = "the inertia of " + whose;
+  if (!(of.mass > 0) && i.largest() > 0)
+    return {{}, inertia + " comes without a mass, and is taken as it is"};
   if (is_indefinite(i)) // which what moves with the link may make up for
     return {{}, inertia + " is indefinite: about some axis its moment is negative"};
   if (is_of_no_body(i))

@@ -100,6 +100,7 @@ inline std::string wrong_with(const robot& r, const joint& j) {
   if (!(j.damping >= 0) || !(j.friction >= 0) || !(j.rotor_inertia >= 0) ||
       !std::isfinite(j.damping + j.friction + j.rotor_inertia + j.gear_ratio))
     return "the damping, friction or rotor of " + whose + " is negative or not finite";
+  if (!(std::abs(j.gear_ratio) > 0)) return "the gear ratio of " + whose + " is 0";
   return wrong_with_mimic(r, j);
 }
 

@@ -73,6 +73,22 @@ inline rotation by_roll_pitch_yaw(const vector3& angles, double tolerance) {
   return product(about_z, product(about_y, about_x));
 }
 
+/// By a unit quaternion, x, y, z and the scalar part behind them.
+inline rotation by_quaternion(double x, double y, double z, double w) {
+  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+           {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+           {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
+/// The same turn by three angles, of which right ones are exact. Near a pitch of 90° these have few digits.
+inline rotation with_right_angles(const rotation& r, double tolerance) {
+  constexpr double right = std::numbers::pi / 2;
+  const double pitch = std::asin(std::clamp(-r[2][0], -1.0, 1.0)), to_pole = right - std::abs(pitch);
+  if (!(tolerance > 0) || (to_pole > tolerance && to_pole < 0.01)) return r;
+  if (to_pole <= tolerance) return by_roll_pitch_yaw({0, pitch, std::atan2(-r[0][1], r[1][1])}, tolerance);
+  return by_roll_pitch_yaw({std::atan2(r[2][1], r[2][2]), pitch, std::atan2(r[1][0], r[0][0])}, tolerance);
+}
+
 /// About an axis of length 1, by Rodrigues' formula.
 inline rotation by_axis(const vector3& a, double angle, double tolerance) {
   const auto [s, c] = of_angle(angle, tolerance);

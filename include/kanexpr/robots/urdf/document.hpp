@@ -7,6 +7,9 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,15 +73,36 @@ public:
     const char* const found = e.Attribute(attribute);
     return !found || take_words(e, attribute, found, into.data(), 3, whose);
   }
+  /// The one element of that name in another; a second one is noted.
+  const element* only(const element& in, const char* name, const std::string& whose) {
+    const element* const first = in.FirstChildElement(name);
+    if (const element* const second = first ? first->NextSiblingElement(name) : nullptr)
+      note(*second, whose + " has a second <" + name + ">, which is left out");
+    return first;
+  }
+  /// Notes the attributes of an element that are not among those that are known.
+  void know(const element& e, std::initializer_list<std::string_view> known, const std::string& whose) {
+    for (const tinyxml2::XMLAttribute* a = e.FirstAttribute(); a; a = a->Next())
+      if (std::ranges::find(known, a->Name()) == known.end())
+        note(e, whose + " has the attribute " + shown(a->Name()) + ", which is not known here and left out");
+  }
+  /// The same of the elements in one.
+  void know_elements(const element& in, std::initializer_list<std::string_view> known,
+                     const std::string& whose) {
+    for (const element* e = in.FirstChildElement(); e; e = e->NextSiblingElement())
+      if (std::ranges::find(known, e->Name()) == known.end())
+        note(*e, whose + " holds <" + shown(e->Name()) + ">, which is not known here and left out");
+  }
+
   /// Reads the <origin> in an element.
   bool take_origin(const element& in, pose& into, const std::string& whose) {
-    const element* const origin = in.FirstChildElement("origin");
+    const element* const origin = only(in, "origin", whose);
     if (!origin) return true;
     const std::string of = "the origin of " + whose;
-    vector3 angles{};
-    if (!take(*origin, "xyz", into.at, of) || !take(*origin, "rpy", angles, of)) return false;
-    into.turn = by_roll_pitch_yaw(angles, tolerance_);
-    return true;
+    know(*origin, {"xyz", "rpy", "quat_xyzw"}, of);
+    return take(*origin, "xyz", into.at, of) &&
+           (origin->Attribute("quat_xyzw") ? take_quaternion(*origin, into.turn, of)
+                                           : take_angles(*origin, into.turn, of));
   }
 
 private:
@@ -95,6 +119,29 @@ private:
   static const char* advice_on(std::string_view word) {
     if (word.find('$') != word.npos) return "; this may be a xacro file, so run xacro on it first";
     return word.find(',') == word.npos ? "" : "; decimals are written with a point";
+  }
+
+  bool take_angles(const element& e, rotation& into, const std::string& of) {
+    constexpr double turn = 2 * std::numbers::pi + 1e-3;
+    vector3 angles{};
+    if (!take(e, "rpy", angles, of)) return false;
+    if (std::ranges::any_of(angles, [&](double a) { return std::abs(a) > turn; }))
+      note(e, "rpy=\"" + shown(e.Attribute("rpy")) + "\" of " + of +
+                  " is more than a whole turn; angles are taken as radians");
+    into = by_roll_pitch_yaw(angles, tolerance_);
+    return true;
+  }
+  bool take_quaternion(const element& e, rotation& into, const std::string& of) {
+    if (e.Attribute("rpy")) return fail(e, of + " has both rpy and quat_xyzw");
+    double q[4]{};
+    if (!take_words(e, "quat_xyzw", e.Attribute("quat_xyzw"), q, 4, of)) return false;
+    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    if (!(std::abs(norm - 1) < 1e-2))
+      return fail(e, "quat_xyzw=\"" + shown(e.Attribute("quat_xyzw")) + "\" of " + of +
+                         " does not have the norm 1");
+    for (double& each : q) each /= norm;
+    into = with_right_angles(by_quaternion(q[0], q[1], q[2], q[3]), tolerance_);
+    return true;
   }
 
   bool take_words(const element& e, const char* attribute, std::string_view words, double* into, int count,

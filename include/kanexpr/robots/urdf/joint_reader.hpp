@@ -41,12 +41,17 @@ public:
       return from_.fail(e, whose + " has the type " + shown(*type) +
                                ", which is not fixed, revolute, continuous, prismatic, planar or floating");
     read.is = *kind;
+    from_.know_elements(e,
+                        {"origin", "parent", "child", "axis", "calibration", "dynamics", "limit", "mimic",
+                         "safety_controller"},
+                        whose);
     if (!take_link(e, "parent", whose, read.parent) || !take_link(e, "child", whose, read.child) ||
         !from_.take_origin(e, read.origin, whose) || !take_axis(e, whose, read) ||
         !take_limits(e, whose, read) || !take_dynamics(e, whose, read))
       return false;
     if (read.parent == read.child) return from_.fail(e, whose + " leads from a link to itself");
-    if (const element* mimic = e.FirstChildElement("mimic")) mimics_.emplace_back(into_.joints.size(), mimic);
+    if (const element* mimic = from_.only(e, "mimic", whose))
+      mimics_.emplace_back(into_.joints.size(), mimic);
     into_.joints.push_back(std::move(read));
     lines_.push_back(e.GetLineNum());
     return true;
@@ -88,9 +93,11 @@ public:
       }
       joint& of = into_.joints[static_cast<std::size_t>(found->second)];
       const std::string whose = "the transmission of joint " + shown(of.name);
-      if (!take_gear(e, whose, of) || !take_gear(*j, whose, of)) return false;
+      drive read;
+      if (!take_gear(e, whose, read) || !take_gear(*j, whose, read)) return false;
       for (const element* a = e.FirstChildElement("actuator"); a; a = a->NextSiblingElement("actuator"))
-        if (!take_gear(*a, whose, of)) return false;
+        if (!take_gear(*a, whose, read)) return false;
+      keep_gear(e, read, whose, of);
     }
     return true;
   }
@@ -99,7 +106,7 @@ public:
 
 private:
   bool take_link(const element& e, const char* which, const std::string& whose, int& into) {
-    const element* const found = e.FirstChildElement(which);
+    const element* const found = from_.only(e, which, whose);
     if (!found) return from_.fail(e, whose + " has no " + which);
     const auto name = from_.text(*found, "link", std::string("the ") + which + " of " + whose);
     if (!name) return false;
@@ -111,15 +118,16 @@ private:
   }
 
   bool take_axis(const element& e, const std::string& whose, joint& into) {
-    const element* const axis = e.FirstChildElement("axis");
+    const element* const axis = from_.only(e, "axis", whose);
     if (!axis || !has_axis(into.is)) return true;
+    from_.know(*axis, {"xyz"}, "the axis of " + whose);
     if (!from_.take(*axis, "xyz", into.axis, "the axis of " + whose)) return false;
     into.axis = direction_of(into.axis, from_.tolerance());
     return !is_zero(into.axis) || from_.fail(*axis, "the axis of " + whose + " has no length");
   }
 
   bool take_limits(const element& e, const std::string& whose, joint& into) {
-    const element* const limit = e.FirstChildElement("limit");
+    const element* const limit = from_.only(e, "limit", whose);
     if (!limit) return true;
     const std::string of = "the limit of " + whose;
     joint_limits& read = into.limits;
@@ -134,13 +142,18 @@ private:
   }
 
   bool take_dynamics(const element& e, const std::string& whose, joint& into) {
-    const element* const dynamics = e.FirstChildElement("dynamics");
+    const element* const dynamics = from_.only(e, "dynamics", whose);
     if (!dynamics) return true;
+    from_.know(*dynamics, {"damping", "friction"}, "the dynamics of " + whose);
     if (!from_.take(*dynamics, "damping", into.damping, whose) ||
         !from_.take(*dynamics, "friction", into.friction, whose))
       return false;
     if (into.damping < 0) return from_.fail(*dynamics, "the damping of " + whose + " is negative");
-    return into.friction >= 0 || from_.fail(*dynamics, "the friction of " + whose + " is negative");
+    if (into.friction < 0) return from_.fail(*dynamics, "the friction of " + whose + " is negative");
+    const bool is_felt = into.is == joint_kind::fixed || has_one_coordinate(into.is);
+    if (!is_felt && (into.damping > 0 || into.friction > 0))
+      from_.note(*dynamics, "the dynamics of " + whose + " are left out, as it has more than one coordinate");
+    return true;
   }
 
   bool take_mimic(const element& e, joint& into) {
@@ -151,6 +164,7 @@ private:
     }
     const auto name = from_.text(e, "joint", "the mimic of " + whose);
     if (!name) return false;
+    from_.know(e, {"joint", "multiplier", "offset"}, "the mimic of " + whose);
     mimicry read;
     if (!from_.take(e, "multiplier", read.multiplier, "the mimic of " + whose) ||
         !from_.take(e, "offset", read.offset, "the mimic of " + whose))
@@ -177,8 +191,14 @@ private:
     j.mimic.reset();
   }
 
+  /// What a transmission says of the gear and the rotor of a joint.
+  struct drive {
+    std::optional<double> gear_ratio{}, rotor_inertia{};
+    bool is_one = true; ///< one gear and one rotor
+  };
+
   /// By the words of ROS, or those of Drake.
-  bool take_gear(const element& in, const std::string& whose, joint& into) {
+  bool take_gear(const element& in, const std::string& whose, drive& into) {
     for (const element* e = in.FirstChildElement(); e; e = e->NextSiblingElement()) {
       const std::string_view is = e->Name();
       const bool gear = is == "mechanicalReduction" || is == "drake:gear_ratio";
@@ -190,9 +210,26 @@ private:
       if (!value || !next_word(words).empty())
         return from_.fail(*e, "the " + shown(is) + " of " + whose + " is not a finite number");
       if (!gear && *value < 0) return from_.fail(*e, "the rotor inertia of " + whose + " is negative");
-      (gear ? into.gear_ratio : into.rotor_inertia) = *value;
+      if (gear && !(std::abs(*value) > 0))
+        return from_.fail(*e, "the " + shown(is) + " of " + whose + " is 0");
+      std::optional<double>& known = gear ? into.gear_ratio : into.rotor_inertia;
+      into.is_one = into.is_one && (!known || (gear && std::abs(*known - *value) <= 0));
+      known = value;
     }
     return true;
+  }
+
+  /// A rotor is felt as n² J at its joint, if it is one and turns with one joint alone.
+  void keep_gear(const element& e, const drive& read, const std::string& whose, joint& into) {
+    const bool is_alone = read.is_one && !e.FirstChildElement("joint")->NextSiblingElement("joint");
+    const char* const why = !is_alone                      ? "it is not alone"
+                            : into.rotor_inertia > 0       ? "the joint has another one"
+                            : !has_one_coordinate(into.is) ? "the joint does not have one coordinate"
+                                                           : nullptr;
+    if (why && read.rotor_inertia > 0.0)
+      return from_.note(e, "the rotor in " + whose + " is left out, as " + why);
+    into.gear_ratio = read.gear_ratio.value_or(into.gear_ratio);
+    into.rotor_inertia = read.rotor_inertia.value_or(into.rotor_inertia);
   }
 
   document& from_;

@@ -8,17 +8,25 @@ namespace kanexpr::robots::urdf {
 inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {
   inertial read;
   if (!from.take_origin(e, read.center, "the mass centre of " + whose)) return false;
-  const element* const mass = e.FirstChildElement("mass");
-  const element* const inertia = e.FirstChildElement("inertia");
+  from.know_elements(e, {"origin", "mass", "inertia"}, "the inertial of " + whose);
+  const element* const mass = from.only(e, "mass", whose);
+  const element* const inertia = from.only(e, "inertia", whose);
   if (!mass || !mass->Attribute("value")) return from.fail(e, whose + " has an inertial without a mass");
   if (!from.take(*mass, "value", read.mass, "the mass of " + whose)) return false;
+  from.know(*mass, {"value"}, "the mass of " + whose);
   if (inertia) {
     inertia_matrix& i = read.inertia;
     const std::string of = "the inertia of " + whose;
+    from.know(*inertia, {"ixx", "iyy", "izz", "ixy", "iyz", "ixz"}, of);
+    for (const char* moment : {"ixx", "iyy", "izz"})
+      if (!inertia->Attribute(moment))
+        from.note(*inertia, of + " has no " + moment + ", which is taken for 0");
     if (!from.take(*inertia, "ixx", i.xx, of) || !from.take(*inertia, "iyy", i.yy, of) ||
         !from.take(*inertia, "izz", i.zz, of) || !from.take(*inertia, "ixy", i.xy, of) ||
         !from.take(*inertia, "iyz", i.yz, of) || !from.take(*inertia, "ixz", i.zx, of))
       return false;
+  } else if (read.mass > 0) {
+    from.note(e, whose + " has a mass without an inertia, and is taken for a particle");
   }
   const inertial_remarks remarks = remarks_on(read, whose);
   const element& at = inertia && read.mass >= 0 ? *inertia : *mass;
@@ -63,7 +71,10 @@ inline bool read_link(document& from, const element& e, link& into) {
   if (!name) return false;
   into.name = *name;
   const std::string whose = "link " + shown(into.name);
-  if (const element* inertial = e.FirstChildElement("inertial"))
+  from.know_elements(
+      e, {"inertial", "visual", "collision", "contact", "sensor", "self_collision_checking", "verbose"},
+      whose);
+  if (const element* inertial = from.only(e, "inertial", whose))
     if (!read_inertial(from, *inertial, whose, into)) return false;
   for (const element* s = e.FirstChildElement("visual"); s; s = s->NextSiblingElement("visual"))
     if (!read_shape(from, *s, whose, into.visual)) return false;

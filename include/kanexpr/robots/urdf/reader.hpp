@@ -2,6 +2,7 @@
 
 #include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/reading_options.hpp>
+#include <kanexpr/robots/urdf/gazebo_words.hpp>
 #include <kanexpr/robots/urdf/joint_reader.hpp>
 #include <kanexpr/robots/urdf/link_reader.hpp>
 
@@ -19,7 +20,13 @@ public:
     if (std::string_view(root->Name()) != "robot")
       return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <robot>");
     if (const char* name = root->Attribute("name")) robot.name = name;
-    return is_expanded(*root) && read_links(*root) && read_joints(*root) && is_tree(*root);
+    if (!is_expanded(*root)) return false;
+    from_.know_elements(*root,
+                        {"link", "joint", "transmission", "gazebo", "material", "sensor", "ros2_control"},
+                        "the robot");
+    for (const element* e = root->FirstChildElement("gazebo"); e; e = e->NextSiblingElement("gazebo"))
+      note_gazebo(from_, *e);
+    return read_links(*root) && read_joints(*root) && is_tree(*root);
   }
 
   robots::robot robot{};
