@@ -272,8 +272,14 @@ TEST(ensemble, says_what_was_told_wrongly) {
   EXPECT_EQ(refusal(told), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("velocity")}}),
             "the study has no column velocity to reduce");
-  EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {histogram_of("g", 1, 1, 5)}}),
-            "the histogram of g needs a bin at least, and must begin below its end");
+  for (const reduction& wrong : {histogram_of("g", 1, 1, 5), histogram_of("g", -3, 3, std::size_t(-1)),
+                                 histogram_of("g", -3, 3, 0), histogram_of("g", 0, std::nan(""), 5)})
+    EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {wrong}}),
+              "the histogram of g needs a bin at least and 16777216 at most, and must begin below its end");
+  told = bouncing_balls(), told.runs = grid({{g, evenly_spaced(0, 1, std::size_t(-3))}});
+  EXPECT_EQ(refusal(told), "the grid has no values of g");
+  told = bouncing_balls(), told.runs = runs_of(read_csv("nowhere/runs.csv"));
+  EXPECT_EQ(refusal(told), "nowhere/runs.csv cannot be opened: No such file or directory");
 }
 
 } // namespace

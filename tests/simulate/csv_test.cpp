@@ -13,14 +13,13 @@
 
 namespace {
 
-using kanexpr::csv_table;
 using kanexpr::csv_writer;
 using kanexpr::outcome;
 using kanexpr::read_csv;
 using kanexpr::table;
 using kanexpr::write_csv;
 
-csv_table read(const std::string& text) {
+table read(const std::string& text) {
   std::istringstream in(text);
   return read_csv(in, "run.csv");
 }
@@ -68,7 +67,7 @@ TEST(csv, gives_the_same_bits_again) {
   EXPECT_TRUE(run.add("any", any));
   EXPECT_TRUE(run.add("usual", usual));
   EXPECT_TRUE(run.add("special", special));
-  const csv_table again = read(written(run));
+  const table again = read(written(run));
   ASSERT_TRUE(again) << again.cause();
   EXPECT_EQ(again.names(), run.names());
   for (std::size_t j = 0; j < run.columns(); ++j)
@@ -85,14 +84,14 @@ TEST(csv, quotes_names_where_it_must) {
   for (const std::string& name : names) EXPECT_TRUE(run.add(name, {1, 2}));
   const std::string text = written(run);
   EXPECT_EQ(text.substr(0, text.find(" before")), "q1,\"a,b\",\"the \"\"rate\"\"\",\"");
-  const csv_table again = read(text);
+  const table again = read(text);
   ASSERT_TRUE(again) << again.cause();
   EXPECT_EQ(again.names(), names);
   EXPECT_EQ(again.rows(), 2u);
 }
 
 TEST(csv, reads_what_other_programs_write) {
-  const csv_table run =
+  const table run =
       read("\xEF\xBB\xBF t , \"q1\" ,u1\r\n 0 , +1.5e3,NaN \r\n\"-.5\",INF,-infinity\r\n\r\n\n \t\n");
   ASSERT_TRUE(run) << run.cause();
   EXPECT_EQ(run.names(), (std::vector<std::string>{"t", "q1", "u1"}));
@@ -103,13 +102,13 @@ TEST(csv, reads_what_other_programs_write) {
 }
 
 TEST(csv, reads_a_last_line_without_its_end) {
-  const csv_table run = read("t\n1\n2");
+  const table run = read("t\n1\n2");
   ASSERT_TRUE(run) << run.cause();
   EXPECT_EQ(run.values(0), (std::vector<double>{1, 2}));
 }
 
 TEST(csv, reads_a_header_alone) {
-  const csv_table run = read("t,q1\n");
+  const table run = read("t,q1\n");
   ASSERT_TRUE(run) << run.cause();
   EXPECT_EQ(run.columns(), 2u);
   EXPECT_EQ(run.rows(), 0u);
@@ -117,7 +116,7 @@ TEST(csv, reads_a_header_alone) {
 
 TEST(csv, says_what_is_wrong_and_where) {
   const auto expect_refused = [](const std::string& text, const std::string& cause) {
-    const csv_table run = read(text);
+    const table run = read(text);
     EXPECT_FALSE(run) << text;
     EXPECT_EQ(run.cause(), cause);
     EXPECT_EQ(run.columns(), 0u);
@@ -165,7 +164,7 @@ TEST(csv, refuses_carriage_returns_alone) {
 TEST(csv, reads_the_mark_of_utf_8) {
   const std::string mark = "\xEF\xBB\xBF";
   for (const char* text : {"t\n1\n", "\"t\"\r\n1\r\n"}) {
-    const csv_table run = read(mark + text);
+    const table run = read(mark + text);
     ASSERT_TRUE(run) << run.cause();
     EXPECT_EQ(run.names()[0], "t");
     EXPECT_EQ(run.values(0), std::vector<double>{1});
@@ -209,11 +208,13 @@ TEST(csv, writes_and_reads_files) {
   EXPECT_TRUE(run.add("t", {0, 0.1}));
   const outcome done = write_csv(run, path);
   ASSERT_TRUE(done) << done.cause();
-  const csv_table again = read_csv(path);
+  const table again = read_csv(path);
   ASSERT_TRUE(again) << again.cause();
   EXPECT_EQ(again.values(0), run.values(0));
   std::filesystem::remove(path);
   EXPECT_EQ(read_csv(path).cause(), path + " cannot be opened: No such file or directory");
+  EXPECT_EQ(write_csv(read_csv(path), path).cause(), path + " cannot be opened: No such file or directory");
+  EXPECT_FALSE(std::filesystem::exists(path));
   const std::string nowhere = path + "/of/nothing.csv";
   EXPECT_EQ(write_csv(run, nowhere).cause(), nowhere + " cannot be opened: No such file or directory");
   EXPECT_EQ(read_csv(testing::TempDir()).cause(), testing::TempDir() + " cannot be read");
@@ -242,7 +243,7 @@ TEST(csv, does_not_depend_on_the_locale) {
   table run;
   EXPECT_TRUE(run.add("t", {1234567.25, 0.5}));
   const std::string text = written(run);
-  const csv_table again = read(text);
+  const table again = read(text);
   std::locale::global(before);
   EXPECT_EQ(text, "t\n1234567.25\n0.5\n");
   EXPECT_TRUE(again) << again.cause();

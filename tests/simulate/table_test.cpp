@@ -43,6 +43,15 @@ TEST(table, says_that_a_column_is_missing) {
   EXPECT_EQ(missing.cause(), "the table has no column q; it has t, q1 and q2");
 }
 
+TEST(table, that_could_not_be_read_says_so_wherever_it_is_used) {
+  table none{kanexpr::outcome("run.csv is empty")};
+  EXPECT_FALSE(none);
+  EXPECT_TRUE(table());
+  EXPECT_EQ(none["q"].cause(), "run.csv is empty");
+  EXPECT_EQ(none.add("q", {1}).cause(), "run.csv is empty");
+  EXPECT_EQ(none.columns(), 0u);
+}
+
 TEST(table, refuses_columns_that_do_not_fit) {
   table run = two_columns();
   const auto expect_refused = [&](const std::string& name, std::vector<double> values, const char* cause) {

@@ -13,8 +13,12 @@ namespace kanexpr {
 /// How many numbers fall into each of equal bins from a number to another, which belongs to none of them.
 class histogram {
 public:
+  static constexpr std::size_t most_bins = std::size_t{1} << 24;
+
   histogram() = default;
-  histogram(double from, double to, std::size_t bins) : from_(from), to_(to), counts_(bins) {}
+  /// Without bins where there would be too many, of which a negative number is one; a study refuses that.
+  histogram(double from, double to, std::size_t bins)
+      : from_(from), to_(to), counts_(bins <= most_bins ? bins : 0) {}
 
   void take(double number) {
     if (numeric::is_nan(number)) {

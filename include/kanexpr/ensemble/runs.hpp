@@ -84,7 +84,8 @@ private:
   std::string text_ = "one run", mistake_{};
 };
 
-/// So many numbers from the first to the last, both of which are among them; one alone is the first.
+/// So many numbers from the first to the last, both of which are among them; one alone is the first. None
+/// where their number is negative, or beyond 2³².
 KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count);
 
 /// Every combination of the values: `grid({{q1, evenly_spaced(-3, 3, 100)}, {m, {1, 2}}})`. The last of the
@@ -99,7 +100,7 @@ KANEXPR_ENSEMBLES runs random_runs(std::size_t count, std::vector<drawn> what, s
 KANEXPR_ENSEMBLES runs latin_hypercube(std::size_t count, std::vector<drawn> what, std::uint64_t seed);
 
 /// A run of each row of a table; its columns are called as the symbols are, or are factors if they are named
-/// as such.
+/// as such. Of a table that could not be read there are none, for its cause.
 KANEXPR_ENSEMBLES runs runs_of(const table& given, const std::vector<factor>& factors = {});
 
 } // namespace kanexpr

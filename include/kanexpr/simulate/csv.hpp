@@ -64,16 +64,10 @@ KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out,
                                       const std::string& called = "the stream");
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path);
 
-/// A table that was read; if it could not be, an empty one with the cause.
-struct csv_table : table, outcome {
-  csv_table() = default;
-  explicit csv_table(outcome failed) : outcome(std::move(failed)) {}
-};
-
-/// Reads a table as `write_csv` writes it, or as other programs do. `called` is the name of the text in
-/// sentences.
-KANEXPR_SIMULATIONS csv_table read_csv(std::istream& in, const std::string& called = {});
-KANEXPR_SIMULATIONS csv_table read_csv(const file_path& path);
+/// Reads a table as `write_csv` writes it, or as other programs do; if it cannot, the table says why.
+/// `called` is the name of the text in sentences.
+KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called = {});
+KANEXPR_SIMULATIONS table read_csv(const file_path& path);
 
 } // namespace kanexpr
 

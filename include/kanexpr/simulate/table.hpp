@@ -29,6 +29,13 @@ public:
     outcome found_{};
   };
 
+  table() = default;
+  /// One that could not be read, and why: wherever it is handed on, that is what is said of it.
+  explicit table(outcome failed) : read_(std::move(failed)) {}
+
+  explicit operator bool() const { return static_cast<bool>(read_); }
+  const std::string& cause() const { return read_.cause(); }
+
   outcome add(std::string name, std::vector<double> values);
 
   column operator[](std::string_view name) const&;
@@ -46,6 +53,7 @@ private:
 
   std::vector<std::string> names_{};
   std::vector<std::vector<double>> values_{}; ///< by column
+  outcome read_{};
 };
 
 } // namespace kanexpr

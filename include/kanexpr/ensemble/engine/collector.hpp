@@ -73,8 +73,9 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
       return outcome("the study has no column " + each.column + " to reduce");
     if (const auto* bins = std::get_if<kanexpr::histogram>(&each.what);
         bins && !(bins->bins() > 0 && bins->edge(0) < bins->edge(bins->bins())))
-      return outcome("the histogram of " + each.column +
-                     " needs a bin at least, and must begin below its end");
+      return outcome("the histogram of " + each.column + " needs a bin at least and " +
+                     std::to_string(kanexpr::histogram::most_bins) +
+                     " at most, and must begin below its end");
     reduced_.push_back(static_cast<std::size_t>(column - layout_.columns.begin()));
   }
   for (const auto& each : options_.files)

@@ -118,6 +118,8 @@ KANEXPR_ENSEMBLES runs runs::mistaken(std::string mistake) {
 }
 
 KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count) {
+  constexpr std::size_t most = std::size_t{1} << 32; // a negative number is beyond it
+  if (count > most) return {};
   std::vector<double> values(count, first);
   for (std::size_t i = 1; i < count; ++i)
     values[i] = ensembles::between(first, last, static_cast<double>(i) / static_cast<double>(count - 1));
@@ -148,6 +150,7 @@ KANEXPR_ENSEMBLES runs latin_hypercube(std::size_t count, std::vector<drawn> wha
 }
 
 KANEXPR_ENSEMBLES runs runs_of(const table& given, const std::vector<factor>& factors) {
+  if (!given) return runs::mistaken(given.cause());
   if (given.rows() == 0) return runs::mistaken("the table of runs has no row");
   std::vector<varied_name> names;
   std::string text = "table";

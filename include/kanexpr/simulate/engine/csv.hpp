@@ -19,14 +19,15 @@ inline outcome not_opened(const std::string& path) {
 } // namespace simulated
 
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path) {
+  if (!all) return outcome(all.cause()); // before a file is replaced by it
   std::ofstream out(path.text(), std::ios::binary);
   if (!out) return simulated::not_opened(path.text());
   return write_csv(all, out, path.text());
 }
 
-KANEXPR_SIMULATIONS csv_table read_csv(const file_path& path) {
+KANEXPR_SIMULATIONS table read_csv(const file_path& path) {
   std::ifstream in(path.text(), std::ios::binary);
-  if (!in) return csv_table(simulated::not_opened(path.text()));
+  if (!in) return table(simulated::not_opened(path.text()));
   return read_csv(in, path.text());
 }
 

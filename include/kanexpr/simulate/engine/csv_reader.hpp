@@ -112,15 +112,15 @@ class table_reader {
 public:
   table_reader(std::istream& in, const std::string& called) : in_(in), called_(called), records_(in) {}
 
-  csv_table read() {
-    if (!header()) return csv_table(wrong_);
+  table read() {
+    if (!header()) return table(wrong_);
     while (records_.next())
-      if (!row()) return csv_table(wrong_);
-    if (!well_formed()) return csv_table(wrong_);
-    csv_table all;
+      if (!row()) return table(wrong_);
+    if (!well_formed()) return table(wrong_);
+    table all;
     for (std::size_t j = 0; j < columns_.size(); ++j)
       if (outcome added = all.add(header_.names()[j], std::move(columns_[j])); !added)
-        return csv_table(std::move(added));
+        return table(std::move(added));
     return all;
   }
 
@@ -184,7 +184,7 @@ private:
 
 } // namespace simulated
 
-KANEXPR_SIMULATIONS csv_table read_csv(std::istream& in, const std::string& called) {
+KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called) {
   return simulated::table_reader(in, called).read();
 }
 

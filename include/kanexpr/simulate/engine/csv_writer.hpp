@@ -79,6 +79,7 @@ KANEXPR_SIMULATIONS void csv_writer::fail(const std::string& where) {
 }
 
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out, const std::string& called) {
+  if (!all) return outcome(all.cause());
   csv_writer writer(out, all.names(), called);
   std::vector<double> row(all.columns());
   for (std::size_t i = 0; i < all.rows(); ++i) {

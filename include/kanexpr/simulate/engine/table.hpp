@@ -7,6 +7,7 @@
 namespace kanexpr {
 
 KANEXPR_SIMULATIONS outcome table::add(std::string name, std::vector<double> values) {
+  if (!read_) return read_;
   if (name.empty()) return outcome("a column has no name");
   if (name.find('\0') != std::string::npos) return outcome("the name of a column holds a zero byte");
   if (place_of(name) < columns()) return outcome("there is a column " + name + " already");
@@ -20,6 +21,7 @@ KANEXPR_SIMULATIONS outcome table::add(std::string name, std::vector<double> val
 }
 
 KANEXPR_SIMULATIONS table::column table::operator[](std::string_view name) const& {
+  if (!read_) return column(read_);
   const std::size_t place = place_of(name);
   if (place < columns()) return column(values_[place]);
   return column(outcome("the table has no column " + std::string(name) + "; it has " + enumerated_names()));
