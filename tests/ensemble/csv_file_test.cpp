@@ -50,6 +50,27 @@ TEST(csv_file, has_the_table_of_runs) {
   EXPECT_EQ(text_of(path), held.str());
 }
 
+TEST(csv_file, stands_where_nothing_else_of_its_study_does) {
+  const std::filesystem::path folder = std::filesystem::path(TempDir()) / "kanexpr_names";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const std::string one = folder / "one", same = folder / "." / "one", link = folder / "link";
+  std::filesystem::create_symlink("one", link);
+  const auto cause = [](const kanexpr::ensemble_options& options) {
+    return written::run(written::study(10, false), options).cause();
+  };
+  for (const std::string& file : {one, same, link})
+    EXPECT_EQ(cause({.files = {csv_file(file)}, .checkpoint = one}),
+              file + " cannot be a file of results: the checkpoint of the study takes that name");
+  for (const std::string& beside : {one + ".new", one + ".lock"}) // which are there for a while
+    EXPECT_EQ(cause({.files = {csv_file(beside)}, .checkpoint = one}),
+              beside + " cannot be a file of results: the checkpoint of the study takes that name");
+  EXPECT_EQ(cause({.files = {csv_file(one), csv_file(same)}}),
+            same + " cannot be a file of results: a file of results takes that name");
+  EXPECT_FALSE(std::filesystem::exists(one));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(csv_file, goes_on_where_a_study_was_noted) {
   const std::string path = TempDir() + "noted.csv", whole = TempDir() + "whole.csv";
   const written::study known(5000, false);
@@ -110,8 +131,8 @@ TEST(csv_file, says_what_it_cannot) {
 
   kanexpr::ensembles::held_file first, second; // which begin at the same moment
   EXPECT_TRUE(first.claim(path));
-  EXPECT_EQ(second.claim(path).cause(), path + " is open in another program");
-  EXPECT_EQ(cause(path), path + " is open in another program");
+  EXPECT_EQ(second.claim(path).cause(), path + " is in use by another study");
+  EXPECT_EQ(cause(path), path + " is in use by another study");
   first.release();
   EXPECT_TRUE(second.claim(path));
   second.release();

@@ -426,8 +426,8 @@ TEST(hdf5_file, says_what_it_cannot) {
   ASSERT_EQ(cause(path), "");
   const auto here = hdf5_file(path), other = hdf5_file(path);
   ASSERT_TRUE(other->begin(known.layout()));
-  EXPECT_EQ(here->begin(known.layout()).cause(), path + " is open in another program");
-  EXPECT_EQ(here->go_on(known.layout(), "").cause(), path + " is open in another program");
+  EXPECT_EQ(here->begin(known.layout()).cause(), path + " is in use by another study");
+  EXPECT_EQ(here->go_on(known.layout(), "").cause(), path + " is in use by another study");
   ASSERT_TRUE(other->end());
 
   EXPECT_EQ(here->go_on(wide, "").cause(), path + " does not have the columns of the study");

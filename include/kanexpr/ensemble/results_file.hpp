@@ -17,6 +17,8 @@ public:
   results_file& operator=(const results_file&) = delete;
   virtual ~results_file() = default;
 
+  /// The path at which it is a file; empty: at none.
+  virtual std::string path() const { return {}; }
   /// Whether it can hold what a study keeps: asked of all files before the first of them begins.
   virtual outcome fits(const study_layout&) const { return {}; }
   /// Begins anew, or goes on behind a position that `flush` told: what was written behind it goes.

@@ -3,6 +3,7 @@
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/ensemble/checkpoint.hpp>
 #include <kanexpr/ensemble/collector.hpp>
+#include <kanexpr/ensemble/engine/taken_names.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -78,8 +79,13 @@ KANEXPR_ENSEMBLES outcome collector::begin_files() {
                      " at most, and must begin below its end");
     reduced_.push_back(static_cast<std::size_t>(column - layout_.columns.begin()));
   }
-  for (const auto& each : options_.files)
+  taken_names names;
+  if (options_.checkpoint)
+    static_cast<void>(names.take(options_.checkpoint->text(), "the checkpoint of the study")); // the first
+  for (const auto& each : options_.files) {
     if (outcome fits = each->fits(layout_); !fits) return fits;
+    if (outcome is_free = names.take(each->path(), "a file of results"); !is_free) return is_free;
+  }
   columns_.resize(options_.hold ? layout_.columns.size() : 0);
   if (options_.checkpoint) {
     if (outcome held = checkpoint_.hold(options_.checkpoint->text()); !held) return held;

@@ -26,6 +26,8 @@ class csv_results final : public results_file {
 public:
   explicit csv_results(std::string path) : path_(std::move(path)) {}
 
+  std::string path() const override { return path_; }
+
   outcome fits(const study_layout& layout) const override {
     if (layout.samples.empty() && layout.events.empty()) return {};
     return outcome(path_ + " cannot hold the " + (layout.samples.empty() ? "events" : "trajectories") +

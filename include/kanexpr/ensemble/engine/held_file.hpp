@@ -24,7 +24,7 @@ KANEXPR_ENSEMBLES outcome held_file::claim(const std::string& path) {
   release();
   // Where no file can stand beside it, or it is no file, as /dev/stdout, nothing holds it.
   if (check_replaceable(path, "a file") && lock_.hold(end_of_links(path)) == lock_beside::answer::taken)
-    return outcome(path + " is open in another program");
+    return outcome(path + " is in use by another study");
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) return {};
   if (file < 0) return not_held(path, "cannot be opened");

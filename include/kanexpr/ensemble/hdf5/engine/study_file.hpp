@@ -32,6 +32,8 @@ public:
   hdf5_results(std::string path, const hdf5_options& options) : path_(std::move(path)), options_(options) {}
   ~hdf5_results() override { static_cast<void>(finish()); }
 
+  std::string path() const override { return path_; }
+
   outcome begin(const study_layout& layout) override {
     const hdf5_errors errors;
     restart(layout);
