@@ -2,7 +2,7 @@
 #
 # What stands behind a header that not every test includes is a library of its own, built where a test includes it.
 function(kanexpr_add_harness name engine)
-  add_library(${name} STATIC no_heap.cpp)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL no_heap.cpp)
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
   # Results of two compilers are compared to the last bit: none of them may fuse a product and a sum.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
@@ -24,7 +24,7 @@ function(kanexpr_add_harness name engine)
   target_compile_definitions(${name}_oracles PRIVATE KANEXPR_ORACLES="${CMAKE_CURRENT_SOURCE_DIR}/oracles")
   target_link_libraries(${name}_oracles PRIVATE nlohmann_json::nlohmann_json)
 endfunction()
-set(kanexpr_harness_headers oracles systems/hand_written systems/linearized systems/robot_results)
+set(kanexpr_harness_headers oracles systems/hand_written systems/interpreted systems/linearized systems/robot_results)
 
 # kanexpr_link_harness(<target> <harness> <file>): links the libraries behind the headers that a file includes, by itself
 # or through others of the tests.
@@ -57,9 +57,23 @@ endfunction()
 # kanexpr_precompile(<harness>): compiles what nearly every test includes once for the tests that link the harness.
 function(kanexpr_precompile harness)
   file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
-  add_library(${harness}_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
+  add_library(${harness}_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
   target_link_libraries(${harness}_headers PRIVATE ${harness})
   target_precompile_headers(${harness}_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <kanexpr/symbolic.hpp>)
+  foreach(header IN LISTS kanexpr_harness_headers)
+    cmake_path(GET header FILENAME part)
+    target_precompile_headers(${harness}_${part} REUSE_FROM ${harness}_headers)
+  endforeach()
+endfunction()
+
+# Rooms are the folders of the tests: the target room_<folder> builds what the tests named <folder>_... run.
+function(kanexpr_of_room room)
+  if(NOT TARGET room_${room})
+    add_custom_target(room_${room})
+  endif()
+  if(ARGN)
+    add_dependencies(room_${room} ${ARGN})
+  endif()
 endfunction()
 
 # kanexpr_test(<name> SOURCES <file>... LABELS <build>...): one GoogleTest program, registered as one test.
@@ -77,10 +91,12 @@ function(kanexpr_test name)
   target_precompile_headers(${name} REUSE_FROM ${harness}_headers)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${test_LABELS}")
+  string(REGEX REPLACE "_.*" "" room ${name})
+  kanexpr_of_room(${room} ${name})
 endfunction()
 
-# A test says in its own text which of the special builds it takes part in, `// builds: sanitize no-exceptions`, and
-# whether one compiler alone builds it, `// builds: g++`.
+# A test says in its own text which of the special builds it takes part in, `// builds: sanitize no-exceptions`, whether
+# one compiler alone builds it, `// builds: g++`, and whether it is left to `./dev test all`, `// builds: g++ all`.
 function(kanexpr_test_builds file result)
   file(STRINGS ${file} builds REGEX "^// builds: " LIMIT_COUNT 1)
   string(REPLACE "// builds: " "" builds "${builds}")

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 // The derivatives of the whole right side of a bicycle by its whole state, where its front wheel is off the
 // ground and slips.
 #include "compiled/complex_steps.hpp"

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 // The derivatives of the whole right side of a linkage by its whole state.
 #include "compiled/complex_steps.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 // The motions of the bicycle in the README and docs/simulation.md.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

@@ -2,6 +2,7 @@
 set(by_command ${CMAKE_CURRENT_BINARY_DIR}/by_command)
 add_test(NAME export_command_of_robot COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/export/command $<TARGET_FILE:kanexpr-export>
   ${CMAKE_CURRENT_SOURCE_DIR}/robots/files/arm.urdf ${by_command}_of_robot)
+kanexpr_of_room(export kanexpr-export)
 set(by_function)
 if(TARGET export_models_in_c)
   set(by_function ${CMAKE_CURRENT_BINARY_DIR}/written/bound_pendulum)

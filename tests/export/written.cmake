@@ -29,6 +29,8 @@ foreach(test IN ITEMS export_c export_c_steps)
 endforeach()
 set_source_files_properties(export/c_test.cpp export/c_steps_test.cpp PROPERTIES OBJECT_DEPENDS "${files}")
 
+kanexpr_of_room(export export_models_in_c bound_pendulum)
+
 # Every compiler takes it.
 add_test(NAME export_c_compilers COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/export/compilers ${folder})
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum6.hpp"
 #include "models/puma.hpp"

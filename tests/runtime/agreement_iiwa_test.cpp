@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "models/iiwa.hpp"
 #include "runtime/agreement.hpp"
 

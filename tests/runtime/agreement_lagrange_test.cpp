@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "models/arm3.hpp"
 #include "models/double_pendulum.hpp"
 #include "models/rotating_tube.hpp"

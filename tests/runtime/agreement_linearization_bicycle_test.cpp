@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "models/bicycle.hpp"
 #include "runtime/agreement.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "models/quadruped.hpp"
 #include "runtime/agreement.hpp"
 

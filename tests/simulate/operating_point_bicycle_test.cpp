@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 // A bicycle that circles by itself.
 #include "models/bicycle.hpp"
 

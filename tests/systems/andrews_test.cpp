@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "systems/andrews_reference.hpp"
 #include "systems/check_constrained.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "systems/check_constrained.hpp"
 
 #include <models/bicycle.hpp>

@@ -1,3 +1,4 @@
+// builds: all
 #include "systems/check_constrained.hpp"
 
 #include <models/bicycle.hpp>

@@ -1,3 +1,4 @@
+// builds: all
 #include "systems/check_robot_against_oracle.hpp"
 
 #include <models/iiwa.hpp>

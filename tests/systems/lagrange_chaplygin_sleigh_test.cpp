@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "systems/check_lagrange.hpp"
 
 #include <models/chaplygin_sleigh.hpp>

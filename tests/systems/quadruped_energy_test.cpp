@@ -1,4 +1,4 @@
-// builds: g++
+// builds: g++ all
 #include "systems/checked_system.hpp"
 #include "systems/robot_results.hpp"
 

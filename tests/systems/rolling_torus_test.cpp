@@ -1,3 +1,4 @@
+// builds: all
 #include "systems/check_against_oracle.hpp"
 
 #include <models/rolling_torus.hpp>
