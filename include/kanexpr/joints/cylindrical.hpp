@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/joints/joint.hpp>
+#include <kanexpr/joints/freed.hpp>
 
 namespace kanexpr {
 
@@ -24,9 +24,13 @@ struct cylindrical_joint {
 
   template <class Joint>
   static constexpr auto spin = Joint::template u<0> * Joint::template axis_at_home<0>;
+  template <class Joint>
+  static constexpr auto bound_spin = across(freed_spin<Joint>, Joint::template axis_of_child<0>);
 
   template <class Joint>
   static constexpr auto drift = Joint::template u<1> * Joint::template axis_at_home<0>;
+  template <class Joint>
+  static constexpr auto bound_drift = across(freed_drift<Joint>, Joint::template axis_of_child<0>);
 };
 
 } // namespace describe

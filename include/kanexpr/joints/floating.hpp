@@ -22,6 +22,8 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
   static constexpr auto drift = Joint::template u<0> * basis(Joint::child_frame(), 0) +
                                 Joint::template u<1> * basis(Joint::child_frame(), 1) +
                                 Joint::template u<2> * basis(Joint::child_frame(), 2);
+  template <class Joint>
+  static constexpr auto bound_drift = 0 * basis(Joint::child_frame(), 0);
 
   template <class Joint>
   static constexpr void move(point_record& r) {

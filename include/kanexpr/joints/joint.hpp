@@ -16,6 +16,8 @@
 ///     move<Joint>(point_record&)   where it goes from its base, if it moves
 ///     spin<Joint>            its angular velocity in the frame that it is turned from, if it turns
 ///     drift<Joint>           its velocity as the parent sees it, if it moves
+///     bound_spin<Joint>      of any angular velocity what it binds, if not all (freed.hpp)
+///     bound_drift<Joint>     of any velocity the same
 ///     effort                 by what a motor drives it, if it has one axis
 ///     kinematics<Joint>()    its kinematic equations, if they are not q̇ = u
 namespace kanexpr::describe {

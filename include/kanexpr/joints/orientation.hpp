@@ -37,6 +37,8 @@ struct free_orientation {
   template <class Joint>
   static constexpr auto spin = Joint::template u<first_u> * own::x + Joint::template u<first_u + 1> * own::y +
                                Joint::template u<first_u + 2> * own::z;
+  template <class Joint>
+  static constexpr auto bound_spin = 0 * own::x;
 
   template <class Joint>
   static constexpr void turn(frame_record& r) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/joints/joint.hpp>
+#include <kanexpr/joints/freed.hpp>
 
 namespace kanexpr {
 
@@ -33,6 +33,11 @@ struct planar_joint {
   static constexpr auto spin = Joint::template u<2> * normal<Joint>;
   template <class Joint>
   static constexpr auto drift = Joint::template u<0> * first<Joint> + Joint::template u<1> * second<Joint>;
+
+  template <class Joint>
+  static constexpr auto bound_spin = across(freed_spin<Joint>, normal<Joint>);
+  template <class Joint>
+  static constexpr auto bound_drift = part_along(freed_drift<Joint>, normal<Joint>);
 };
 
 } // namespace describe

@@ -1,44 +1,53 @@
 #pragma once
 
 #include <kanexpr/describe/system.hpp>
-#include <kanexpr/joints/joint.hpp>
+#include <kanexpr/joints/freed.hpp>
 
 namespace kanexpr {
 
 namespace describe {
 
-/// Auxiliary speeds of a joint's point and frame along the axes of the child, and the records with them.
+/// The frame and the point of a joint, which moves with auxiliary speeds along all ways that it binds.
 template <class Joint>
 struct freed_joint {
   using kind = typename Joint::kind;
-  static constexpr speed<name_before<"f1", Joint>> f1{};
-  static constexpr speed<name_before<"f2", Joint>> f2{};
-  static constexpr speed<name_before<"f3", Joint>> f3{};
-  static constexpr speed<name_before<"t1", Joint>> t1{};
-  static constexpr speed<name_before<"t2", Joint>> t2{};
-  static constexpr speed<name_before<"t3", Joint>> t3{};
-  static constexpr auto x = basis(&frame_of<Joint>, 0), y = basis(&frame_of<Joint>, 1),
-                        z = basis(&frame_of<Joint>, 2);
-  static constexpr auto by_force = f1 * x + f2 * y + f3 * z,
-                        by_torque = t1 * own::x + t2 * own::y + t3 * own::z;
+
+  static constexpr auto bound_spin() {
+    if constexpr (requires { kind::template bound_spin<Joint>; })
+      return kind::template bound_spin<Joint>;
+    else
+      return freed_spin<Joint>;
+  }
+  static constexpr auto bound_drift() {
+    if constexpr (requires { kind::template bound_drift<Joint>; })
+      return kind::template bound_drift<Joint>;
+    else
+      return freed_drift<Joint>;
+  }
 
   static constexpr frame_record frame = [] {
     frame_record r = frame_of<Joint>;
     r.reference = r.parent;
     if constexpr (requires { kind::template spin<Joint>; })
-      r.angular_velocity = phrase_of<kind::template spin<Joint> + by_torque>;
+      r.angular_velocity = phrase_of<kind::template spin<Joint> + bound_spin()>;
     else
-      r.angular_velocity = phrase_of<by_torque>;
+      r.angular_velocity = phrase_of<bound_spin()>;
     return r;
   }();
 
+  /// It moves from where the joint sits in the parent, which has a velocity of its own where it is not fixed
+  /// there.
   static constexpr point_record point = [] {
     point_record r = *Joint::joint_point();
+    if constexpr (!kind::moves) {
+      r.parent = Joint::base_point();
+      r.offset = phrase_of<0 * basis(Joint::parent_frame(), 0)>;
+    }
     r.reference = Joint::parent_frame();
     if constexpr (requires { kind::template drift<Joint>; })
-      r.velocity = phrase_of<kind::template drift<Joint> + by_force>;
+      r.velocity = phrase_of<kind::template drift<Joint> + bound_drift()>;
     else
-      r.velocity = phrase_of<by_force>;
+      r.velocity = phrase_of<bound_drift()>;
     r.from_parent = true;
     return r;
   }();
@@ -50,13 +59,14 @@ inline constexpr reaction_record reaction_of = [] {
   r.called = type_name<Joint>();
   if constexpr (requires { Joint::joint_told(); }) {
     using freed = freed_joint<Joint>;
+    using speeds = freeing_speeds<Joint>;
     r.joint = &joint_of<Joint>;
     r.frame = &frame_of<Joint>;
     r.freed_frame = &freed::frame;
     r.point = Joint::joint_point();
     r.freed_point = &freed::point;
-    r.speeds = list_of<phrase, &phrase_of<freed::f1>, &phrase_of<freed::f2>, &phrase_of<freed::f3>,
-                       &phrase_of<freed::t1>, &phrase_of<freed::t2>, &phrase_of<freed::t3>>::all;
+    r.speeds = list_of<phrase, &phrase_of<speeds::f1>, &phrase_of<speeds::f2>, &phrase_of<speeds::f3>,
+                       &phrase_of<speeds::t1>, &phrase_of<speeds::t2>, &phrase_of<speeds::t3>>::all;
   }
   return r;
 }();

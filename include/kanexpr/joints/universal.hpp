@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/joints/joint.hpp>
+#include <kanexpr/joints/freed.hpp>
 
 namespace kanexpr {
 
@@ -31,6 +31,10 @@ struct universal_joint {
 
   template <class Joint>
   static constexpr auto spin = Joint::template u<1> * Joint::template axis_in<1>(&cross_of_joint<Joint>);
+  template <class Joint>
+  static constexpr auto bound_spin =
+      part_along(freed_spin<Joint>, unit_along(cross(Joint::template axis_in<0>(&cross_of_joint<Joint>),
+                                                     Joint::template axis_in<1>(&cross_of_joint<Joint>))));
 };
 
 } // namespace describe
