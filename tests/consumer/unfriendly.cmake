@@ -6,6 +6,16 @@ list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n")
 list(JOIN headers "" headers)
 file(WRITE ${folder}/every_header.hpp "${headers}")
 
+# The headers stand behind a macro of each letter, which the model behind them has for its own names again.
+set(letters)
+set(no_letters)
+foreach(letter IN ITEMS A B C D E F G H I J K L M N O P Q R S T U V W X Y Z)
+  string(APPEND letters "#undef ${letter}\n#define ${letter} harm\n")
+  string(APPEND no_letters "#undef ${letter}\n")
+endforeach()
+file(WRITE ${folder}/letters.hpp "${letters}")
+file(WRITE ${folder}/no_letters.hpp "${no_letters}")
+
 # The macros are the others' business only behind their headers.
 file(GLOB_RECURSE files ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
 set(others)

@@ -2,7 +2,11 @@
 
 #include "macros.hpp"
 
+#include <letters.hpp>
+
 #include <every_header.hpp>
+
+#include <no_letters.hpp>
 
 #include "pendulum.hpp"
 

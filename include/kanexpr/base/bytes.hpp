@@ -13,20 +13,20 @@ namespace kanexpr {
 /// Puts values one behind another as bytes of this machine, for a file or another process.
 class bytes_writer {
 public:
-  template <class T>
-    requires std::is_arithmetic_v<T>
-  void put(T value) {
+  template <class Value>
+    requires std::is_arithmetic_v<Value>
+  void put(Value value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   void put(std::string_view text) {
     put(text.size());
     bytes_ += text;
   }
-  template <class T>
-    requires std::is_arithmetic_v<T>
-  void put(const std::vector<T>& values) {
+  template <class Value>
+    requires std::is_arithmetic_v<Value>
+  void put(const std::vector<Value>& values) {
     put(values.size());
-    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
   }
 
   const std::string& bytes() const { return bytes_; }
@@ -41,25 +41,25 @@ class bytes_reader {
 public:
   explicit bytes_reader(std::string_view bytes) : left_(bytes) {}
 
-  template <class T>
-    requires std::is_arithmetic_v<T>
-  T get() {
-    T value{};
+  template <class Value>
+    requires std::is_arithmetic_v<Value>
+  Value get() {
+    Value value{};
     if (const std::string_view from = take(sizeof value); !from.empty())
       std::memcpy(&value, from.data(), from.size());
     return value;
   }
   std::string get_text() { return std::string(take(get<std::size_t>())); }
-  template <class T>
-    requires std::is_arithmetic_v<T>
-  std::vector<T> get_all() {
+  template <class Value>
+    requires std::is_arithmetic_v<Value>
+  std::vector<Value> get_all() {
     const auto count = get<std::size_t>();
-    if (count > left_.size() / sizeof(T)) {
+    if (count > left_.size() / sizeof(Value)) {
       fail();
       return {};
     }
-    std::vector<T> values(count);
-    const std::string_view from = take(count * sizeof(T));
+    std::vector<Value> values(count);
+    const std::string_view from = take(count * sizeof(Value));
     if (!from.empty()) std::memcpy(values.data(), from.data(), from.size());
     return values;
   }

@@ -5,16 +5,16 @@
 namespace kanexpr::numeric {
 
 /// Exactly equal, and meant so: compilers can be told to warn of every `==` between floating-point numbers.
-template <class T>
-constexpr bool equal(const T& x, const T& y) {
-  return std::equal_to<T>{}(x, y);
+template <class Value>
+constexpr bool equal(const Value& x, const Value& y) {
+  return std::equal_to<Value>{}(x, y);
 }
 
 constexpr bool equal(double x, double y) { return x <= y && x >= y; } // which compilers interpret sooner
 
 /// Not NaN.
-template <class T>
-constexpr bool is_number(const T& x) {
+template <class Value>
+constexpr bool is_number(const Value& x) {
   return equal(x, x);
 }
 

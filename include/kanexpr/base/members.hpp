@@ -9,14 +9,14 @@ namespace detail {
 
 /// Stands for a member of any type.
 struct any_member {
-  template <class T>
-  constexpr operator T() const;
+  template <class Member>
+  constexpr operator Member() const;
 };
 
-template <class T, class... Members>
+template <class Whole, class... Members>
 consteval int member_count() {
-  if constexpr (requires { T{Members{}..., any_member{}}; })
-    return member_count<T, Members..., any_member>();
+  if constexpr (requires { Whole{Members{}..., any_member{}}; })
+    return member_count<Whole, Members..., any_member>();
   else
     return static_cast<int>(sizeof...(Members));
 }
@@ -24,9 +24,9 @@ consteval int member_count() {
 } // namespace detail
 
 /// Calls `visit` with each member of an aggregate, in their order; it has at most 14.
-template <class T, class Visit>
-constexpr void for_each_member(T& whole, Visit&& visit) {
-  constexpr int count = detail::member_count<std::remove_const_t<T>>();
+template <class Whole, class Visit>
+constexpr void for_each_member(Whole& whole, Visit&& visit) {
+  constexpr int count = detail::member_count<std::remove_const_t<Whole>>();
   static_assert(count > 0 && count <= 14);
   const auto each = [&](auto&... member) { (visit(member), ...); };
   if constexpr (count == 1) {

@@ -9,14 +9,14 @@ namespace kanexpr::symbolic {
 ///
 /// The compiler interprets every call, so a thin array halves the time of a derivation against
 /// `std::vector`.
-template <class T>
+template <class Element>
 class sequence {
 public:
   constexpr sequence() = default;
-  constexpr explicit sequence(int size, const T& value = T{}) { resize(size, value); }
-  constexpr sequence(std::initializer_list<T> values) {
+  constexpr explicit sequence(int size, const Element& value = Element{}) { resize(size, value); }
+  constexpr sequence(std::initializer_list<Element> values) {
     reserve(static_cast<int>(values.size()));
-    for (const T& value : values) push(value);
+    for (const Element& value : values) push(value);
   }
   constexpr sequence(const sequence& other) {
     reserve(other.size_);
@@ -37,45 +37,45 @@ public:
 
   constexpr int size() const { return size_; }
   constexpr bool empty() const { return size_ == 0; }
-  constexpr T& operator[](int i) { return data_[i]; }
-  constexpr const T& operator[](int i) const { return data_[i]; }
-  constexpr T& back() { return data_[size_ - 1]; }
-  constexpr const T& back() const { return data_[size_ - 1]; }
-  constexpr T* begin() { return data_; }
-  constexpr T* end() { return data_ + size_; }
-  constexpr const T* begin() const { return data_; }
-  constexpr const T* end() const { return data_ + size_; }
+  constexpr Element& operator[](int i) { return data_[i]; }
+  constexpr const Element& operator[](int i) const { return data_[i]; }
+  constexpr Element& back() { return data_[size_ - 1]; }
+  constexpr const Element& back() const { return data_[size_ - 1]; }
+  constexpr Element* begin() { return data_; }
+  constexpr Element* end() { return data_ + size_; }
+  constexpr const Element* begin() const { return data_; }
+  constexpr const Element* end() const { return data_ + size_; }
 
-  constexpr int push(const T& value) {
+  constexpr int push(const Element& value) {
     if (size_ == capacity_) return push_and_grow(value);
     data_[size_] = value;
     return size_++;
   }
-  constexpr int push(T&& value)
-    requires(!std::is_trivially_copyable_v<T>)
+  constexpr int push(Element&& value)
+    requires(!std::is_trivially_copyable_v<Element>)
   {
-    if (size_ == capacity_) return push_and_grow(static_cast<T&&>(value));
-    data_[size_] = static_cast<T&&>(value);
+    if (size_ == capacity_) return push_and_grow(static_cast<Element&&>(value));
+    data_[size_] = static_cast<Element&&>(value);
     return size_++;
   }
   constexpr void pop() { --size_; }
   constexpr void clear() { size_ = 0; }
-  constexpr void resize(int size, const T& value = T{}) {
+  constexpr void resize(int size, const Element& value = Element{}) {
     reserve(size);
     for (int i = size_; i < size; ++i) data_[i] = value;
     size_ = size;
   }
   constexpr void reserve(int capacity) {
     if (capacity <= capacity_) return;
-    T* const grown = new T[static_cast<unsigned>(capacity)];
-    for (int i = 0; i < size_; ++i) grown[i] = static_cast<T&&>(data_[i]);
+    Element* const grown = new Element[static_cast<unsigned>(capacity)];
+    for (int i = 0; i < size_; ++i) grown[i] = static_cast<Element&&>(data_[i]);
     delete[] data_;
     data_ = grown;
     capacity_ = capacity;
   }
-  constexpr bool contains(const T& value) const { return find(value) >= 0; }
+  constexpr bool contains(const Element& value) const { return find(value) >= 0; }
   /// Position of the first element equal to `value`, or -1.
-  constexpr int find(const T& value) const {
+  constexpr int find(const Element& value) const {
     for (int i = 0; i < size_; ++i)
       if (data_[i] == value) return i;
     return -1;
@@ -84,23 +84,23 @@ public:
 private:
   /// Large elements are few in most arrays, and each that there is room for is initialized.
   struct element {
-    T value;
+    Element value;
   };
   static constexpr int first_capacity = sizeof(element) > 40 ? 2 : 8;
 
-  constexpr int push_and_grow(T value) { // by value, for it may live in this very array
+  constexpr int push_and_grow(Element value) { // by value, for it may live in this very array
     reserve(capacity_ < first_capacity ? first_capacity : 2 * capacity_);
-    data_[size_] = static_cast<T&&>(value);
+    data_[size_] = static_cast<Element&&>(value);
     return size_++;
   }
   constexpr void swap(sequence& other) noexcept {
-    T* const data = data_;
+    Element* const data = data_;
     const int size = size_, capacity = capacity_;
     data_ = other.data_, size_ = other.size_, capacity_ = other.capacity_;
     other.data_ = data, other.size_ = size, other.capacity_ = capacity;
   }
 
-  T* data_ = nullptr;
+  Element* data_ = nullptr;
   int size_ = 0;
   int capacity_ = 0;
 };

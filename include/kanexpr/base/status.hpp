@@ -34,12 +34,12 @@ namespace mechanics {
 
 /// How near to singular is too near: what is left beside what it was made of, so small that rounding decides.
 /// Of one of the compiler's vectors, of its numbers.
-template <class T>
+template <class Scalar>
 constexpr double least_singularity_measure() {
-  if constexpr (std::is_arithmetic_v<T>)
-    return 4096.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  else if constexpr (!std::is_class_v<T> && requires(const T v) { v[0]; })
-    return least_singularity_measure<std::remove_cvref_t<decltype(T{}[0])>>();
+  if constexpr (std::is_arithmetic_v<Scalar>)
+    return 4096.0 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+  else if constexpr (!std::is_class_v<Scalar> && requires(const Scalar v) { v[0]; })
+    return least_singularity_measure<std::remove_cvref_t<decltype(Scalar{}[0])>>();
   else
     return 4096.0 * std::numeric_limits<double>::epsilon();
 }

@@ -16,16 +16,16 @@ struct text {
     for (std::size_t i = 0; i < size; ++i) letters[i] = literal[i];
   }
   /// Of something that is no string literal: no letters, which who reads a name will refuse.
-  template <class T>
-    requires(!std::is_convertible_v<const T&, std::string_view>)
-  constexpr text(const T&) {}
+  template <class Type>
+    requires(!std::is_convertible_v<const Type&, std::string_view>)
+  constexpr text(const Type&) {}
 
   constexpr std::string_view view() const { return {letters, size - 1}; }
 };
 
-template <class T>
-  requires(!std::is_convertible_v<const T&, std::string_view>)
-text(const T&) -> text<1>;
+template <class Type>
+  requires(!std::is_convertible_v<const Type&, std::string_view>)
+text(const Type&) -> text<1>;
 
 /// The name of a type with its namespaces, and where in it the name begins that its model wrote.
 struct whole_name {
@@ -33,10 +33,10 @@ struct whole_name {
   std::size_t own = 0;
 };
 
-template <class T>
+template <class Type>
 constexpr whole_name whole_name_of() {
   std::string_view whole = __PRETTY_FUNCTION__;
-  whole.remove_prefix(whole.find("T = ") + 4);
+  whole.remove_prefix(whole.find("Type = ") + 7);
   std::size_t end = 0, start = 0;
   for (int depth = 0; end < whole.size(); ++end) {
     const char c = whole[end];
@@ -49,17 +49,17 @@ constexpr whole_name whole_name_of() {
 }
 
 /// The name of a type as its model wrote it, without namespaces: `Link<3>`.
-template <class T>
+template <class Type>
 constexpr std::string_view type_name() {
-  const whole_name name = whole_name_of<T>();
+  const whole_name name = whole_name_of<Type>();
   return name.whole.substr(name.own);
 }
 
 /// The same with its namespaces where another type has the same name without them.
-template <class T, class Other>
+template <class Type, class Other>
 constexpr std::string_view type_name_beside() {
-  const bool is_alike = !std::is_same_v<T, Other> && type_name<T>() == type_name<Other>();
-  return is_alike ? whole_name_of<T>().whole : type_name<T>();
+  const bool is_alike = !std::is_same_v<Type, Other> && type_name<Type>() == type_name<Other>();
+  return is_alike ? whole_name_of<Type>().whole : type_name<Type>();
 }
 
 } // namespace kanexpr

@@ -34,21 +34,21 @@ void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& numbe
 
 } // namespace batches
 
-/// N systems side by side: what a compiled function takes and gives is then N numbers wide, `x[q1]` of a
+/// Systems side by side: what a compiled function takes and gives is then `width` numbers wide, `x[q1]` of a
 /// `batch<4>::state<System>` is the coordinate of four systems, and each lane has the bits of its own
 /// evaluation. A status is that of all lanes: good where each of them is.
 ///
-/// Without N as many as fill a vector of the processor for which a file is compiled.
-template <std::size_t N = batches::widest<double>, class Number = double>
+/// Without a width as many as fill a vector of the processor for which a file is compiled.
+template <std::size_t width = batches::widest<double>, class Number = double>
 struct batch {
-  static_assert(std::has_single_bit(N), "a batch has 1, 2, 4, 8 or another power of two of lanes");
+  static_assert(std::has_single_bit(width), "a batch has 1, 2, 4, 8 or another power of two of lanes");
   static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
                 "the numbers of a batch are of type double or float");
 
-  static constexpr std::size_t lanes = N;
+  static constexpr std::size_t lanes = width;
   using element = Number;
-  /// N numbers, one of the compiler's own vectors.
-  using number = typename numeric::detail::vector_of<Number, N>::type;
+  /// As many numbers, one of the compiler's own vectors.
+  using number = typename numeric::detail::vector_of<Number, width>::type;
 
   template <class System>
   using state = kanexpr::state<System, number>;

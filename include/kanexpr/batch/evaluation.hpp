@@ -82,16 +82,16 @@ template <class Pack, class Result>
     return result;
 }
 
-template <class Pack, class Number, class Result, int... i>
+template <class Pack, class Number, class Result, int... index>
 [[gnu::always_inline]] inline void put(const place<Number>& to, const Result& result,
                                        [[maybe_unused]] finiteness<Pack>& all,
-                                       std::integer_sequence<int, i...>) {
+                                       std::integer_sequence<int, index...>) {
   const auto one = [&](int entry) __attribute__((always_inline)) {
     const Pack& pack = entry_of<Pack>(result, entry);
     all.look_at(pack);
     put_at(to.first + entry * to.stride, pack);
   };
-  (one(i), ...);
+  (one(index), ...);
 }
 
 /// Evaluates a function and leaves its results in their places. The status is that of the first result that
@@ -103,16 +103,16 @@ template <class Function, class Pack, class Number, class... Arguments>
   const auto found = typename described::function{}(arguments...);
   finiteness<Pack> all;
   status first;
-  const auto keep = [&]<std::size_t k>(const auto& result) __attribute__((always_inline)) {
-    put<Pack>(to[k], result, all,
-              std::make_integer_sequence<int, std::tuple_element_t<k, matrices>::entries>{});
+  const auto keep = [&]<std::size_t place>(const auto& result) __attribute__((always_inline)) {
+    put<Pack>(to[place], result, all,
+              std::make_integer_sequence<int, std::tuple_element_t<place, matrices>::entries>{});
     if (first) first = compiled::status_of(result);
   };
   if constexpr (described::results == 1)
     keep.template operator()<0>(found);
   else
-    [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
-      (keep.template operator()<k>(std::get<k>(found)), ...);
+    [&]<std::size_t... place>(std::index_sequence<place...>) __attribute__((always_inline)) {
+      (keep.template operator()<place>(std::get<place>(found)), ...);
     }(std::make_index_sequence<described::results>{});
   if (described::must_be_finite && first && !all.holds())
     return status("a result is not finite at this state");
@@ -120,9 +120,10 @@ template <class Function, class Pack, class Number, class... Arguments>
 }
 
 /// The cause of a failure as the function of one system would say it.
-template <class Function, class X, class P = compiled::not_given, class R = compiled::not_given,
-          class... Rates>
-status cause_of(const status& failure, const X& x, const P& p = {}, const R& r = {}, const Rates&...) {
+template <class Function, class State, class Parameters = compiled::not_given,
+          class Inputs = compiled::not_given, class... Rates>
+status cause_of(const status& failure, const State& x, const Parameters& p = {}, const Inputs& r = {},
+                const Rates&...) {
   using described = evaluated<Function>;
   if constexpr (described::must_be_finite)
     return compiled::not_finite<typename described::System>::cause_of(failure, x, p, r);

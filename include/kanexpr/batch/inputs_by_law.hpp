@@ -9,13 +9,13 @@ namespace kanexpr::batches {
 
 namespace detail {
 
-template <class State, class Law, class Result, class Time, class X>
-constexpr bool takes(Result (Law::*)(Time, X) const) {
-  return std::is_same_v<std::remove_cvref_t<X>, State>;
+template <class State, class Law, class Result, class Time, class Given>
+constexpr bool takes(Result (Law::*)(Time, Given) const) {
+  return std::is_same_v<std::remove_cvref_t<Given>, State>;
 }
-template <class State, class Law, class Result, class Time, class X>
-constexpr bool takes(Result (Law::*)(Time, X) const noexcept) {
-  return std::is_same_v<std::remove_cvref_t<X>, State>;
+template <class State, class Law, class Result, class Time, class Given>
+constexpr bool takes(Result (Law::*)(Time, Given) const noexcept) {
+  return std::is_same_v<std::remove_cvref_t<Given>, State>;
 }
 template <class State>
 constexpr bool takes(...) {

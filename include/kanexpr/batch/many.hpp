@@ -144,7 +144,7 @@ private:
 
 namespace batches {
 
-template <class T>
+template <class Type>
 inline constexpr bool is_many = false;
 template <class Vector>
 inline constexpr bool is_many<many<Vector>> = true;
@@ -156,8 +156,8 @@ template <class Vector, class Number>
 inline constexpr bool is_of_numbers<many<Vector>, Number> = std::is_same_v<typename Vector::Scalar, Number>;
 
 /// One vector or matrix in the place of many.
-template <class T>
-concept single = !is_many<T> && requires { typename T::Scalar; };
+template <class Type>
+concept single = !is_many<Type> && requires { typename Type::Scalar; };
 
 } // namespace batches
 

@@ -68,12 +68,12 @@ public:
   Eigen::Index failures() const { return statuses_.failures(); }
 
 private:
-  template <class T>
-  static constexpr bool is_argument = batches::is_many<T> || std::is_arithmetic_v<T>;
+  template <class Argument>
+  static constexpr bool is_argument = batches::is_many<Argument> || std::is_arithmetic_v<Argument>;
 
-  template <std::size_t... k>
-  static matrices made(Eigen::Index systems, std::index_sequence<k...>) {
-    return matrices(std::tuple_element_t<k, matrices>(systems)...);
+  template <std::size_t... place>
+  static matrices made(Eigen::Index systems, std::index_sequence<place...>) {
+    return matrices(std::tuple_element_t<place, matrices>(systems)...);
   }
 
   template <class Executor, class... Arguments>
@@ -100,9 +100,10 @@ private:
 
   using places = std::array<batches::place<Number>, described::results>;
 
-  template <std::size_t... k>
-  places places_at(Eigen::Index system, std::index_sequence<k...>) {
-    return {batches::place<Number>{std::get<k>(results_).data() + system, std::get<k>(results_).stride()}...};
+  template <std::size_t... index>
+  places places_at(Eigen::Index system, std::index_sequence<index...>) {
+    return {batches::place<Number>{std::get<index>(results_).data() + system,
+                                   std::get<index>(results_).stride()}...};
   }
   places places_at(Eigen::Index system) {
     return places_at(system, std::make_index_sequence<described::results>{});
@@ -160,8 +161,8 @@ private:
   }
 
   static constexpr std::array<int, described::results> entries =
-      []<std::size_t... k>(std::index_sequence<k...>) {
-        return std::array{std::tuple_element_t<k, matrices>::entries...};
+      []<std::size_t... place>(std::index_sequence<place...>) {
+        return std::array{std::tuple_element_t<place, matrices>::entries...};
       }(std::make_index_sequence<described::results>{});
   static constexpr std::size_t all_entries = [] {
     std::size_t sum = 0;

@@ -40,13 +40,14 @@ private:
 
 /// A batch of systems on its way through steps of a fixed length. A system of which a step fails leaves it,
 /// and its lane goes on as a copy of another.
-template <class Step, class Batch, class P, class R>
+template <class Step, class Batch, class GivenParameters, class GivenInputs>
 class moving_batch {
   static constexpr std::size_t lanes = Batch::lanes;
 
 public:
   template <class State>
-  moving_batch(const many<State>& x, Eigen::Index first, Eigen::Index count, const P& p, const R& r, double t)
+  moving_batch(const many<State>& x, Eigen::Index first, Eigen::Index count, const GivenParameters& p,
+               const GivenInputs& r, double t)
       : t_(t), x_(x, first, first + count - 1), p_(p, first, first + count - 1),
         r_(r, first, first + count - 1) {
     std::fill_n(lives_.begin(), count, true);
@@ -95,10 +96,10 @@ public:
   }
 
 private:
-  template <class X, class Parameters, class Inputs>
-  [[gnu::noinline]] static status made(double& t, X& x, double h, const Parameters& p, const Inputs& r) {
+  template <class States, class Parameters, class Inputs>
+  [[gnu::noinline]] static status made(double& t, States& x, double h, const Parameters& p, const Inputs& r) {
     if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given> ||
-                  takes_batches<Inputs, X>())
+                  takes_batches<Inputs, States>())
       return Step{}(t, x, h, p, r);
     else
       return Step{}(t, x, h, p, lane_by_lane<Batch, typename Step::eom::inputs, Inputs>{r});
@@ -126,8 +127,8 @@ private:
 
   double t_;
   given_to_batch<Batch, many<state>> x_;
-  given_to_batch<Batch, P> p_;
-  given_to_batch<Batch, R> r_;
+  given_to_batch<Batch, GivenParameters> p_;
+  given_to_batch<Batch, GivenInputs> r_;
   std::array<bool, lanes> lives_{};
 };
 

@@ -80,11 +80,11 @@ public:
 private:
   using none = compiled::not_given;
 
-  template <class Executor, class P = none, class R = none>
-  status run_by(Executor&& by, many<state>& x, const P& p = {}, const R& r = {}) {
+  template <class Executor, class Parameters = none, class Inputs = none>
+  status run_by(Executor&& by, many<state>& x, const Parameters& p = {}, const Inputs& r = {}) {
     constexpr bool have_one_precision =
-        batches::is_of_numbers<P, Number> && batches::is_of_numbers<R, Number>;
-    constexpr bool have_inputs = batches::serves_as_inputs<R, state, side_by_side>;
+        batches::is_of_numbers<Parameters, Number> && batches::is_of_numbers<Inputs, Number>;
+    constexpr bool have_inputs = batches::serves_as_inputs<Inputs, state, side_by_side>;
     static_assert(have_one_precision, "run is given `many` of one precision for states of another");
     static_assert(have_inputs, "the inputs are neither those of one system nor `many` nor a function (t, x) "
                                "that is constant, a lambda without `mutable`");
@@ -94,8 +94,8 @@ private:
       return run_given(std::forward<Executor>(by), x, p, r);
   }
 
-  template <class Executor, class P, class R>
-  status run_given(Executor&& by, many<state>& x, const P& p, const R& r) {
+  template <class Executor, class Parameters, class Inputs>
+  status run_given(Executor&& by, many<state>& x, const Parameters& p, const Inputs& r) {
     if (x.size() != size() || !batches::is_for(p, size()) || !batches::is_for(r, size()))
       return refuse(status("the arguments are of another number of systems than the rollout"));
     if (how_.steps < 0) return refuse(status("the number of steps is negative"));
@@ -129,9 +129,10 @@ private:
   }
 
   /// Moves the systems from `first` on; how many of them did not reach the end.
-  template <class P, class R>
-  Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const P& p, const R& r) {
-    batches::moving_batch<Step, side_by_side, P, R> all(x, first, count, p, r, how_.start);
+  template <class Parameters, class Inputs>
+  Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const Parameters& p,
+                    const Inputs& r) {
+    batches::moving_batch<Step, side_by_side, Parameters, Inputs> all(x, first, count, p, r, how_.start);
     int made = 0;
     const auto leave = [&](std::size_t lane, const status& why) {
       const Eigen::Index system = first + static_cast<Eigen::Index>(lane);

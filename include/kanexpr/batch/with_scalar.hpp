@@ -8,15 +8,15 @@ namespace kanexpr::batches {
 
 namespace detail {
 
-template <class Scalar, class System, class T>
-std::type_identity<state<System, Scalar>> exchanged(const state<System, T>*);
-template <class Scalar, class System, class T>
-std::type_identity<parameter_values<System, Scalar>> exchanged(const parameter_values<System, T>*);
-template <class Scalar, class System, class T>
-std::type_identity<input_values<System, Scalar>> exchanged(const input_values<System, T>*);
-template <class Scalar, class T, int rows, int columns, int options, int most_rows, int most_columns>
+template <class Scalar, class System, class Before>
+std::type_identity<state<System, Scalar>> exchanged(const state<System, Before>*);
+template <class Scalar, class System, class Before>
+std::type_identity<parameter_values<System, Scalar>> exchanged(const parameter_values<System, Before>*);
+template <class Scalar, class System, class Before>
+std::type_identity<input_values<System, Scalar>> exchanged(const input_values<System, Before>*);
+template <class Scalar, class Before, int rows, int columns, int options, int most_rows, int most_columns>
 std::type_identity<Eigen::Matrix<Scalar, rows, columns, options, most_rows, most_columns>>
-exchanged(const Eigen::Matrix<T, rows, columns, options, most_rows, most_columns>*);
+exchanged(const Eigen::Matrix<Before, rows, columns, options, most_rows, most_columns>*);
 
 } // namespace detail
 

@@ -47,35 +47,36 @@ constexpr bool loads_time() {
   return false;
 }
 
-/// Whether the functions of the program that some code calls take numbers of the type T, where it is compiled
+/// Whether the functions of the program that some code calls take numbers of a type, where it is compiled
 /// or interpreted.
-template <class Code, class T, bool is_interpreted, auto wanted>
+template <class Code, class Number, bool is_interpreted, auto wanted>
 struct external_calls {
-  template <int i>
+  template <int index>
   static constexpr bool takes() {
-    using function = decltype(code_of(symbolic::external_tag<Code::tape.externals[i]>{}));
+    using function = decltype(code_of(symbolic::external_tag<Code::tape.externals[index]>{}));
     if constexpr (is_interpreted)
-      return lower::scalar_math<T>::template interprets<function>;
+      return lower::scalar_math<Number>::template interprets<function>;
     else
-      return lower::scalar_math<T>::template calls<function>;
+      return lower::scalar_math<Number>::template calls<function>;
   }
 
-  static constexpr mechanics::sentence mistake = []<int... i>(std::integer_sequence<int, i...>) {
+  static constexpr mechanics::sentence mistake = []<int... index>(std::integer_sequence<int, index...>) {
     std::string_view refusing;
-    ((refusing.empty() && !takes<i>() ? void(refusing = Code::tape.externals[i]->called.view()) : void()),
+    ((refusing.empty() && !takes<index>() ? void(refusing = Code::tape.externals[index]->called.view())
+                                          : void()),
      ...);
     if (refusing.empty()) return mechanics::sentence();
-    return mechanics::sentence({result_name<wanted>(), " is asked for with numbers of ", type_name<T>(),
+    return mechanics::sentence({result_name<wanted>(), " is asked for with numbers of ", type_name<Number>(),
                                 ", which ", refusing, " does not take"});
   }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
   static constexpr bool possible = !static_cast<bool>(mistake);
   static_assert(deriving::tell<external_calls>());
 };
 
-template <class Code, class T, bool is_interpreted, auto wanted, auto...>
+template <class Code, class Number, bool is_interpreted, auto wanted, auto...>
 constexpr bool can_call_externals() {
   if constexpr (Code::tape.sizes.externals > 0)
-    return external_calls<Code, T, is_interpreted, wanted>::possible;
+    return external_calls<Code, Number, is_interpreted, wanted>::possible;
   else
     return true;
 }
@@ -89,7 +90,8 @@ constexpr void check_belonging(std::string_view result, const Keep& keep) {
 }
 
 /// One way of calling a function, by the types of its arguments.
-template <class System, class Code, class Time, class X, class P, class R, class A, auto first, auto... more>
+template <class System, class Code, class Time, class State, class Parameters, class Inputs,
+          class Accelerations, auto first, auto... more>
 struct call {
   /// The model itself holds no mistake.
   static constexpr bool sound =
@@ -104,19 +106,19 @@ struct call {
     const auto keep = [&](const mechanics::sentence& p) {
       if (!found) found = p;
     };
-    check_belonging<System, symbols_of::state, X>(result, keep);
-    check_belonging<System, symbols_of::parameters, P>(result, keep);
-    check_belonging<System, symbols_of::inputs, R>(result, keep);
-    if (std::is_integral_v<typename X::Scalar>) keep(check_scalar<System, typename X::Scalar>());
-    keep(check_size("state", system, entries_of<X>(), known.coordinates + known.speeds));
-    keep(check_size("parameter", system, entries_of<P>(), known.parameters));
-    keep(check_size("input", system, entries_of<R>(), known.inputs));
-    keep(check_size("acceleration", system, entries_of<A>(), known.speeds));
-    if (std::is_same_v<P, not_given>)
+    check_belonging<System, symbols_of::state, State>(result, keep);
+    check_belonging<System, symbols_of::parameters, Parameters>(result, keep);
+    check_belonging<System, symbols_of::inputs, Inputs>(result, keep);
+    if (std::is_integral_v<typename State::Scalar>) keep(check_scalar<System, typename State::Scalar>());
+    keep(check_size("state", system, entries_of<State>(), known.coordinates + known.speeds));
+    keep(check_size("parameter", system, entries_of<Parameters>(), known.parameters));
+    keep(check_size("input", system, entries_of<Inputs>(), known.inputs));
+    keep(check_size("acceleration", system, entries_of<Accelerations>(), known.speeds));
+    if (std::is_same_v<Parameters, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ", "(x, p)"));
-    if (std::is_same_v<R, not_given>)
+    if (std::is_same_v<Inputs, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
-    if (std::is_same_v<A, not_given>)
+    if (std::is_same_v<Accelerations, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(x, p, r, a)"));
     if (std::is_same_v<Time, not_given> && loads_time<Code>())
       keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
@@ -161,12 +163,12 @@ struct weighted_call {
 
 /// What a call gives that cannot be made: it fits wherever a result is used, a vector, matrix or number with
 /// a status, so that its mistake stays the only error.
-template <class T>
-struct no_result : Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> {
-  T value{};
+template <class Number>
+struct no_result : Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> {
+  Number value{};
   kanexpr::status status{};
-  operator T() const { return value; }
-  const T& operator[](Eigen::Index) const { return value; }
+  operator Number() const { return value; }
+  const Number& operator[](Eigen::Index) const { return value; }
 };
 
 } // namespace kanexpr::compiled

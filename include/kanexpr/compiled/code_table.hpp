@@ -22,11 +22,11 @@ inline constexpr code_table table_of{
     code<System, wanted...>::tells_finiteness};
 
 /// The same for arguments of some types, which are looked at as those of a call are.
-template <class System, class Time, class X, class P, class R, auto... wanted>
+template <class System, class Time, class State, class Parameters, class Inputs, auto... wanted>
 const code_table& table_for() {
   using code = compiled::code<System, wanted...>;
-  static_assert(sizeof(call<System, code, Time, X, P, R, not_given, wanted...>) != 0);
-  static_cast<void>(can_call_externals<code, typename X::Scalar, true, wanted...>());
+  static_assert(sizeof(call<System, code, Time, State, Parameters, Inputs, not_given, wanted...>) != 0);
+  static_cast<void>(can_call_externals<code, typename State::Scalar, true, wanted...>());
   deriving::tell_in_code<surveyed<System>>();
   deriving::tell_in_code<code>();
   return table_of<System, wanted...>;

@@ -23,22 +23,25 @@ struct finite_function : function<System, wanted...> {
 private:
   using none = compiled::not_given;
 
-  template <std::size_t... i, class Found, class X, class P = none, class R = none, class A = none>
-  [[gnu::always_inline]] static void look_at(std::index_sequence<i...>, Found& found, const X& x,
-                                             const P& p = {}, const R& r = {}, const A& = {}) {
-    (look_at_one(std::get<i>(found), x, p, r), ...);
+  template <std::size_t... index, class Found, class State, class Parameters = none, class Inputs = none,
+            class Accelerations = none>
+  [[gnu::always_inline]] static void look_at(std::index_sequence<index...>, Found& found, const State& x,
+                                             const Parameters& p = {}, const Inputs& r = {},
+                                             const Accelerations& = {}) {
+    (look_at_one(std::get<index>(found), x, p, r), ...);
   }
 
-  template <class Result, class X, class P, class R>
-  [[gnu::always_inline]] static void look_at_one(with_status<Result>& result, const X& x, const P& p,
-                                                 const R& r) {
+  template <class Result, class State, class Parameters, class Inputs>
+  [[gnu::always_inline]] static void look_at_one(with_status<Result>& result, const State& x,
+                                                 const Parameters& p, const Inputs& r) {
     status s = result.status;
     if (s && !is_finite(result)) s = status("a result is not finite at this state");
     if (!s) s = compiled::not_finite<System>::cause_of(s, x, p, r);
     result.status = s;
   }
-  template <class Result, class X, class P, class R>
-  static void look_at_one(const Result&, const X&, const P&, const R&) {} // of a call that cannot be made
+  template <class Result, class State, class Parameters, class Inputs>
+  static void look_at_one(const Result&, const State&, const Parameters&, const Inputs&) {
+  } // of a call that cannot be made
 
   /// Of every entry, so that all states take the same time.
   template <class Matrix>

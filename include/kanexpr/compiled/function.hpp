@@ -42,60 +42,62 @@ public:
 };
 
 /// What a load finds in the arguments of a call.
-template <class System, class T, class X, class P, class R, class A>
+template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations>
 struct arguments {
-  const T& t;
-  const X& x;
-  const P& p;
-  const R& r;
-  const A& a;
+  const Number& t;
+  const State& x;
+  const Parameters& p;
+  const Inputs& r;
+  const Accelerations& a;
 
   template <symbolic::symbol_kind from, int position>
-  [[gnu::always_inline]] T operator()() const noexcept {
+  [[gnu::always_inline]] Number operator()() const noexcept {
     using symbolic::symbol_kind;
     if constexpr (from == symbol_kind::time)
       return t;
     else if constexpr (from == symbol_kind::coordinate)
-      return lower::scalar_math<T>::from(x[position]);
+      return lower::scalar_math<Number>::from(x[position]);
     else if constexpr (from == symbol_kind::speed)
-      return lower::scalar_math<T>::from(x[survey_of<System>.coordinates + position]);
+      return lower::scalar_math<Number>::from(x[survey_of<System>.coordinates + position]);
     else if constexpr (from == symbol_kind::parameter)
-      return lower::scalar_math<T>::from(p[position]);
+      return lower::scalar_math<Number>::from(p[position]);
     else if constexpr (from == symbol_kind::speed_rate)
-      return lower::scalar_math<T>::from(a[position]);
+      return lower::scalar_math<Number>::from(a[position]);
     else
-      return lower::scalar_math<T>::from(r[position]);
+      return lower::scalar_math<Number>::from(r[position]);
   }
 };
 
 /// The same of a function of weights, or of a direction.
-template <class System, class T, class X, class P, class R, class Weights, class Direction>
-struct weighted_arguments : arguments<System, T, X, P, R, not_given> {
+template <class System, class Number, class State, class Parameters, class Inputs, class Weights,
+          class Direction>
+struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs, not_given> {
   const Weights& weights;
   const Direction& direction;
 
   template <symbolic::symbol_kind from, int position>
-  [[gnu::always_inline]] T operator()() const noexcept {
+  [[gnu::always_inline]] Number operator()() const noexcept {
     if constexpr (from == symbolic::symbol_kind::weight)
-      return lower::scalar_math<T>::from(weights[position]);
+      return lower::scalar_math<Number>::from(weights[position]);
     else if constexpr (from == symbolic::symbol_kind::direction)
-      return lower::scalar_math<T>::from(direction[position]);
+      return lower::scalar_math<Number>::from(direction[position]);
     else
-      return arguments<System, T, X, P, R, not_given>::template operator()<from, position>();
+      return arguments<System, Number, State, Parameters, Inputs, not_given>::template
+      operator()<from, position>();
   }
 };
 
 /// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
-template <class T, auto wanted>
+template <class Number, auto wanted>
 auto no_result_of() {
   constexpr deriving::extent size =
       deriving::extent_of(deriving::requested<wanted>::value, deriving::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
-    return lower::scalar_math<T>::from(0);
+    return lower::scalar_math<Number>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
-    return with_status<Eigen::Matrix<T, size.rows, size.columns>>();
+    return with_status<Eigen::Matrix<Number, size.rows, size.columns>>();
   else
-    return no_result<T>();
+    return no_result<Number>();
 }
 
 template <auto wanted, class System>
@@ -183,8 +185,9 @@ struct function {
 private:
   using none = compiled::not_given;
   /// Tells what is needed and left out.
-  template <class P, class R = none>
-  using constant_call = compiled::call<System, code, double, state<System>, P, R, none, wanted...>;
+  template <class Parameters, class Inputs = none>
+  using constant_call =
+      compiled::call<System, code, double, state<System>, Parameters, Inputs, none, wanted...>;
   static constexpr none nothing{};
   static constexpr bool is_weighted = (deriving::requested<wanted>::value.is_weighted() || ...);
 
@@ -197,55 +200,59 @@ private:
         result(i, j) = slot[static_cast<std::size_t>(code::tape.results[first + i * size.columns + j])];
     return result;
   }
-  template <class Slots, std::size_t... i>
-  static constexpr auto constant_results(const Slots& slot, std::index_sequence<i...>) {
-    return std::tuple(constant_result<first_of(i), wanted>(slot)...);
+  template <class Slots, std::size_t... index>
+  static constexpr auto constant_results(const Slots& slot, std::index_sequence<index...>) {
+    return std::tuple(constant_result<first_of(index), wanted>(slot)...);
   }
 
-  template <bool with_statuses, class Time, class X, class P = none, class R = none, class A = none,
-            class V = none>
-  [[gnu::always_inline]] static auto evaluate(const Time& time, const X& x, const P& p = {}, const R& r = {},
-                                              const A& a = {}, const V& v = {}) noexcept {
-    using T = typename X::Scalar;
+  template <bool with_statuses, class Time, class State, class Parameters = none, class Inputs = none,
+            class Accelerations = none, class Direction = none>
+  [[gnu::always_inline]] static auto evaluate(const Time& time, const State& x, const Parameters& p = {},
+                                              const Inputs& r = {}, const Accelerations& a = {},
+                                              const Direction& v = {}) noexcept {
+    using Number = typename State::Scalar;
     if constexpr (is_weighted) {
       constexpr deriving::given_behind given = deriving::given_to({&deriving::requested<wanted>::value...});
       if constexpr (given.weights)
         return evaluate_weighted<with_statuses, given>(time, x, p, r, a, v);
       else
         return evaluate_weighted<with_statuses, given>(time, x, p, r, nothing, a);
-    } else if constexpr (!compiled::call<System, code, Time, X, P, R, A, wanted...>::possible ||
-                         !compiled::can_call_externals<code, T, false, wanted...>()) {
+    } else if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, Accelerations,
+                                         wanted...>::possible ||
+                         !compiled::can_call_externals<code, Number, false, wanted...>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
-      return no_results<T>();
+      return no_results<Number>();
     } else {
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
-      T t = lower::scalar_math<T>::from(0);
-      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      return collect_from<with_statuses, T>(
-          lower::unrolled_tape<code, T>(compiled::arguments<System, T, X, P, R, A>{t, x, p, r, a}));
+      Number t = lower::scalar_math<Number>::from(0);
+      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
+      return collect_from<with_statuses, Number>(lower::unrolled_tape<code, Number>(
+          compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations>{t, x, p, r, a}));
     }
   }
 
   /// Of what is given weights, or a direction.
-  template <bool with_statuses, deriving::given_behind given, class Time, class X, class P, class R, class W,
-            class V>
-  [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const X& x, const P& p, const R& r,
-                                                       const W& w, const V& v) noexcept {
-    using T = typename X::Scalar;
-    if constexpr (!compiled::call<System, code, Time, X, P, R, none, wanted...>::possible ||
-                  !compiled::weighted_call<System, code, W, V, given, wanted...>::possible ||
-                  !compiled::can_call_externals<code, T, false, wanted...>()) {
+  template <bool with_statuses, deriving::given_behind given, class Time, class State, class Parameters,
+            class Inputs, class Weights, class Direction>
+  [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const State& x, const Parameters& p,
+                                                       const Inputs& r, const Weights& w,
+                                                       const Direction& v) noexcept {
+    using Number = typename State::Scalar;
+    if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, none, wanted...>::possible ||
+                  !compiled::weighted_call<System, code, Weights, Direction, given, wanted...>::possible ||
+                  !compiled::can_call_externals<code, Number, false, wanted...>()) {
       deriving::tell_in_code<compiled::surveyed<System>>();
       deriving::tell_in_code<code>();
-      return no_results<T>();
+      return no_results<Number>();
     } else {
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       assert_size(w, state_size), assert_size(v, state_size + input_count);
-      T t = lower::scalar_math<T>::from(0);
-      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<T>::from(time);
-      return collect_from<with_statuses, T>(lower::unrolled_tape<code, T>(
-          compiled::weighted_arguments<System, T, X, P, R, W, V>{{t, x, p, r, nothing}, w, v}));
+      Number t = lower::scalar_math<Number>::from(0);
+      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
+      return collect_from<with_statuses, Number>(lower::unrolled_tape<code, Number>(
+          compiled::weighted_arguments<System, Number, State, Parameters, Inputs, Weights, Direction>{
+              {t, x, p, r, nothing}, w, v}));
     }
   }
 
@@ -258,76 +265,77 @@ private:
     }
   }
 
-  template <class T>
+  template <class Number>
   static auto no_results() {
     if constexpr (sizeof...(wanted) == 1)
-      return (compiled::no_result_of<T, wanted>(), ...);
+      return (compiled::no_result_of<Number, wanted>(), ...);
     else
-      return std::tuple(compiled::no_result_of<T, wanted>()...);
+      return std::tuple(compiled::no_result_of<Number, wanted>()...);
   }
 
   static constexpr int checks = code::causes.sizes.count;
   static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
-  template <bool with_statuses, class T>
-  [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, T>& done) noexcept {
+  template <bool with_statuses, class Number>
+  [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, Number>& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
-      return with_status_of<with_statuses>(done, collect<T, 0, wanted...>(done));
+      return with_status_of<with_statuses>(done, collect<Number, 0, wanted...>(done));
     } else {
       return collect_all<with_statuses>(done, std::make_index_sequence<sizeof...(wanted)>{});
     }
   }
 
   /// A result of which nothing had to be solved comes alone, unless it is to have a status.
-  template <bool with_statuses, class T, class Result>
-  [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, T>& done,
+  template <bool with_statuses, class Number, class Result>
+  [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, Number>& done,
                                                     const Result& result) noexcept {
     if constexpr (checks == 0 && !with_statuses)
       return result;
     else
-      return with_status<Result>{result, status_of<T>(done, std::make_integer_sequence<int, checks>{})};
+      return with_status<Result>{result, status_of<Number>(done, std::make_integer_sequence<int, checks>{})};
   }
 
   /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
-  template <class T, int... i>
-  [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, T>& done,
-                                                 std::integer_sequence<int, i...>) noexcept {
+  template <class Number, int... index>
+  [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, Number>& done,
+                                                 std::integer_sequence<int, index...>) noexcept {
     if constexpr (checks == 0) {
       return {};
     } else {
       int first = -1;
-      const int order[]{(first = passes<T, checks - 1 - i>(done) ? first : checks - 1 - i, 0)...};
+      const int order[]{
+          (first = passes<Number, checks - 1 - index>(done) ? first : checks - 1 - index, 0)...};
       static_cast<void>(order);
       const std::string_view cause = code::causes[first < 0 ? 0 : first];
       return first < 0 ? status() : status(cause);
     }
   }
 
-  template <class T, int i>
-  [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, T>& done) noexcept {
-    constexpr bool of_finiteness = code::tells_finiteness && i == checks - 1;
-    return lower::passes<of_finiteness, T>(done.template result<first_check + 2 * i>(),
-                                           done.template result<first_check + 2 * i + 1>(),
-                                           mechanics::least_singularity_measure<T>());
+  template <class Number, int index>
+  [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, Number>& done) noexcept {
+    constexpr bool of_finiteness = code::tells_finiteness && index == checks - 1;
+    return lower::passes<of_finiteness, Number>(done.template result<first_check + 2 * index>(),
+                                                done.template result<first_check + 2 * index + 1>(),
+                                                mechanics::least_singularity_measure<Number>());
   }
 
-  template <class T, int first, auto one>
-  [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, T>& done) noexcept {
+  template <class Number, int first, auto one>
+  [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, Number>& done) noexcept {
     constexpr deriving::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
-      return T(done.template result<first>());
+      return Number(done.template result<first>());
     } else {
-      Eigen::Matrix<T, size.rows, size.columns> m;
-      fill<T, first, size.columns>(done, m, std::make_integer_sequence<int, size.rows * size.columns>{});
+      Eigen::Matrix<Number, size.rows, size.columns> m;
+      fill<Number, first, size.columns>(done, m, std::make_integer_sequence<int, size.rows * size.columns>{});
       return m;
     }
   }
 
   // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
-  template <class T, int first, int columns, class Matrix, int... i>
-  [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, T>& done, Matrix& m,
-                                          std::integer_sequence<int, i...>) noexcept {
-    const int order[]{0, (m(i / columns, i % columns) = done.template result<first + i>(), 0)...};
+  template <class Number, int first, int columns, class Matrix, int... index>
+  [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, Number>& done, Matrix& m,
+                                          std::integer_sequence<int, index...>) noexcept {
+    const int order[]{0, (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
     static_cast<void>(order);
   }
 
@@ -339,25 +347,30 @@ private:
   }
 
   /// In place: what is as large as the derivatives of an arm should not be copied.
-  template <bool with_statuses, class T, std::size_t... i>
-  [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, T>& done,
-                                                 std::index_sequence<i...>) noexcept {
-    std::tuple<decltype(with_status_of<with_statuses>(done, collect<T, first_of(i), wanted>(done)))...> all;
-    (put<first_of(i), wanted>(done, std::get<i>(all)), ...);
+  template <bool with_statuses, class Number, std::size_t... index>
+  [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, Number>& done,
+                                                 std::index_sequence<index...>) noexcept {
+    std::tuple<decltype(with_status_of<with_statuses>(done,
+                                                      collect<Number, first_of(index), wanted>(done)))...>
+        all;
+    (put<first_of(index), wanted>(done, std::get<index>(all)), ...);
     return all;
   }
 
-  template <int first, auto one, class T, class Result>
-  [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, T>& done, Result& into) noexcept {
+  template <int first, auto one, class Number, class Result>
+  [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, Number>& done,
+                                         Result& into) noexcept {
     constexpr deriving::extent size = compiled::extent_of<one, System>;
     if constexpr (requires { into.status; })
-      into.status = status_of<T>(done, std::make_integer_sequence<int, checks>{});
+      into.status = status_of<Number>(done, std::make_integer_sequence<int, checks>{});
     if constexpr (!size.scalar)
-      fill<T, first, size.columns>(done, into, std::make_integer_sequence<int, size.rows * size.columns>{});
+      fill<Number, first, size.columns>(done, into,
+                                        std::make_integer_sequence<int, size.rows * size.columns>{});
     else if constexpr (requires { into.value; })
       into.value = done.template result<first>();
     else
-      static_cast<T&>(into) = done.template result<first>(); // a class of numbers may have a status beside it
+      static_cast<Number&>(into) =
+          done.template result<first>(); // a class of numbers may have a status beside it
   }
 
 protected:

@@ -33,13 +33,13 @@ struct result_shape<System, wanted> {
 
 /// One result with its status, whether or not something was solved for it: its type follows from its shape
 /// alone.
-template <class System, auto wanted, class T>
+template <class System, auto wanted, class Number>
 auto stated_result() {
   using shape = result_shape<System, wanted>;
   if constexpr (shape::is_scalar)
-    return with_status<T>{};
+    return with_status<Number>{};
   else
-    return with_status<Eigen::Matrix<T, shape::rows, shape::columns>>{};
+    return with_status<Eigen::Matrix<Number, shape::rows, shape::columns>>{};
 }
 
 /// The results of a function, each with its status.
@@ -48,24 +48,24 @@ struct stated;
 template <class System_, auto... wanted>
 struct stated<function<System_, wanted...>> {
   using System = System_;
-  template <class T>
-  using results = std::tuple<decltype(stated_result<System, wanted, T>())...>;
+  template <class Number>
+  using results = std::tuple<decltype(stated_result<System, wanted, Number>())...>;
 };
 template <class System_, auto wanted>
 struct stated<function<System_, wanted>> {
   using System = System_;
-  template <class T>
-  using results = decltype(stated_result<System, wanted, T>());
+  template <class Number>
+  using results = decltype(stated_result<System, wanted, Number>());
 };
 template <class System, auto... wanted>
 struct stated<finite_function<System, wanted...>> : stated<function<System, wanted...>> {};
 
-template <class System, class T>
+template <class System, class Number>
 struct vectors {
-  using state = Eigen::Matrix<T, survey_of<System>.coordinates + survey_of<System>.speeds, 1>;
-  using parameters = Eigen::Matrix<T, survey_of<System>.parameters, 1>;
-  using inputs = Eigen::Matrix<T, survey_of<System>.inputs, 1>;
-  using rates = Eigen::Matrix<T, survey_of<System>.speeds, 1>;
+  using state = Eigen::Matrix<Number, survey_of<System>.coordinates + survey_of<System>.speeds, 1>;
+  using parameters = Eigen::Matrix<Number, survey_of<System>.parameters, 1>;
+  using inputs = Eigen::Matrix<Number, survey_of<System>.inputs, 1>;
+  using rates = Eigen::Matrix<Number, survey_of<System>.speeds, 1>;
 };
 
 /// The code of a function for one type of scalars, which stands once in a program. `extern template` of it
@@ -73,12 +73,12 @@ struct vectors {
 ///
 /// Eigen aligns vectors by the vector instructions of a file. The alignment is a part of the name, so that
 /// files which lay vectors out differently do not link.
-template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance {
-  using vectors = compiled::vectors<typename stated<Function>::System, T>;
-  using results = typename stated<Function>::template results<T>;
+  using vectors = compiled::vectors<typename stated<Function>::System, Number>;
+  using results = typename stated<Function>::template results<Number>;
 
-  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
+  [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
                                             const typename vectors::inputs& r) noexcept;
   /// By which the code is known again, of the very library that holds it.
@@ -86,12 +86,12 @@ struct instance {
 };
 
 /// The same of a function that is given the rates of the speeds.
-template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance_at_rates {
-  using vectors = compiled::vectors<typename stated<Function>::System, T>;
-  using results = typename stated<Function>::template results<T>;
+  using vectors = compiled::vectors<typename stated<Function>::System, Number>;
+  using results = typename stated<Function>::template results<Number>;
 
-  [[gnu::noinline]] static results evaluate(const T& t, const typename vectors::state& x,
+  [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
                                             const typename vectors::inputs& r,
                                             const typename vectors::rates& a) noexcept;

@@ -13,8 +13,8 @@
 namespace kanexpr::compiled {
 
 /// An argument that was left out is not a number, and neither is what depends on it.
-template <class T>
-void tell_if_not_finite(with_status<T>& result) {
+template <class Number>
+void tell_if_not_finite(with_status<Number>& result) {
   bool is_finite = true;
   if constexpr (requires { result.value; })
     is_finite = std::isfinite(result.value);
@@ -24,15 +24,15 @@ void tell_if_not_finite(with_status<T>& result) {
     result.status = status(
         "the result is not finite; look for an argument that was left out or a value that was not set");
 }
-template <class... T>
-void tell_if_not_finite(std::tuple<T...>& results) {
+template <class... Number>
+void tell_if_not_finite(std::tuple<Number...>& results) {
   std::apply([](auto&... each) { (tell_if_not_finite(each), ...); }, results);
 }
 
 /// What the library of a model gives.
-template <class T, class Results>
+template <class Number, class Results>
 Results told(Results results) {
-  if constexpr (std::is_same_v<T, double>) tell_if_not_finite(results); // others look at differences
+  if constexpr (std::is_same_v<Number, double>) tell_if_not_finite(results); // others look at differences
   return results;
 }
 
@@ -54,8 +54,8 @@ struct lacking<function<System, wanted...>> {
   }();
 };
 
-template <class T>
-void leave_out(with_status<T>& result, kanexpr::status why) {
+template <class Number>
+void leave_out(with_status<Number>& result, kanexpr::status why) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if constexpr (requires { result.value; })
     result.value = nan;
@@ -63,44 +63,45 @@ void leave_out(with_status<T>& result, kanexpr::status why) {
     result.setConstant(nan);
   result.status = why;
 }
-template <class... T>
-void leave_out(std::tuple<T...>& results, kanexpr::status why) {
+template <class... Number>
+void leave_out(std::tuple<Number...>& results, kanexpr::status why) {
   std::apply([&](auto&... each) { (leave_out(each, why), ...); }, results);
 }
 
 /// The results of a function; where there are none, why, as the status of what is not a number.
-template <class T, class Function, class Results, class... Given>
+template <class Number, class Function, class Results, class... Given>
 Results results_or_why_not(const Given&... given) noexcept {
   if constexpr (static_cast<bool>(lacking<Function>::why)) {
     Results none{};
     leave_out(none, kanexpr::status(lacking<Function>::why.view()));
     return none;
   } else {
-    return told<T>(results_of<Results, Function>(given...));
+    return told<Number>(results_of<Results, Function>(given...));
   }
 }
 
-template <class T, class Function, int alignment>
-typename linked_instance<T, Function, alignment>::results
-linked_instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
-                                                  const typename vectors::parameters& p,
-                                                  const typename vectors::inputs& r) noexcept {
-  return results_or_why_not<T, Function, results>(t, x, p, r);
+template <class Number, class Function, int alignment>
+typename linked_instance<Number, Function, alignment>::results
+linked_instance<Number, Function, alignment>::evaluate(const Number& t, const typename vectors::state& x,
+                                                       const typename vectors::parameters& p,
+                                                       const typename vectors::inputs& r) noexcept {
+  return results_or_why_not<Number, Function, results>(t, x, p, r);
 }
-template <class T, class Function, int alignment>
-std::uint64_t linked_instance<T, Function, alignment>::digest() noexcept {
+template <class Number, class Function, int alignment>
+std::uint64_t linked_instance<Number, Function, alignment>::digest() noexcept {
   if constexpr (static_cast<bool>(lacking<Function>::why))
     return 0;
   else
     return digest_of_function<Function>;
 }
-template <class T, class Function, int alignment>
-typename linked_instance_at_rates<T, Function, alignment>::results
-linked_instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
-                                                           const typename vectors::parameters& p,
-                                                           const typename vectors::inputs& r,
-                                                           const typename vectors::rates& a) noexcept {
-  return results_or_why_not<T, Function, results>(t, x, p, r, a);
+template <class Number, class Function, int alignment>
+typename linked_instance_at_rates<Number, Function, alignment>::results
+linked_instance_at_rates<Number, Function, alignment>::evaluate(const Number& t,
+                                                                const typename vectors::state& x,
+                                                                const typename vectors::parameters& p,
+                                                                const typename vectors::inputs& r,
+                                                                const typename vectors::rates& a) noexcept {
+  return results_or_why_not<Number, Function, results>(t, x, p, r, a);
 }
 
 /// Whether the survey that was written out is that of the system.
@@ -121,14 +122,14 @@ constexpr bool is_up_to_date() {
   return same;
 }
 
-template <class T, class... Functions>
+template <class Number, class... Functions>
 constexpr auto code_of(function_list<Functions...>) {
-  return std::tuple(
-      std::pair(&linked_instance<T, Functions>::evaluate, &linked_instance<T, Functions>::digest)...);
+  return std::tuple(std::pair(&linked_instance<Number, Functions>::evaluate,
+                              &linked_instance<Number, Functions>::digest)...);
 }
-template <class T, class... Functions>
+template <class Number, class... Functions>
 constexpr auto code_at_rates_of(function_list<Functions...>) {
-  return std::tuple(&linked_instance_at_rates<T, Functions>::evaluate...);
+  return std::tuple(&linked_instance_at_rates<Number, Functions>::evaluate...);
 }
 template <class System>
 constexpr auto all_code_of() {

@@ -91,33 +91,35 @@ struct linked_functions_of_complex {
                          function_list<function<System, of::rhs>>>;
 };
 
-template <class System, class T, class Function, bool at_rates = false>
+template <class System, class Number, class Function, bool at_rates = false>
 constexpr bool is_in_library() {
   if constexpr (!is_linked<System>)
     return false;
   else if constexpr (at_rates)
-    return std::is_same_v<T, double> && linked_functions_at_rates<System>::type::template holds<Function>;
-  else if constexpr (std::is_same_v<T, std::complex<double>>)
+    return std::is_same_v<Number, double> &&
+           linked_functions_at_rates<System>::type::template holds<Function>;
+  else if constexpr (std::is_same_v<Number, std::complex<double>>)
     return linked_functions_of_complex<System>::type::template holds<Function>;
   else
-    return std::is_same_v<T, double> && linked_functions<System>::type::template holds<Function>;
+    return std::is_same_v<Number, double> && linked_functions<System>::type::template holds<Function>;
 }
 
 /// The code of a function in the library of its model; declared here only.
-template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
-struct linked_instance : instance<T, Function, alignment> {
-  using typename instance<T, Function, alignment>::vectors;
-  using typename instance<T, Function, alignment>::results;
-  static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
-                          const typename vectors::inputs& r) noexcept;
+template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+struct linked_instance : instance<Number, Function, alignment> {
+  using typename instance<Number, Function, alignment>::vectors;
+  using typename instance<Number, Function, alignment>::results;
+  static results evaluate(const Number& t, const typename vectors::state& x,
+                          const typename vectors::parameters& p, const typename vectors::inputs& r) noexcept;
   static std::uint64_t digest() noexcept;
 };
-template <class T, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
-struct linked_instance_at_rates : instance_at_rates<T, Function, alignment> {
-  using typename instance_at_rates<T, Function, alignment>::vectors;
-  using typename instance_at_rates<T, Function, alignment>::results;
-  static results evaluate(const T& t, const typename vectors::state& x, const typename vectors::parameters& p,
-                          const typename vectors::inputs& r, const typename vectors::rates& a) noexcept;
+template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
+struct linked_instance_at_rates : instance_at_rates<Number, Function, alignment> {
+  using typename instance_at_rates<Number, Function, alignment>::vectors;
+  using typename instance_at_rates<Number, Function, alignment>::results;
+  static results evaluate(const Number& t, const typename vectors::state& x,
+                          const typename vectors::parameters& p, const typename vectors::inputs& r,
+                          const typename vectors::rates& a) noexcept;
 };
 
 /// A function of a linked model. It is called as `function` is, and each result has a status. An argument
@@ -135,42 +137,43 @@ struct linked {
   }
 
 private:
-  template <class Time, class X, class... More>
-  static auto at_time(const Time& t, const X& x, const More&... more) noexcept {
-    return at<typename X::Scalar>(t, x, more...);
+  template <class Time, class State, class... More>
+  static auto at_time(const Time& t, const State& x, const More&... more) noexcept {
+    return at<typename State::Scalar>(t, x, more...);
   }
 
-  template <class T, class Time, class X, class P = parameter_values<System, T>,
-            class R = input_values<System, T>>
-  static auto at(const Time& t, const X& x, const P& p = {}, const R& r = {}) noexcept {
-    using v = vectors<System, T>;
-    check_fit<T, X, P, R>();
-    static_assert(is_in_library<System, T, Function>(),
+  template <class Number, class Time, class State, class Parameters = parameter_values<System, Number>,
+            class Inputs = input_values<System, Number>>
+  static auto at(const Time& t, const State& x, const Parameters& p = {}, const Inputs& r = {}) noexcept {
+    using v = vectors<System, Number>;
+    check_fit<Number, State, Parameters, Inputs>();
+    static_assert(is_in_library<System, Number, Function>(),
                   "the library of this model does not hold this result for numbers of this type; write "
                   "function<System, ...> and include <kanexpr/kanexpr.hpp>");
-    return linked_instance<T, Function>::evaluate(
-        lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
+    return linked_instance<Number, Function>::evaluate(
+        lower::scalar_math<Number>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r));
   }
-  template <class T, class Time, class X, class P, class R, class A>
-  static auto at(const Time& t, const X& x, const P& p, const R& r, const A& a) noexcept {
-    using v = vectors<System, T>;
-    check_fit<T, X, P, R>();
-    static_assert(is_in_library<System, T, Function, true>(),
+  template <class Number, class Time, class State, class Parameters, class Inputs, class Accelerations>
+  static auto at(const Time& t, const State& x, const Parameters& p, const Inputs& r,
+                 const Accelerations& a) noexcept {
+    using v = vectors<System, Number>;
+    check_fit<Number, State, Parameters, Inputs>();
+    static_assert(is_in_library<System, Number, Function, true>(),
                   "the library of this model does not hold this result for numbers of this type; write "
                   "function<System, ...> and include <kanexpr/kanexpr.hpp>");
-    return linked_instance_at_rates<T, Function>::evaluate(
-        lower::scalar_math<T>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
+    return linked_instance_at_rates<Number, Function>::evaluate(
+        lower::scalar_math<Number>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
         passed<typename v::inputs>(r), passed<typename v::rates>(a));
   }
 
-  template <class T, class X, class P, class R>
+  template <class Number, class State, class Parameters, class Inputs>
   static void check_fit() {
-    static_assert(fitting<System, symbols_of::state, entries_of<X>()>::possible);
-    static_assert(fitting<System, symbols_of::parameters, entries_of<P>()>::possible);
-    static_assert(fitting<System, symbols_of::inputs, entries_of<R>()>::possible);
-    static_assert(belongs<X, symbols_of::state> && belongs<P, symbols_of::parameters> &&
-                      belongs<R, symbols_of::inputs>,
+    static_assert(fitting<System, symbols_of::state, entries_of<State>()>::possible);
+    static_assert(fitting<System, symbols_of::parameters, entries_of<Parameters>()>::possible);
+    static_assert(fitting<System, symbols_of::inputs, entries_of<Inputs>()>::possible);
+    static_assert(belongs<State, symbols_of::state> && belongs<Parameters, symbols_of::parameters> &&
+                      belongs<Inputs, symbols_of::inputs>,
                   "a function of this model is given one vector in the place of another, or that of another "
                   "system; call it as f(x, p, r)");
   }

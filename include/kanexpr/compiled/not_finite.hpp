@@ -15,8 +15,8 @@ mechanics::sentence gap_among(const Vector& values) {
   else
     return {};
 }
-template <class System, class P, class R>
-mechanics::sentence gap_among(const P& p, const R& r) {
+template <class System, class Parameters, class Inputs>
+mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
   const mechanics::sentence found = gap_among<System, symbols_of::parameters>(p);
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
@@ -39,9 +39,9 @@ struct not_finite {
   static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
   /// Of a failure: what was not finite before it, or else what it says.
-  template <class X, class P, class R>
-  [[gnu::cold, gnu::noinline, gnu::pure]] static status cause_of(status failure, const X& x, const P& p,
-                                                                 const R& r) noexcept {
+  template <class State, class Parameters, class Inputs>
+  [[gnu::cold, gnu::noinline, gnu::pure]] static status
+  cause_of(status failure, const State& x, const Parameters& p, const Inputs& r) noexcept {
     int place = place_in<symbols_of::parameters>(p);
     if (place < 0) place = place_in<symbols_of::state>(x);
     if (place < 0) place = place_in<symbols_of::inputs>(r);

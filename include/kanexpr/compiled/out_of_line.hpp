@@ -16,19 +16,19 @@ struct result_shape {
   static constexpr bool is_scalar = size.scalar;
 };
 
-template <class T, class Found>
-void put(with_status<T>& result, const Found& found) {
+template <class Number, class Found>
+void put(with_status<Number>& result, const Found& found) {
   if constexpr (requires { result.value; })
     result.value = found;
   else
-    static_cast<T&>(result) = found;
+    static_cast<Number&>(result) = found;
   result.status = status_of(found);
 }
-template <class... T, class... Found>
-void put(std::tuple<T...>& results, const std::tuple<Found...>& found) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (put(std::get<i>(results), std::get<i>(found)), ...);
-  }(std::index_sequence_for<T...>{});
+template <class... Number, class... Found>
+void put(std::tuple<Number...>& results, const std::tuple<Found...>& found) {
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    (put(std::get<index>(results), std::get<index>(found)), ...);
+  }(std::index_sequence_for<Number...>{});
 }
 
 /// What a function gives, each result with its status.
@@ -39,25 +39,25 @@ template <class Results, class Function, class... Given>
   return all;
 }
 
-template <class T, class Function, int alignment>
-typename instance<T, Function, alignment>::results
-instance<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
-                                           const typename vectors::parameters& p,
-                                           const typename vectors::inputs& r) noexcept {
+template <class Number, class Function, int alignment>
+typename instance<Number, Function, alignment>::results
+instance<Number, Function, alignment>::evaluate(const Number& t, const typename vectors::state& x,
+                                                const typename vectors::parameters& p,
+                                                const typename vectors::inputs& r) noexcept {
   return results_of<results, Function>(t, x, p, r);
 }
 
-template <class T, class Function, int alignment>
-std::uint64_t instance<T, Function, alignment>::digest() noexcept {
+template <class Number, class Function, int alignment>
+std::uint64_t instance<Number, Function, alignment>::digest() noexcept {
   return digest_of_function<Function>;
 }
 
-template <class T, class Function, int alignment>
-typename instance_at_rates<T, Function, alignment>::results
-instance_at_rates<T, Function, alignment>::evaluate(const T& t, const typename vectors::state& x,
-                                                    const typename vectors::parameters& p,
-                                                    const typename vectors::inputs& r,
-                                                    const typename vectors::rates& a) noexcept {
+template <class Number, class Function, int alignment>
+typename instance_at_rates<Number, Function, alignment>::results
+instance_at_rates<Number, Function, alignment>::evaluate(const Number& t, const typename vectors::state& x,
+                                                         const typename vectors::parameters& p,
+                                                         const typename vectors::inputs& r,
+                                                         const typename vectors::rates& a) noexcept {
   return results_of<results, Function>(t, x, p, r, a);
 }
 
@@ -82,28 +82,29 @@ constexpr bool can_be_passed() {
 /// one costs the compiler the same once, however many calls there are.
 template <class Function>
 struct out_of_line {
-  template <class Time, class X, class P, class R>
-  auto operator()(const Time& t, const X& x, const P& p, const R& r) const noexcept {
+  template <class Time, class State, class Parameters, class Inputs>
+  auto operator()(const Time& t, const State& x, const Parameters& p, const Inputs& r) const noexcept {
     using System = typename compiled::stated<Function>::System;
-    using T = typename X::Scalar;
-    using vectors = compiled::vectors<System, T>;
+    using Number = typename State::Scalar;
+    using vectors = compiled::vectors<System, Number>;
     using compiled::symbols_of;
-    if constexpr (compiled::can_be_passed<System, symbols_of::state, X>() &&
-                  compiled::can_be_passed<System, symbols_of::parameters, P>() &&
-                  compiled::can_be_passed<System, symbols_of::inputs, R>())
-      return code<System, T>::evaluate(
-          lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
+    if constexpr (compiled::can_be_passed<System, symbols_of::state, State>() &&
+                  compiled::can_be_passed<System, symbols_of::parameters, Parameters>() &&
+                  compiled::can_be_passed<System, symbols_of::inputs, Inputs>())
+      return code<System, Number>::evaluate(
+          lower::scalar_math<Number>::from(t), compiled::passed<typename vectors::state>(x),
           compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r));
     else
       return Function{}(t, x, p, r);
   }
-  template <class Time, class X, class P, class R, class A>
-  auto operator()(const Time& t, const X& x, const P& p, const R& r, const A& a) const noexcept {
+  template <class Time, class State, class Parameters, class Inputs, class Accelerations>
+  auto operator()(const Time& t, const State& x, const Parameters& p, const Inputs& r,
+                  const Accelerations& a) const noexcept {
     using System = typename compiled::stated<Function>::System;
-    using T = typename X::Scalar;
-    using vectors = compiled::vectors<System, T>;
-    return code_at_rates<System, T>::evaluate(
-        lower::scalar_math<T>::from(t), compiled::passed<typename vectors::state>(x),
+    using Number = typename State::Scalar;
+    using vectors = compiled::vectors<System, Number>;
+    return code_at_rates<System, Number>::evaluate(
+        lower::scalar_math<Number>::from(t), compiled::passed<typename vectors::state>(x),
         compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r),
         compiled::passed<typename vectors::rates>(a));
   }
@@ -115,13 +116,14 @@ struct out_of_line {
   }
 
 private:
-  template <class System, class T>
-  using code = std::conditional_t<compiled::is_in_library<System, T, Function>(),
-                                  compiled::linked_instance<T, Function>, compiled::instance<T, Function>>;
-  template <class System, class T>
-  using code_at_rates = std::conditional_t<compiled::is_in_library<System, T, Function, true>(),
-                                           compiled::linked_instance_at_rates<T, Function>,
-                                           compiled::instance_at_rates<T, Function>>;
+  template <class System, class Number>
+  using code =
+      std::conditional_t<compiled::is_in_library<System, Number, Function>(),
+                         compiled::linked_instance<Number, Function>, compiled::instance<Number, Function>>;
+  template <class System, class Number>
+  using code_at_rates = std::conditional_t<compiled::is_in_library<System, Number, Function, true>(),
+                                           compiled::linked_instance_at_rates<Number, Function>,
+                                           compiled::instance_at_rates<Number, Function>>;
 };
 
 } // namespace kanexpr

@@ -27,8 +27,8 @@ struct regressor {
 
   /// The entries of π.
   static constexpr int size = known.inertial_parameters;
-  template <class T = double>
-  using values = Eigen::Matrix<T, size, 1>;
+  template <class Number = double>
+  using values = Eigen::Matrix<Number, size, 1>;
 
   /// Y, a row for each independent speed: `regressor<System>::matrix(x, p, r, a)` with the rates of all
   /// speeds.

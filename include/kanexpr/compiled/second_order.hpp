@@ -22,10 +22,10 @@ struct second_order {
 
   /// The entries of z.
   static constexpr int size = known.coordinates + known.speeds + known.inputs;
-  template <class T = double>
-  using weights = Eigen::Matrix<T, known.coordinates + known.speeds, 1>;
-  template <class T = double>
-  using direction = Eigen::Matrix<T, size, 1>;
+  template <class Number = double>
+  using weights = Eigen::Matrix<Number, known.coordinates + known.speeds, 1>;
+  template <class Number = double>
+  using direction = Eigen::Matrix<Number, size, 1>;
 
   /// ∂²(λᵀẋ)/∂z², symmetric: `second_order<System>::hessian(x, p, r, w)`.
   static constexpr function<System, quantity::weighted_hessian> hessian{};

@@ -10,8 +10,8 @@ using numeric::fixed_matrix;
 template <int rows, int columns>
 using exponents = fixed_matrix<int, rows, columns>;
 
-template <class T, int rows, int columns>
-constexpr exponents<rows, columns> exponents_of(const fixed_matrix<T, rows, columns>& m) {
+template <class Number, int rows, int columns>
+constexpr exponents<rows, columns> exponents_of(const fixed_matrix<Number, rows, columns>& m) {
   exponents<rows, columns> found;
   for (int i = 0; i < rows * columns; ++i) found.entries[i] = numeric::exponent_of(m.entries[i]);
   return found;
@@ -25,27 +25,28 @@ constexpr int largest_exponent(const exponents<rows, columns>& of) {
 }
 
 /// Units of states or inputs, the powers of two of these exponents: x = D z.
-template <int n>
+template <int order>
 struct units {
-  int of[static_cast<std::size_t>(n > 0 ? n : 1)]{};
+  int of[static_cast<std::size_t>(order > 0 ? order : 1)]{};
 
-  /// Dʳ M D′ᶜ 2ᵏ with r and c 1 or −1. Scaling rounds nothing, unless an entry becomes too small; one that
-  /// becomes too large is infinite.
-  template <int r, int c, class T, int m>
-  constexpr fixed_matrix<T, n, m> scaled(fixed_matrix<T, n, m> matrix, const units<m>& other,
-                                         int k = 0) const {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < m; ++j)
-        matrix(i, j) = numeric::times_power_of_two(matrix(i, j), r * of[i] + c * other.of[j] + k);
+  /// Dʳ M D′ᶜ 2ᵏ with r by row and c by column, 1 or −1. Scaling rounds nothing, unless an entry becomes too
+  /// small; one that becomes too large is infinite.
+  template <int by_row, int by_column, class Number, int others>
+  constexpr fixed_matrix<Number, order, others> scaled(fixed_matrix<Number, order, others> matrix,
+                                                       const units<others>& other, int k = 0) const {
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < others; ++j)
+        matrix(i, j) =
+            numeric::times_power_of_two(matrix(i, j), by_row * of[i] + by_column * other.of[j] + k);
     return matrix;
   }
 };
 
 /// Units in which the magnitudes of the diagonal of a symmetric matrix are between 1 and 4, or zero.
-template <class T, int n>
-constexpr units<n> diagonal_units(const fixed_matrix<T, n, n>& m) {
-  units<n> found;
-  for (int i = 0; i < n; ++i)
+template <class Number, int order>
+constexpr units<order> diagonal_units(const fixed_matrix<Number, order, order>& m) {
+  units<order> found;
+  for (int i = 0; i < order; ++i)
     if (const int exponent = numeric::exponent_of(m(i, i)); !numeric::is_exponent_of_zero(exponent))
       found.of[i] = -(exponent - (exponent & 1)) / 2;
   return found;
@@ -53,20 +54,21 @@ constexpr units<n> diagonal_units(const fixed_matrix<T, n, n>& m) {
 
 /// Whether an entry beside the diagonal is so large, in these units, that the matrix has a negative
 /// eigenvalue.
-template <class T, int n>
-constexpr bool exceeds_its_diagonal(const fixed_matrix<T, n, n>& m) {
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
+template <class Number, int order>
+constexpr bool exceeds_its_diagonal(const fixed_matrix<Number, order, order>& m) {
+  for (int i = 0; i < order; ++i)
+    for (int j = 0; j < order; ++j)
       if (numeric::exponent_of(m(i, j)) > 2) return true;
   return false;
 }
 
 /// Whether a symmetric matrix is positive definite.
-template <class T, int n>
-constexpr bool is_positive_definite(const fixed_matrix<T, n, n>& m) {
-  const units<n> unit = diagonal_units(m);
-  const fixed_matrix<T, n, n> normalized = unit.template scaled<1, 1>(m, unit);
-  return !exceeds_its_diagonal(normalized) && static_cast<bool>(numeric::positive_factors<T, n>(normalized));
+template <class Number, int order>
+constexpr bool is_positive_definite(const fixed_matrix<Number, order, order>& m) {
+  const units<order> unit = diagonal_units(m);
+  const fixed_matrix<Number, order, order> normalized = unit.template scaled<1, 1>(m, unit);
+  return !exceeds_its_diagonal(normalized) &&
+         static_cast<bool>(numeric::positive_factors<Number, order>(normalized));
 }
 
 /// The exponents of what grows with a unit, in proportion and as its square, and of what shrinks with it.
@@ -93,27 +95,27 @@ struct balance {
 /// D⁻¹, Q → D Q D (Benner, Symplectic balancing of Hamiltonian matrices, SIAM J. Sci. Comput. 22, 2001), by
 /// their exponents, so that nothing is too large. Where G and Q are zero those in which A is balanced. What
 /// nothing stands against becomes as small as `least`.
-template <int n>
-constexpr units<n> balanced_units(const exponents<n, n>& a, const exponents<n, n>& g,
-                                  const exponents<n, n>& q, int least) {
+template <int order>
+constexpr units<order> balanced_units(const exponents<order, order>& a, const exponents<order, order>& g,
+                                      const exponents<order, order>& q, int least) {
   constexpr int most_sweeps = 20;
-  units<n> found;
+  units<order> found;
   const auto raise = [](int& most, int exponent) { most = balance::larger(most, exponent); };
   bool changes = true;
   for (int sweep = 0; sweep < most_sweeps && changes; ++sweep) {
     changes = false;
     balance all;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j) {
         raise(all.grows_twice, q(i, j) + found.of[i] + found.of[j]);
         raise(all.shrinks_twice, g(i, j) - found.of[i] - found.of[j]);
       }
     const int common = all.any_grows() && all.any_shrinks() ? all.best(least) : 0;
-    for (int i = 0; i < n; ++i) found.of[i] += common;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < order; ++i) found.of[i] += common;
+    for (int i = 0; i < order; ++i) {
       balance one;
       const int own = found.of[i];
-      for (int j = 0; j < n; ++j) {
+      for (int j = 0; j < order; ++j) {
         const int other = found.of[j];
         if (i == j) {
           raise(one.grows_twice, q(i, i) + 2 * own);

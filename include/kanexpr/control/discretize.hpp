@@ -7,6 +7,8 @@
 #include <bit>
 #include <tuple>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr {
 
 /// x⁺ = A x + B r + c, what ẋ = A x + B r + c becomes over a step in which r and c stay as they are.
@@ -24,63 +26,64 @@ struct discrete_form {
 namespace control {
 
 /// What a sum of n products may add to their exponents.
-template <int n>
-inline constexpr int of_sum = 2 + std::bit_width(static_cast<unsigned>(n));
+template <int states>
+inline constexpr int of_sum = 2 + std::bit_width(static_cast<unsigned>(states));
 
 /// How often a step of length h is halved, so that the norm of A h, by columns, is below 1/2.
-template <class T, int n>
-constexpr int halvings(const fixed_matrix<T, n, n>& a, T h) {
-  const int most = numeric::exponent_of(numeric::largest_entry(a)) + numeric::exponent_of(h) + of_sum<n>;
-  if (most >= std::numeric_limits<T>::max_exponent) return most + 1; // the norm might be too large
-  T norm = 0;
-  for (int j = 0; j < n; ++j) {
-    T sum = 0;
-    for (int i = 0; i < n; ++i) sum += numeric::constant_elimination_math::magnitude(h * a(i, j));
+template <class Number, int states>
+constexpr int halvings(const fixed_matrix<Number, states, states>& a, Number h) {
+  const int most = numeric::exponent_of(numeric::largest_entry(a)) + numeric::exponent_of(h) + of_sum<states>;
+  if (most >= std::numeric_limits<Number>::max_exponent) return most + 1; // the norm might be too large
+  Number norm = 0;
+  for (int j = 0; j < states; ++j) {
+    Number sum = 0;
+    for (int i = 0; i < states; ++i) sum += numeric::constant_elimination_math::magnitude(h * a(i, j));
     if (sum > norm) norm = sum;
   }
   return balance::larger(0, numeric::exponent_of(norm) + 2);
 }
 
 /// Whether no term of a product is too large, nor their sums.
-template <class T, int n, int m, int l>
-constexpr bool is_product_finite(const fixed_matrix<T, n, m>& a, const fixed_matrix<T, m, l>& b) {
-  constexpr int most = std::numeric_limits<T>::max_exponent - of_sum<m>;
+template <class Number, int states, int inputs, int columns>
+constexpr bool is_product_finite(const fixed_matrix<Number, states, inputs>& a,
+                                 const fixed_matrix<Number, inputs, columns>& b) {
+  constexpr int most = std::numeric_limits<Number>::max_exponent - of_sum<inputs>;
   const int of_b = numeric::exponent_of(numeric::largest_entry(b));
   if (numeric::is_exponent_of_zero(of_b)) return true;
   if (numeric::exponent_of(numeric::largest_entry(a)) + of_b < most) return true;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < l; ++j)
-      for (int k = 0; k < m; ++k)
+  for (int i = 0; i < states; ++i)
+    for (int j = 0; j < columns; ++j)
+      for (int k = 0; k < inputs; ++k)
         if (numeric::exponent_of(a(i, k)) + numeric::exponent_of(b(k, j)) >= most) return false;
   return true;
 }
 
-template <class T, int n>
+template <class Number, int states>
 struct exponential {
-  fixed_matrix<T, n, n> change{};   ///< exp(A h) − 1
-  fixed_matrix<T, n, n> integral{}; ///< ∫ exp(A s) ds from 0 to h
+  fixed_matrix<Number, states, states> change{};   ///< exp(A h) − 1
+  fixed_matrix<Number, states, states> integral{}; ///< ∫ exp(A s) ds from 0 to h
 };
 
 /// (exp(X) − 1)/X by Taylor's series, in few products of matrices (Paterson & Stockmeyer, On the number of
 /// nonscalar multiplications necessary to evaluate polynomials, SIAM J. Comput. 2, 1973): those of four, or
 /// three, powers of X that follow each other are one factor of a higher power.
-template <class T, int n>
-constexpr fixed_matrix<T, n, n> mean_motion(const fixed_matrix<T, n, n>& x) {
-  constexpr bool is_short = std::numeric_limits<T>::digits <= 24;
+template <class Number, int states>
+constexpr fixed_matrix<Number, states, states> mean_motion(const fixed_matrix<Number, states, states>& x) {
+  constexpr bool is_short = std::numeric_limits<Number>::digits <= 24;
   constexpr int terms = is_short ? 9 : 15; // the next is below rounding, (1/2)ᵏ/(k + 1)!
   constexpr int block = is_short ? 3 : 4;
-  fixed_matrix<T, n, n> powers[std::size_t{block + 1}]{numeric::identity<T, n>(), x};
+  fixed_matrix<Number, states, states> powers[std::size_t{block + 1}]{numeric::identity<Number, states>(), x};
   for (int k = 2; k <= block; ++k) powers[k] = powers[k - 1] * x;
   constexpr auto weights = [] {
-    std::array<T, std::size_t{terms}> found{1};
-    for (std::size_t k = 1; k < found.size(); ++k) found[k] = found[k - 1] / T(k + 1);
+    std::array<Number, std::size_t{terms}> found{1};
+    for (std::size_t k = 1; k < found.size(); ++k) found[k] = found[k - 1] / Number(k + 1);
     return found;
   }();
-  fixed_matrix<T, n, n> sum;
+  fixed_matrix<Number, states, states> sum;
   for (int first = (terms - 1) / block * block; first >= 0; first -= block) {
     if (first + block < terms) sum = sum * powers[block];
     for (int k = first; k < first + block && k < terms; ++k)
-      for (int i = 0; i < n * n; ++i)
+      for (int i = 0; i < states * states; ++i)
         sum.entries[i] += weights[static_cast<std::size_t>(k)] * powers[k - first].entries[i];
   }
   return sum;
@@ -90,51 +93,56 @@ constexpr fixed_matrix<T, n, n> mean_motion(const fixed_matrix<T, n, n>& x) {
 /// Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the integral
 /// over two steps is that over one, and what the motion of one makes of it. What is slow beside the rest
 /// loses nothing, for its change is doubled, not its 1. False where they would overflow.
-template <class T, int n>
-constexpr bool find_exponential(const fixed_matrix<T, n, n>& a, T h, int doublings, exponential<T, n>& e) {
-  constexpr T most = numeric::power_of_two<T>(std::numeric_limits<T>::max_exponent / 2 - 8);
-  const T length = numeric::times_power_of_two(h, -doublings);
+template <class Number, int states>
+constexpr bool find_exponential(const fixed_matrix<Number, states, states>& a, Number h, int doublings,
+                                exponential<Number, states>& e) {
+  constexpr Number most = numeric::power_of_two<Number>(std::numeric_limits<Number>::max_exponent / 2 - 8);
+  const Number length = numeric::times_power_of_two(h, -doublings);
   e.integral = length * mean_motion(length * a);
   e.change = a * e.integral;
   for (int i = 0; i < doublings; ++i) {
     if (!(numeric::largest_entry(e.change) < most && is_product_finite(e.change, e.integral))) return false;
-    e.integral = T(2) * e.integral + e.change * e.integral;
-    e.change = T(2) * e.change + e.change * e.change;
+    e.integral = Number(2) * e.integral + e.change * e.integral;
+    e.change = Number(2) * e.change + e.change * e.change;
   }
   return true;
 }
 
 /// What is wrong with what a discrete form is asked of.
-template <class T, int n, int inputs>
-constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
-                            const fixed_matrix<T, n, 1>& c, T h) {
-  if (!numeric::is_finite(fixed_matrix<T, 1, 1>{{h}})) return status("the length of the step is not finite");
+template <class Number, int states, int inputs>
+constexpr status mistake_in(const fixed_matrix<Number, states, states>& a,
+                            const fixed_matrix<Number, states, inputs>& b,
+                            const fixed_matrix<Number, states, 1>& c, Number h) {
+  if (!numeric::is_finite(fixed_matrix<Number, 1, 1>{{h}}))
+    return status("the length of the step is not finite");
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
   if (!numeric::is_finite(c)) return status("the offset c is not finite");
   return {};
 }
 
-template <class T, int n, int inputs>
+template <class Number, int states, int inputs>
 using fixed_discrete_form =
-    discrete_form<fixed_matrix<T, n, n>, fixed_matrix<T, n, inputs>, fixed_matrix<T, n, 1>>;
+    discrete_form<fixed_matrix<Number, states, states>, fixed_matrix<Number, states, inputs>,
+                  fixed_matrix<Number, states, 1>>;
 
-template <class T, int n, int inputs>
-constexpr fixed_discrete_form<T, n, inputs>
-discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
-            const fixed_matrix<T, n, 1>& c, T h, const status& given) {
-  const fixed_discrete_form<T, n, inputs> none{no_numbers<T, n, n>(), no_numbers<T, n, inputs>(),
-                                               no_numbers<T, n, 1>(), given ? mistake_in(a, b, c, h) : given};
+template <class Number, int states, int inputs>
+constexpr fixed_discrete_form<Number, states, inputs>
+discretized(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Number, states, inputs>& b,
+            const fixed_matrix<Number, states, 1>& c, Number h, const status& given) {
+  const fixed_discrete_form<Number, states, inputs> none{
+      no_numbers<Number, states, states>(), no_numbers<Number, states, inputs>(),
+      no_numbers<Number, states, 1>(), given ? mistake_in(a, b, c, h) : given};
   if (!none) return none;
-  fixed_discrete_form<T, n, inputs> found = none;
-  exponential<T, n> e;
+  fixed_discrete_form<Number, states, inputs> found = none;
+  exponential<Number, states> e;
   bool is_found = false;
   if (const int doublings = halvings(a, h); doublings == 0) {
     is_found = find_exponential(a, h, 0, e);
   } else {
-    constexpr exponents<n, n> nothing = exponents_of(fixed_matrix<T, n, n>{});
-    const units<n> unit = balanced_units(exponents_of(a), nothing, nothing, -numeric::exponent_of(h));
-    const fixed_matrix<T, n, n> balanced = unit.template scaled<-1, 1>(a, unit);
+    constexpr exponents<states, states> nothing = exponents_of(fixed_matrix<Number, states, states>{});
+    const units<states> unit = balanced_units(exponents_of(a), nothing, nothing, -numeric::exponent_of(h));
+    const fixed_matrix<Number, states, states> balanced = unit.template scaled<-1, 1>(a, unit);
     is_found = numeric::is_finite(balanced) && find_exponential(balanced, h, halvings(balanced, h), e);
     if (is_found) {
       e.change = unit.template scaled<1, -1>(e.change, unit);
@@ -143,27 +151,29 @@ discretized(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, inputs>& b,
     }
   }
   if (is_found && is_product_finite(e.integral, b) && is_product_finite(e.integral, c))
-    return {numeric::identity<T, n>() + e.change, e.integral * b, e.integral * c, {}};
+    return {numeric::identity<Number, states>() + e.change, e.integral * b, e.integral * c, {}};
   found.status = status("the motion of the linear system over the step is too large for numbers");
   return found;
 }
 
 /// The same of any matrices, of which a status may come with each.
-template <class A, class B, class C>
-constexpr auto discretized_as_given(const A& a, const B& b, const C& c, typename shape<A>::scalar h) {
-  using T = typename shape<A>::scalar;
-  constexpr int n = shape<A>::rows, inputs = shape<B>::columns;
-  constexpr bool are_sizes_fitting = are_fitting<A, B>();
-  static_assert(!are_sizes_fitting || (shape<C>::rows == n && shape<C>::columns == 1),
+template <class StateMatrix, class InputMatrix, class Offset>
+constexpr auto discretized_as_given(const StateMatrix& a, const InputMatrix& b, const Offset& c,
+                                    typename shape<StateMatrix>::scalar h) {
+  using Number = typename shape<StateMatrix>::scalar;
+  constexpr int n = shape<StateMatrix>::rows, inputs = shape<InputMatrix>::columns;
+  constexpr bool are_sizes_fitting = are_fitting<StateMatrix, InputMatrix>();
+  static_assert(!are_sizes_fitting || (shape<Offset>::rows == n && shape<Offset>::columns == 1),
                 "the offset c has a number for each row of A");
-  constexpr bool is_offset_alike = std::is_same_v<typename shape<C>::scalar, T>;
+  constexpr bool is_offset_alike = std::is_same_v<typename shape<Offset>::scalar, Number>;
   static_assert(!are_sizes_fitting || is_offset_alike,
                 "the numbers of A and of the offset c are of different types");
   if constexpr (!are_sizes_fitting || !is_offset_alike) {
-    return fixed_discrete_form<T, 1, 1>{};
+    return fixed_discrete_form<Number, 1, 1>{};
   } else {
-    const auto found = discretized<T, n, inputs>(fixed(a), fixed(b), fixed(c), h, first_failure(a, b, c));
-    const auto like = [](const auto& m) { return shape<A>::like(m); };
+    const auto found =
+        discretized<Number, n, inputs>(fixed(a), fixed(b), fixed(c), h, first_failure(a, b, c));
+    const auto like = [](const auto& m) { return shape<StateMatrix>::like(m); };
     return discrete_form<decltype(like(found.A)), decltype(like(found.B)), decltype(like(found.c))>{
         like(found.A), like(found.B), like(found.c), found.status};
   }
@@ -175,28 +185,35 @@ constexpr auto discretized_as_given(const A& a, const B& b, const C& c, typename
 /// auto [Ad, Bd, cd, status] = discretize(A, B, h);`. A and B are matrices of Eigen whose size the compiler
 /// knows, as those of a linearization, or of `numeric::fixed_matrix` in a constant expression. Exact but for
 /// rounding. Where a status says that there are none they are not numbers.
-template <control::matrix A, control::matrix B>
-constexpr auto discretize(const A& a, const B& b, typename control::shape<A>::scalar h) {
-  using offset = numeric::fixed_matrix<typename control::shape<A>::scalar, control::shape<A>::rows, 1>;
+template <control::matrix StateMatrix, control::matrix InputMatrix>
+constexpr auto discretize(const StateMatrix& a, const InputMatrix& b,
+                          typename control::shape<StateMatrix>::scalar h) {
+  using offset = numeric::fixed_matrix<typename control::shape<StateMatrix>::scalar,
+                                       control::shape<StateMatrix>::rows, 1>;
   return control::discretized_as_given(a, b, offset{}, h);
 }
 
 /// The same of ẋ = A x + B r + c, as of a linearization about a state that does not rest, where c is its
 /// rate.
-template <control::matrix A, control::matrix B, control::matrix C>
-constexpr auto discretize(const A& a, const B& b, const C& c, typename control::shape<A>::scalar h) {
+template <control::matrix StateMatrix, control::matrix InputMatrix, control::matrix Offset>
+constexpr auto discretize(const StateMatrix& a, const InputMatrix& b, const Offset& c,
+                          typename control::shape<StateMatrix>::scalar h) {
   return control::discretized_as_given(a, b, c, h);
 }
 
 /// The same of both matrices of a linearization: `discretize(linearization<System>::explicit_form(x, p, r),
 /// h)`.
-template <class A, class B>
-constexpr auto discretize(const std::tuple<A, B>& both, typename control::shape<A>::scalar h) {
+template <class StateMatrix, class InputMatrix>
+constexpr auto discretize(const std::tuple<StateMatrix, InputMatrix>& both,
+                          typename control::shape<StateMatrix>::scalar h) {
   return discretize(std::get<0>(both), std::get<1>(both), h);
 }
-template <class A, class B, control::matrix C>
-constexpr auto discretize(const std::tuple<A, B>& both, const C& c, typename control::shape<A>::scalar h) {
+template <class StateMatrix, class InputMatrix, control::matrix Offset>
+constexpr auto discretize(const std::tuple<StateMatrix, InputMatrix>& both, const Offset& c,
+                          typename control::shape<StateMatrix>::scalar h) {
   return discretize(std::get<0>(both), std::get<1>(both), c, h);
 }
 
 } // namespace kanexpr
+
+#include <kanexpr/base/letters_back.hpp>

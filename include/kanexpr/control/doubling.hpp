@@ -10,9 +10,9 @@ using numeric::fixed_matrix;
 enum class time_domain : unsigned char { continuous, discrete };
 
 /// A Riccati equation with G = B R⁻¹ Bᵀ: Aᵀ X + X A − X G X + Q = 0, or X = Aᵀ X (1 + G X)⁻¹ A + Q.
-template <class T, int n>
+template <class Number, int states>
 struct riccati_equation {
-  fixed_matrix<T, n, n> a, g, q;
+  fixed_matrix<Number, states, states> a, g, q;
 };
 
 /// What doubling comes to.
@@ -24,26 +24,27 @@ enum class doubling : unsigned char {
 };
 
 /// A symmetric matrix, and whether it solves the equation.
-template <class T, int n>
+template <class Number, int states>
 struct riccati_solution {
-  fixed_matrix<T, n, n> x{};
+  fixed_matrix<Number, states, states> x{};
   doubling comes_to = doubling::stops;
 
   constexpr bool found() const { return comes_to == doubling::solves; }
 };
 
 /// Of numbers up to this the products that are needed are finite, as a constant expression must have them.
-template <class T>
-inline constexpr T most_of_solution = numeric::power_of_two<T>(std::numeric_limits<T>::max_exponent * 3 / 8);
+template <class Number>
+inline constexpr Number most_of_solution =
+    numeric::power_of_two<Number>(std::numeric_limits<Number>::max_exponent * 3 / 8);
 
-template <class T, int n>
-constexpr bool is_moderate(const fixed_matrix<T, n, n>& m) {
-  return numeric::is_finite(m) && numeric::largest_entry(m) < most_of_solution<T>;
+template <class Number, int states>
+constexpr bool is_moderate(const fixed_matrix<Number, states, states>& m) {
+  return numeric::is_finite(m) && numeric::largest_entry(m) < most_of_solution<Number>;
 }
 
-template <class T>
-constexpr T power_of_two_near_root(T x) {
-  T root = 1;
+template <class Number>
+constexpr Number power_of_two_near_root(Number x) {
+  Number root = 1;
   while (root * root < x) root *= 2;
   while (root * root > x) root /= 2;
   return root;
@@ -56,31 +57,32 @@ constexpr T power_of_two_near_root(T x) {
 /// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). From that rounding
 /// tells no loop that is closer to it than the root of ε; the steps beyond are for motions that are slow
 /// beside others, of which rounding knows more.
-template <class T, int n>
-constexpr riccati_solution<T, n> doubled(riccati_equation<T, n> e) {
-  using limits = std::numeric_limits<T>;
-  constexpr T root = power_of_two_near_root(limits::epsilon()), most = 8 / root, little = 8 * root,
-              medium = power_of_two_near_root(little);
+template <class Number, int states>
+constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, states> e) {
+  using limits = std::numeric_limits<Number>;
+  constexpr Number root = power_of_two_near_root(limits::epsilon()), most = 8 / root, little = 8 * root,
+                   medium = power_of_two_near_root(little);
   constexpr int most_steps = limits::digits * 3 / 4, most_slow_steps = limits::digits / 9;
-  constexpr T most_of_any = numeric::power_of_two<T>(limits::max_exponent / 4),
-              most_at_first = numeric::power_of_two<T>(limits::max_exponent / 8);
+  constexpr Number most_of_any = numeric::power_of_two<Number>(limits::max_exponent / 4),
+                   most_at_first = numeric::power_of_two<Number>(limits::max_exponent / 8);
   int slow_steps = 0;
-  T size = numeric::largest_entry(e.a);
+  Number size = numeric::largest_entry(e.a);
   if (!(size < most_at_first)) return {e.q, doubling::stops};
   // One step that is large is the square of itself at most, before the inputs act on it.
-  const T large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
+  const Number large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
   for (int k = 0; k < most_steps; ++k) {
     if (!(size < growth)) return {e.q, doubling::does_not};
     if (slow_steps > most_slow_steps) return {e.q, doubling::halves};
     if (!is_moderate(e.g) || !is_moderate(e.q)) return {e.q, doubling::stops};
-    const numeric::eliminated<T, n> w(numeric::identity<T, n>() + e.g * e.q);
+    const numeric::eliminated<Number, states> w(numeric::identity<Number, states>() + e.g * e.q);
     if (w.is_singular()) return {e.q, doubling::stops};
-    const fixed_matrix<T, n, n> v = w.solve(e.a), at = numeric::transposed(e.a), wg = w.solve(e.g);
+    const fixed_matrix<Number, states, states> v = w.solve(e.a), at = numeric::transposed(e.a),
+                                               wg = w.solve(e.g);
     if (!is_moderate(v) || !is_moderate(wg)) return {e.q, doubling::stops};
     e.g = numeric::symmetric(e.g + e.a * wg * at);
     e.q = numeric::symmetric(e.q + at * (e.q * v));
     e.a = e.a * v;
-    const T before = size;
+    const Number before = size;
     size = numeric::largest_entry(e.a);
     if (size <= limits::epsilon() * limits::epsilon()) return {e.q, doubling::solves};
     if (size > little && size < medium && size > before / 4 && size < before * 3 / 4) ++slow_steps;
@@ -92,81 +94,83 @@ constexpr riccati_solution<T, n> doubled(riccati_equation<T, n> e) {
 /// structure-preserving doubling algorithm for continuous-time algebraic Riccati equations, Linear Algebra
 /// Appl. 396, 2005). Its matrices are [A, G; −Q, Aᵀ] = 1 + 2γ S⁻¹ diag(1, −1) with S = [A − γ, −G; −Q, γ −
 /// Aᵀ].
-template <class T, int n>
+template <class Number, int states>
 class cayley {
 public:
-  constexpr cayley(const riccati_equation<T, n>& e, T shift) {
-    const numeric::eliminated<T, 2 * n> s(hamiltonian(e, shift));
+  constexpr cayley(const riccati_equation<Number, states>& e, Number shift) {
+    const numeric::eliminated<Number, 2 * states> s(hamiltonian(e, shift));
     if (s.is_singular()) return;
-    fixed_matrix<T, 2 * n, 2 * n> right;
-    for (int i = 0; i < n; ++i) right(i, i) = 2 * shift, right(n + i, n + i) = -2 * shift;
-    const fixed_matrix<T, 2 * n, 2 * n> found = s.solve(right);
+    fixed_matrix<Number, 2 * states, 2 * states> right;
+    for (int i = 0; i < states; ++i) right(i, i) = 2 * shift, right(states + i, states + i) = -2 * shift;
+    const fixed_matrix<Number, 2 * states, 2 * states> found = s.solve(right);
     if (!is_moderate(found)) return;
     size = 1 + numeric::largest_entry(found);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        discrete.a(i, j) = found(i, j) + (i == j ? T(1) : T(0));
-        discrete.g(i, j) = found(i, n + j);
-        discrete.q(i, j) = -found(n + i, j);
+    for (int i = 0; i < states; ++i)
+      for (int j = 0; j < states; ++j) {
+        discrete.a(i, j) = found(i, j) + (i == j ? Number(1) : Number(0));
+        discrete.g(i, j) = found(i, states + j);
+        discrete.q(i, j) = -found(states + i, j);
       }
     discrete.g = numeric::symmetric(discrete.g);
     discrete.q = numeric::symmetric(discrete.q);
   }
 
   /// [A − γ, −G; −Q, γ − Aᵀ], the Hamiltonian matrix at γ = 0.
-  static constexpr fixed_matrix<T, 2 * n, 2 * n> hamiltonian(const riccati_equation<T, n>& e, T shift) {
-    fixed_matrix<T, 2 * n, 2 * n> h;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const T diagonal = i == j ? shift : T(0);
+  static constexpr fixed_matrix<Number, 2 * states, 2 * states>
+  hamiltonian(const riccati_equation<Number, states>& e, Number shift) {
+    fixed_matrix<Number, 2 * states, 2 * states> h;
+    for (int i = 0; i < states; ++i)
+      for (int j = 0; j < states; ++j) {
+        const Number diagonal = i == j ? shift : Number(0);
         h(i, j) = e.a(i, j) - diagonal;
-        h(i, n + j) = -e.g(i, j);
-        h(n + i, j) = -e.q(i, j);
-        h(n + i, n + j) = diagonal - e.a(j, i);
+        h(i, states + j) = -e.g(i, j);
+        h(states + i, j) = -e.q(i, j);
+        h(states + i, states + j) = diagonal - e.a(j, i);
       }
     return h;
   }
 
-  riccati_equation<T, n> discrete{};
-  T size = 0; ///< of its largest entry; zero: S is singular
+  riccati_equation<Number, states> discrete{};
+  Number size = 0; ///< of its largest entry; zero: S is singular
 };
 
 /// A power of two near the geometric mean of the eigenvalues of a matrix, by its pivots; zero where one of
 /// them vanishes, or nearly so.
-template <class T, int n>
-constexpr T mean_rate(const numeric::eliminated<T, n>& m) {
+template <class Number, int states>
+constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
   if (m.is_singular()) return 0;
-  constexpr int most = 2 * std::numeric_limits<T>::max_exponent;
+  constexpr int most = 2 * std::numeric_limits<Number>::max_exponent;
   int exponent = 0;
-  T product = 1; // of the reciprocals of the pivots
-  for (int k = 0; k < n; ++k) {
+  Number product = 1; // of the reciprocals of the pivots
+  for (int k = 0; k < states; ++k) {
     product *= numeric::constant_elimination_math::magnitude(m.reciprocal(k));
     for (int i = 0; i < most && product >= 2; ++i) product /= 2, --exponent;
     for (int i = 0; i < most && product < 1; ++i) product *= 2, ++exponent;
     if (!(product >= 1 && product < 2)) return 0; // it was infinite, or zero
   }
-  T mean = 1;
-  for (int i = 0; i < exponent / n; ++i) mean *= 2;
-  for (int i = 0; i < -exponent / n; ++i) mean /= 2;
+  Number mean = 1;
+  for (int i = 0; i < exponent / states; ++i) mean *= 2;
+  for (int i = 0; i < -exponent / states; ++i) mean /= 2;
   return mean;
 }
 
 /// One stabilizing solution; nothing is found where there is none, and not always where Q leaves out what
 /// grows.
-template <time_domain domain, class T, int n>
-constexpr riccati_solution<T, n> stabilizing(const riccati_equation<T, n>& e) {
+template <time_domain domain, class Number, int states>
+constexpr riccati_solution<Number, states> stabilizing(const riccati_equation<Number, states>& e) {
   if constexpr (domain == time_domain::discrete) {
     return doubled(e);
   } else {
     // A shift at an eigenvalue of A may leave S nearly singular: one of three does not.
-    const T mean = mean_rate(numeric::eliminated<T, 2 * n>(cayley<T, n>::hamiltonian(e, 0)));
+    const Number mean =
+        mean_rate(numeric::eliminated<Number, 2 * states>(cayley<Number, states>::hamiltonian(e, 0)));
     if (!(mean > 0)) return {{}, doubling::halves}; // an eigenvalue is zero
-    cayley<T, n> best(e, mean);
-    for (const T shift : {mean / 2, 2 * mean}) {
-      const cayley<T, n> other(e, shift);
+    cayley<Number, states> best(e, mean);
+    for (const Number shift : {mean / 2, 2 * mean}) {
+      const cayley<Number, states> other(e, shift);
       if (other.size > 0 && (!(best.size > 0) || other.size < best.size)) best = other;
     }
-    return best.size > 0 ? doubled(best.discrete) : riccati_solution<T, n>{};
+    return best.size > 0 ? doubled(best.discrete) : riccati_solution<Number, states>{};
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <type_traits>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr {
 
 namespace control {
@@ -21,10 +23,10 @@ constexpr bool is_measurable() {
 }
 
 /// Whether a matrix is one of a filter's; what it has to be like is said where it is not.
-template <class Matrix, class T, int rows, int columns>
+template <class Matrix, class Number, int rows, int columns>
 inline constexpr bool is_of_filter =
     Matrix::RowsAtCompileTime == rows && Matrix::ColsAtCompileTime == columns &&
-    std::is_same_v<typename Matrix::Scalar, T>;
+    std::is_same_v<typename Matrix::Scalar, Number>;
 
 } // namespace control
 
@@ -40,7 +42,7 @@ inline constexpr bool is_of_filter =
 /// (`linearization<System>::places`); the dependent ones follow by the constraints, and quaternions keep norm
 /// 1. Nothing is allocated or thrown. Where something cannot be solved, or would not be finite, the status
 /// says so, and the filter stays as it was.
-template <class System, class T, auto... measured>
+template <class System, class Number, auto... measured>
 class basic_ekf {
   using lin = linearization<System>;
   static constexpr bool are_measurable = (true && ... && control::is_measurable<measured>());
@@ -49,50 +51,51 @@ public:
   static constexpr int states = lin::states;
   static constexpr int measurements = (0 + ... + compiled::extent_of<measured, System>.rows);
 
-  using state = kanexpr::state<System, T>;
-  using covariance = Eigen::Matrix<T, states, states>;
-  using measurement = Eigen::Matrix<T, measurements, 1>;
-  using measurement_covariance = Eigen::Matrix<T, measurements, measurements>;
+  using state = kanexpr::state<System, Number>;
+  using covariance = Eigen::Matrix<Number, states, states>;
+  using measurement = Eigen::Matrix<Number, measurements, 1>;
+  using measurement_covariance = Eigen::Matrix<Number, measurements, measurements>;
 
   state x;
   covariance P;
-  T t;
+  Number t;
 
-  basic_ekf(const state& start, const covariance& uncertainty, T at = 0) : x(start), P(uncertainty), t(at) {}
+  basic_ekf(const state& start, const covariance& uncertainty, Number at = 0)
+      : x(start), P(uncertainty), t(at) {}
 
-  /// Goes on by a step of length h from t, in which the inputs r hold or are those of a function (t, x). Q is
-  /// the covariance of what disturbs the states within one step. The state goes by a step of a fixed length,
-  /// the covariance by the motion of the linearized equations.
-  template <class Parameters, class R, class Noise, class Step = runge_kutta_4<System>>
-  status predict(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
-                 const Step& step = {}) {
-    constexpr bool is_fitting = control::is_of_filter<Noise, T, states, states>;
+  /// Goes on by a step of length h from t, in which the inputs r hold or are those of a function (t, x), and
+  /// with the covariance of what disturbs the states within one step. The state goes by a step of a fixed
+  /// length, the covariance by the motion of the linearized equations.
+  template <class Parameters, class Inputs, class Noise, class Step = runge_kutta_4<System>>
+  status predict(Number from, Number h, const Parameters& p, const Inputs& r,
+                 const Eigen::MatrixBase<Noise>& disturbance, const Step& step = {}) {
+    constexpr bool is_fitting = control::is_of_filter<Noise, Number, states, states>;
     static_assert(is_fitting,
                   "the covariance Q has a row and a column for each independent coordinate and speed, "
                   "and the numbers of the filter");
     if constexpr (is_fitting)
-      return predicted(from, h, p, r, Q, step);
+      return predicted(from, h, p, r, disturbance, step);
     else
       return {};
   }
 
   /// What the sensors would say at the state of the filter.
-  template <class Parameters, class R>
-  with_status<measurement> expected(const Parameters& p, const R& r) const {
+  template <class Parameters, class Inputs>
+  with_status<measurement> expected(const Parameters& p, const Inputs& r) const {
     return seen(p, r).values;
   }
 
-  /// Takes up what the sensors say at the time of the filter. R is the covariance of their noise.
+  /// Takes up what the sensors say at the time of the filter, by the covariance of their noise.
   template <class Given, class Parameters, class Inputs, class Noise>
   status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
-                const Eigen::MatrixBase<Noise>& R) {
-    constexpr bool is_fitting = control::is_of_filter<Given, T, measurements, 1> &&
-                                control::is_of_filter<Noise, T, measurements, measurements>;
+                const Eigen::MatrixBase<Noise>& noise) {
+    constexpr bool is_fitting = control::is_of_filter<Given, Number, measurements, 1> &&
+                                control::is_of_filter<Noise, Number, measurements, measurements>;
     static_assert(
         is_fitting || !are_measurable,
         "y and its covariance R have a row for each number that is measured, and the numbers of the filter");
     if constexpr (is_fitting && are_measurable)
-      return updated(y, p, r, R);
+      return updated(y, p, r, noise);
     else
       return {};
   }
@@ -104,25 +107,25 @@ public:
 private:
   static constexpr int newton_steps = 2; ///< an update may be farther from the constraints than a step is
 
-  using square = numeric::fixed_matrix<T, states, states>;
-  using measured_square = numeric::fixed_matrix<T, measurements, measurements>;
-  using measured_by_states = numeric::fixed_matrix<T, measurements, states>;
+  using square = numeric::fixed_matrix<Number, states, states>;
+  using measured_square = numeric::fixed_matrix<Number, measurements, measurements>;
+  using measured_by_states = numeric::fixed_matrix<Number, measurements, states>;
 
-  template <class Parameters, class R, class Noise, class Step>
-  status predicted(T from, T h, const Parameters& p, const R& r, const Eigen::MatrixBase<Noise>& Q,
-                   const Step& step) {
+  template <class Parameters, class Inputs, class Noise, class Step>
+  status predicted(Number from, Number h, const Parameters& p, const Inputs& r,
+                   const Eigen::MatrixBase<Noise>& disturbance, const Step& step) {
     if (has_negative_variance(P)) return status("the covariance of the state has a negative variance");
-    if (has_negative_variance(Q))
+    if (has_negative_variance(disturbance))
       return status("the covariance of what disturbs the states has a negative variance");
     constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
     const auto& inputs = compiled::inputs_at(r, from, x);
-    const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<T, states, 0>(), h);
+    const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<Number, states, 0>(), h);
     if (!linear) return compiled::not_finite<System>::cause_of(linear.status, x, p, inputs);
     const square ad = numeric::as_fixed(linear.A);
-    const square after =
-        numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) + numeric::as_fixed(Q));
+    const square after = numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) +
+                                            numeric::as_fixed(disturbance));
     if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
-    T to = from;
+    Number to = from;
     state next = x;
     if (const status s = step(to, next, h, p, r); !s) return s;
     x = next;
@@ -133,20 +136,20 @@ private:
 
   template <class Given, class Parameters, class Inputs, class Noise>
   status updated(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
-                 const Eigen::MatrixBase<Noise>& R) {
-    if (has_negative_variance(R)) return status("the covariance of the noise has a negative variance");
+                 const Eigen::MatrixBase<Noise>& noise) {
+    if (has_negative_variance(noise)) return status("the covariance of the noise has a negative variance");
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
-    const numeric::fixed_matrix<T, measurements, 1> off = numeric::as_fixed(y - now.values);
+    const numeric::fixed_matrix<Number, measurements, 1> off = numeric::as_fixed(y - now.values);
     const measured_by_states c = numeric::as_fixed(now.slopes);
-    const measured_square noise = numeric::as_fixed(R);
+    const measured_square uncertainty = numeric::as_fixed(noise);
     const square before = numeric::as_fixed(P);
     if (!numeric::is_finite(off)) return status("a measurement is not finite");
     const measured_by_states cp = c * before;
-    const measured_square s = numeric::symmetric(cp * numeric::transposed(c) + noise);
+    const measured_square s = numeric::symmetric(cp * numeric::transposed(c) + uncertainty);
     if (!numeric::is_finite(s)) return status("the covariance of the innovation is not finite");
-    const numeric::positive_factors<T, measurements> factors(s);
+    const numeric::positive_factors<Number, measurements> factors(s);
     if (!factors) return status("the covariance of the innovation is not positive definite");
     const auto k = numeric::transposed(factors.solve(cp));
     const auto change = k * off;
@@ -156,11 +159,11 @@ private:
     if constexpr (correct::is_needed)
       if (const status corrected = correct::apply(t, next, p, r); !corrected) return corrected;
     for (int i = 0; i < static_cast<int>(next.size()); ++i)
-      if (!lower::scalar_math<T>::is_finite(next(i)))
+      if (!lower::scalar_math<Number>::is_finite(next(i)))
         return status("the state after the update is not finite");
-    const square left = numeric::identity<T, states>() - k * c; // Joseph's form
-    const square after =
-        numeric::symmetric(left * before * numeric::transposed(left) + k * noise * numeric::transposed(k));
+    const square left = numeric::identity<Number, states>() - k * c; // Joseph's form
+    const square after = numeric::symmetric(left * before * numeric::transposed(left) +
+                                            k * uncertainty * numeric::transposed(k));
     if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
     x = next;
     P = numeric::as_eigen(after);
@@ -171,7 +174,7 @@ private:
 
   struct sight {
     with_status<measurement> values;
-    with_status<Eigen::Matrix<T, measurements, states>> slopes;
+    with_status<Eigen::Matrix<Number, measurements, states>> slopes;
   };
 
   template <class Parameters, class Inputs>
@@ -180,11 +183,11 @@ private:
     const auto found = look(t, x, p, r);
     sight now{};
     int row = 0;
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (put(now.values, row, std::get<i>(found)), ...);
+    [&]<std::size_t... index>(std::index_sequence<index...>) {
+      (put(now.values, row, std::get<index>(found)), ...);
     }(std::make_index_sequence<sizeof...(measured)>{});
     const auto& slopes = std::get<sizeof...(measured)>(found);
-    static_cast<Eigen::Matrix<T, measurements, states>&>(now.slopes) = slopes;
+    static_cast<Eigen::Matrix<Number, measurements, states>&>(now.slopes) = slopes;
     now.slopes.status = compiled::status_of(slopes);
     if (now.values.status) now.values.status = finite(now.values);
     if (now.slopes.status) now.slopes.status = finite(now.slopes);
@@ -199,7 +202,7 @@ private:
     if constexpr (requires { found.rows(); })
       for (int i = 0; i < static_cast<int>(found.size()); ++i) into(row++) = found(i);
     else
-      into(row++) = static_cast<T>(found);
+      into(row++) = static_cast<Number>(found);
   }
 
   template <class Matrix>
@@ -212,7 +215,7 @@ private:
   template <class Matrix>
   static status finite(const Matrix& m) {
     for (int i = 0; i < static_cast<int>(m.size()); ++i)
-      if (!lower::scalar_math<T>::is_finite(m.data()[i]))
+      if (!lower::scalar_math<Number>::is_finite(m.data()[i]))
         return status("what is measured is not finite at this state");
     return {};
   }
@@ -229,3 +232,5 @@ template <class System, auto... measured>
 using ekf = basic_ekf<System, double, measured...>;
 
 } // namespace kanexpr
+
+#include <kanexpr/base/letters_back.hpp>

@@ -4,12 +4,14 @@
 
 #include <type_traits>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr {
 
 /// Gains at equal distances of a parameter, and between them by straight lines: `K(v)`.
-template <class T, class Gain, int points>
+template <class Number, class Gain, int points>
 struct scheduled_gains {
-  T from, to;
+  Number from, to;
   Gain at[static_cast<std::size_t>(points)];
   kanexpr::status status; ///< the first of those that could not be found
 
@@ -18,24 +20,24 @@ struct scheduled_gains {
 
   /// The gain at a value of the parameter, without a branch; beyond the ends that of the end. Not a number
   /// where the value is none, with -ffast-math too.
-  constexpr Gain operator()(T value) const {
-    constexpr T last = T(points - 1), last_but_one = T(points - 2);
-    const T given = (value - from) * (last / (to - from));
+  constexpr Gain operator()(Number value) const {
+    constexpr Number last = Number(points - 1), last_but_one = Number(points - 2);
+    const Number given = (value - from) * (last / (to - from));
     const int is_none = numeric::is_nan(given) ? 1 : 0;
     // Chosen by an index: of conditions compilers would make branches.
-    const T places[]{given, T(0)}, place = places[is_none];
-    const T within[]{place, T(0), last}, below[]{place, T(0), last_but_one};
+    const Number places[]{given, Number(0)}, place = places[is_none];
+    const Number within[]{place, Number(0), last}, below[]{place, Number(0), last_but_one};
     const int i = static_cast<int>(below[(place < 0 ? 1 : 0) + (place > last_but_one ? 2 : 0)]);
-    const T part = within[(place < 0 ? 1 : 0) + (place > last ? 2 : 0)] - static_cast<T>(i);
-    const T parts[]{part, numeric::not_a_number<T>};
+    const Number part = within[(place < 0 ? 1 : 0) + (place > last ? 2 : 0)] - static_cast<Number>(i);
+    const Number parts[]{part, numeric::not_a_number<Number>};
     return control::between(at[i], at[i + 1], parts[is_none]);
   }
 };
 
 /// A gain in other numbers.
-template <class Other, class T, int rows, int columns>
+template <class Other, class Number, int rows, int columns>
 constexpr numeric::fixed_matrix<Other, rows, columns>
-in_numbers(const numeric::fixed_matrix<T, rows, columns>& gain) {
+in_numbers(const numeric::fixed_matrix<Number, rows, columns>& gain) {
   return gain.template cast<Other>();
 }
 template <class Other, class Derived>
@@ -44,8 +46,8 @@ auto in_numbers(const Eigen::MatrixBase<Derived>& gain) {
 }
 
 /// A table in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
-template <class Other, class T, class Gain, int points>
-constexpr auto in_numbers(const scheduled_gains<T, Gain, points>& table) {
+template <class Other, class Number, class Gain, int points>
+constexpr auto in_numbers(const scheduled_gains<Number, Gain, points>& table) {
   scheduled_gains<Other, decltype(in_numbers<Other>(table.at[0])), points> same{
       static_cast<Other>(table.from), static_cast<Other>(table.to), {}, table.status};
   for (int i = 0; i < points; ++i) same.at[i] = in_numbers<Other>(table.at[i]);
@@ -59,10 +61,10 @@ template <int points, class From, class To, class GainAt>
 constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
   static_assert(points >= 2, "a gain schedule has two points or more");
   using common = std::common_type_t<From, To>;
-  using T = std::conditional_t<std::is_floating_point_v<common>, common, double>;
-  const T from = static_cast<T>(first), to = static_cast<T>(last);
+  using Number = std::conditional_t<std::is_floating_point_v<common>, common, double>;
+  const Number from = static_cast<Number>(first), to = static_cast<Number>(last);
   const auto regulated = [&](int i) {
-    return gain_at(static_cast<T>(from + (to - from) * (T(i) / T(points - 1))));
+    return gain_at(static_cast<Number>(from + (to - from) * (Number(i) / Number(points - 1))));
   };
   const auto gain_of = [](const auto& found) {
     if constexpr (requires { found.K; })
@@ -70,7 +72,7 @@ constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
     else
       return found;
   };
-  scheduled_gains<T, decltype(gain_of(regulated(0))), points> table{from, to, {}, {}};
+  scheduled_gains<Number, decltype(gain_of(regulated(0))), points> table{from, to, {}, {}};
   for (int i = 0; i < points; ++i) {
     const auto found = regulated(i);
     table.at[i] = gain_of(found);
@@ -85,3 +87,5 @@ constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
 }
 
 } // namespace kanexpr
+
+#include <kanexpr/base/letters_back.hpp>

@@ -4,6 +4,8 @@
 #include <kanexpr/control/riccati.hpp>
 #include <kanexpr/control/weights.hpp>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr {
 
 /// A linear feedback r = −K x, and P, by which xᵀ P x is the cost of a motion that begins at x. Where the
@@ -21,9 +23,10 @@ struct linear_regulator {
 namespace control {
 
 /// What is wrong with what a regulator is asked for.
-template <class T, int n, int m>
-constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b,
-                            const fixed_matrix<T, n, n>& q, const fixed_matrix<T, m, m>& r) {
+template <class Number, int states, int inputs>
+constexpr status
+mistake_in(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Number, states, inputs>& b,
+           const fixed_matrix<Number, states, states>& q, const fixed_matrix<Number, inputs, inputs>& r) {
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
   if (!numeric::is_finite(q)) return status("the weights of the states are not finite");
@@ -35,40 +38,41 @@ constexpr status mistake_in(const fixed_matrix<T, n, n>& a, const fixed_matrix<T
   return {};
 }
 
-template <time_domain domain, class T, int n, int m>
-constexpr linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>>
-regulator(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b, const fixed_matrix<T, n, n>& q,
-          const fixed_matrix<T, m, m>& r, const status& given) {
-  linear_regulator<fixed_matrix<T, m, n>, fixed_matrix<T, n, n>> found{no_numbers<T, m, n>(),
-                                                                       no_numbers<T, n, n>(), given};
+template <time_domain domain, class Number, int states, int inputs>
+constexpr linear_regulator<fixed_matrix<Number, inputs, states>, fixed_matrix<Number, states, states>>
+regulator(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Number, states, inputs>& b,
+          const fixed_matrix<Number, states, states>& q, const fixed_matrix<Number, inputs, inputs>& r,
+          const status& given) {
+  linear_regulator<fixed_matrix<Number, inputs, states>, fixed_matrix<Number, states, states>> found{
+      no_numbers<Number, inputs, states>(), no_numbers<Number, states, states>(), given};
   if (found) found.status = mistake_in(a, b, q, r);
   if (!found) return found;
-  fixed_matrix<T, m, n> gain;
-  fixed_matrix<T, n, n> cost;
-  found.status = scaled_equation<domain, T, n, m>(a, b, q, r).solve(gain, cost);
+  fixed_matrix<Number, inputs, states> gain;
+  fixed_matrix<Number, states, states> cost;
+  found.status = scaled_equation<domain, Number, states, inputs>(a, b, q, r).solve(gain, cost);
   if (found) found.K = gain, found.P = cost;
   return found;
 }
 
 /// The same of any matrices, of which a status may come with each, or beside them.
-template <time_domain domain, class A, class B, class T, int n, int m>
-constexpr auto regulator_of(const A& a, const B& b, const weights<T, n>& q, const weights<T, m>& r,
-                            const status& given = {}) {
-  if constexpr (!are_fitting<A, B>()) {
-    return linear_regulator<fixed_matrix<T, 1, 1>, fixed_matrix<T, 1, 1>>{};
+template <time_domain domain, class StateMatrix, class InputMatrix, class Number, int states, int inputs>
+constexpr auto regulator_of(const StateMatrix& a, const InputMatrix& b, const weights<Number, states>& q,
+                            const weights<Number, inputs>& r, const status& given = {}) {
+  if constexpr (!are_fitting<StateMatrix, InputMatrix>()) {
+    return linear_regulator<fixed_matrix<Number, 1, 1>, fixed_matrix<Number, 1, 1>>{};
   } else {
-    const auto found = regulator<domain, T, n, m>(fixed(a), fixed(b), q.matrix, r.matrix,
-                                                  given ? first_failure(a, b) : given);
-    const auto like = [](const auto& matrix) { return shape<A>::like(matrix); };
+    const auto found = regulator<domain, Number, states, inputs>(fixed(a), fixed(b), q.matrix, r.matrix,
+                                                                 given ? first_failure(a, b) : given);
+    const auto like = [](const auto& matrix) { return shape<StateMatrix>::like(matrix); };
     return linear_regulator<decltype(like(found.K)), decltype(like(found.P))>{like(found.K), like(found.P),
                                                                               found.status};
   }
 }
 
-template <class A>
-using weights_of_states = weights<typename shape<A>::scalar, shape<A>::rows>;
-template <class A, class B>
-using weights_of_inputs = weights<typename shape<A>::scalar, shape<B>::columns>;
+template <class StateMatrix>
+using weights_of_states = weights<typename shape<StateMatrix>::scalar, shape<StateMatrix>::rows>;
+template <class StateMatrix, class InputMatrix>
+using weights_of_inputs = weights<typename shape<StateMatrix>::scalar, shape<InputMatrix>::columns>;
 
 } // namespace control
 
@@ -77,32 +81,38 @@ using weights_of_inputs = weights<typename shape<A>::scalar, shape<B>::columns>;
 /// of Eigen whose size the compiler knows, as those of a linearization, or of `numeric::fixed_matrix`. Q and
 /// R are the weights of the states and of the inputs: `lqr(A, B, {10, 1}, {0.1})`. The status tells where
 /// there is no such feedback; K and P are not numbers then.
-template <control::matrix A, control::matrix B>
-constexpr auto lqr(const A& a, const B& b, const control::weights_of_states<A>& q,
-                   const control::weights_of_inputs<A, B>& r) {
+template <control::matrix StateMatrix, control::matrix InputMatrix>
+constexpr auto lqr(const StateMatrix& a, const InputMatrix& b,
+                   const control::weights_of_states<StateMatrix>& q,
+                   const control::weights_of_inputs<StateMatrix, InputMatrix>& r) {
   return control::regulator_of<control::time_domain::continuous>(a, b, q, r);
 }
 
 /// The same of both matrices of a linearization: `lqr(linearization<System>::explicit_form(x, p, r), {10, 1},
 /// {0.1})`.
-template <class A, class B>
-constexpr auto lqr(const std::tuple<A, B>& both, const control::weights_of_states<A>& q,
-                   const control::weights_of_inputs<A, B>& r) {
+template <class StateMatrix, class InputMatrix>
+constexpr auto lqr(const std::tuple<StateMatrix, InputMatrix>& both,
+                   const control::weights_of_states<StateMatrix>& q,
+                   const control::weights_of_inputs<StateMatrix, InputMatrix>& r) {
   return lqr(std::get<0>(both), std::get<1>(both), q, r);
 }
 
 /// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(A, B, {10, 1}, {0.1})`.
-template <control::matrix A, control::matrix B>
-constexpr auto dlqr(const A& a, const B& b, const control::weights_of_states<A>& q,
-                    const control::weights_of_inputs<A, B>& r) {
+template <control::matrix StateMatrix, control::matrix InputMatrix>
+constexpr auto dlqr(const StateMatrix& a, const InputMatrix& b,
+                    const control::weights_of_states<StateMatrix>& q,
+                    const control::weights_of_inputs<StateMatrix, InputMatrix>& r) {
   return control::regulator_of<control::time_domain::discrete>(a, b, q, r);
 }
 
 /// The same of what `discretize` gives, with its status: `dlqr(discretize(A, B, h), {10, 1}, {0.1})`.
-template <class A, class B, class C>
-constexpr auto dlqr(const discrete_form<A, B, C>& form, const control::weights_of_states<A>& q,
-                    const control::weights_of_inputs<A, B>& r) {
+template <class StateMatrix, class InputMatrix, class Offset>
+constexpr auto dlqr(const discrete_form<StateMatrix, InputMatrix, Offset>& form,
+                    const control::weights_of_states<StateMatrix>& q,
+                    const control::weights_of_inputs<StateMatrix, InputMatrix>& r) {
   return control::regulator_of<control::time_domain::discrete>(form.A, form.B, q, r, form.status);
 }
 
 } // namespace kanexpr
+
+#include <kanexpr/base/letters_back.hpp>

@@ -18,30 +18,31 @@ struct shape {
   using scalar = typename Matrix::Scalar;
   static constexpr int rows = Matrix::RowsAtCompileTime, columns = Matrix::ColsAtCompileTime;
 
-  template <class T, int r, int c>
-  static auto like(const fixed_matrix<T, r, c>& m) {
+  template <class Number, int other_rows, int other_columns>
+  static auto like(const fixed_matrix<Number, other_rows, other_columns>& m) {
     return numeric::as_eigen(m);
   }
 };
-template <class T, int r, int c>
-struct shape<fixed_matrix<T, r, c>> {
-  using scalar = T;
-  static constexpr int rows = r, columns = c;
+template <class Number, int row_count, int column_count>
+struct shape<fixed_matrix<Number, row_count, column_count>> {
+  using scalar = Number;
+  static constexpr int rows = row_count, columns = column_count;
 
   template <int other_rows, int other_columns>
-  static constexpr const auto& like(const fixed_matrix<T, other_rows, other_columns>& m) {
+  static constexpr const auto& like(const fixed_matrix<Number, other_rows, other_columns>& m) {
     return m;
   }
 };
 
 /// Whether A and B fit; where they do not, the end of the compilation.
-template <class A, class B>
+template <class StateMatrix, class InputMatrix>
 constexpr bool are_fitting() {
-  constexpr bool are_known =
-      shape<A>::rows >= 0 && shape<A>::columns >= 0 && shape<B>::rows >= 0 && shape<B>::columns >= 0;
-  constexpr bool is_square = shape<A>::rows == shape<A>::columns,
-                 are_alike = shape<A>::rows == shape<B>::rows;
-  constexpr bool are_numbers_alike = std::is_same_v<typename shape<A>::scalar, typename shape<B>::scalar>;
+  constexpr bool are_known = shape<StateMatrix>::rows >= 0 && shape<StateMatrix>::columns >= 0 &&
+                             shape<InputMatrix>::rows >= 0 && shape<InputMatrix>::columns >= 0;
+  constexpr bool is_square = shape<StateMatrix>::rows == shape<StateMatrix>::columns,
+                 are_alike = shape<StateMatrix>::rows == shape<InputMatrix>::rows;
+  constexpr bool are_numbers_alike =
+      std::is_same_v<typename shape<StateMatrix>::scalar, typename shape<InputMatrix>::scalar>;
   static_assert(are_known, "the size of a matrix must be known to the compiler");
   static_assert(!are_known || is_square, "the state matrix A is not square");
   static_assert(!are_known || are_alike, "A and B have different numbers of rows");
@@ -49,49 +50,50 @@ constexpr bool are_fitting() {
   return are_known && is_square && are_alike && are_numbers_alike;
 }
 
-template <class M>
+template <class Given>
 inline constexpr bool is_fixed_matrix = false;
-template <class T, int rows, int columns>
-inline constexpr bool is_fixed_matrix<fixed_matrix<T, rows, columns>> = true;
+template <class Number, int rows, int columns>
+inline constexpr bool is_fixed_matrix<fixed_matrix<Number, rows, columns>> = true;
 
 /// Of Eigen or fixed.
-template <class M>
-concept matrix = is_fixed_matrix<M> || requires { M::RowsAtCompileTime; };
+template <class Given>
+concept matrix = is_fixed_matrix<Given> || requires { Given::RowsAtCompileTime; };
 
 template <class Derived>
 auto fixed(const Eigen::MatrixBase<Derived>& m) {
   return numeric::as_fixed(m);
 }
-template <class T, int rows, int columns>
-constexpr const fixed_matrix<T, rows, columns>& fixed(const fixed_matrix<T, rows, columns>& m) {
+template <class Number, int rows, int columns>
+constexpr const fixed_matrix<Number, rows, columns>& fixed(const fixed_matrix<Number, rows, columns>& m) {
   return m;
 }
 
 /// a + part (b − a); of fixed matrices without others between.
-template <class T, class Given>
-constexpr Given between(const Given& a, const Given& b, T part) {
+template <class Number, class Given>
+constexpr Given between(const Given& a, const Given& b, Number part) {
   return Given(a + part * (b - a));
 }
-template <class T, int rows, int columns>
-constexpr fixed_matrix<T, rows, columns> between(const fixed_matrix<T, rows, columns>& a,
-                                                 const fixed_matrix<T, rows, columns>& b, T part) {
-  fixed_matrix<T, rows, columns> m;
+template <class Number, int rows, int columns>
+constexpr fixed_matrix<Number, rows, columns> between(const fixed_matrix<Number, rows, columns>& a,
+                                                      const fixed_matrix<Number, rows, columns>& b,
+                                                      Number part) {
+  fixed_matrix<Number, rows, columns> m;
   for (int i = 0; i < rows * columns; ++i) m.entries[i] = a.entries[i] + part * (b.entries[i] - a.entries[i]);
   return m;
 }
 
 /// Whether a gain can be used.
-template <class T, int rows, int columns>
-constexpr bool is_finite_gain(const fixed_matrix<T, rows, columns>& gain) {
+template <class Number, int rows, int columns>
+constexpr bool is_finite_gain(const fixed_matrix<Number, rows, columns>& gain) {
   return numeric::is_finite(gain);
 }
 template <class Derived>
 bool is_finite_gain(const Eigen::MatrixBase<Derived>& gain) {
   return numeric::is_finite(numeric::as_fixed(gain));
 }
-template <std::floating_point T>
-constexpr bool is_finite_gain(T gain) {
-  return numeric::is_finite(fixed_matrix<T, 1, 1>{{gain}});
+template <std::floating_point Number>
+constexpr bool is_finite_gain(Number gain) {
+  return numeric::is_finite(fixed_matrix<Number, 1, 1>{{gain}});
 }
 
 /// The first of the statuses of results that says that there is none.
@@ -102,10 +104,10 @@ constexpr status first_failure(const Result&... results) {
   return first;
 }
 
-template <class T, int rows, int columns>
-constexpr fixed_matrix<T, rows, columns> no_numbers() {
-  fixed_matrix<T, rows, columns> none;
-  for (T& entry : none.entries) entry = numeric::not_a_number<T>;
+template <class Number, int rows, int columns>
+constexpr fixed_matrix<Number, rows, columns> no_numbers() {
+  fixed_matrix<Number, rows, columns> none;
+  for (Number& entry : none.entries) entry = numeric::not_a_number<Number>;
   return none;
 }
 

@@ -21,14 +21,15 @@ inline constexpr status not_stabilizable("the system is not stabilizable, as far
 /// The equation of Δ in a solution X + Δ: the same with the motion of the closed loop at X, and what X leaves
 /// in place of Q (Mehrmann & Tan, Defect correction methods for the solution of algebraic
 /// Riccati equations, IEEE Trans. Autom. Control 33, 1988).
-template <time_domain domain, class T, int n>
-constexpr riccati_equation<T, n> defect(const riccati_equation<T, n>& e, const fixed_matrix<T, n, n>& x) {
-  const fixed_matrix<T, n, n> xa = x * e.a, gx = e.g * x;
+template <time_domain domain, class Number, int states>
+constexpr riccati_equation<Number, states> defect(const riccati_equation<Number, states>& e,
+                                                  const fixed_matrix<Number, states, states>& x) {
+  const fixed_matrix<Number, states, states> xa = x * e.a, gx = e.g * x;
   if constexpr (domain == time_domain::continuous) {
     return {e.a - gx, e.g, numeric::symmetric(e.q + xa + numeric::transposed(xa) - x * gx)};
   } else {
-    const numeric::eliminated<T, n> w(numeric::identity<T, n>() + gx);
-    const fixed_matrix<T, n, n> closed = w.solve(e.a);
+    const numeric::eliminated<Number, states> w(numeric::identity<Number, states>() + gx);
+    const fixed_matrix<Number, states, states> closed = w.solve(e.a);
     return {closed, numeric::symmetric(w.solve(e.g)),
             numeric::symmetric(e.q - x + numeric::transposed(xa) * closed)};
   }
@@ -36,27 +37,28 @@ constexpr riccati_equation<T, n> defect(const riccati_equation<T, n>& e, const f
 
 /// The solutions of two linear equations of a closed loop, Aᵀ X + X A + W = 0 or X = Aᵀ X A + W, if it
 /// decays: by squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
-template <time_domain domain, class T, int n>
-constexpr bool solve_linear(fixed_matrix<T, n, n> a, fixed_matrix<T, n, n>& first,
-                            fixed_matrix<T, n, n>& second) {
-  using limits = std::numeric_limits<T>;
+template <time_domain domain, class Number, int states>
+constexpr bool solve_linear(fixed_matrix<Number, states, states> a,
+                            fixed_matrix<Number, states, states>& first,
+                            fixed_matrix<Number, states, states>& second) {
+  using limits = std::numeric_limits<Number>;
   if constexpr (domain == time_domain::continuous) {
-    const T shift = mean_rate(numeric::eliminated<T, n>(a));
-    const numeric::eliminated<T, n> shifted(a - shift * numeric::identity<T, n>());
+    const Number shift = mean_rate(numeric::eliminated<Number, states>(a));
+    const numeric::eliminated<Number, states> shifted(a - shift * numeric::identity<Number, states>());
     if (!(shift > 0) || shifted.is_singular()) return false;
-    const fixed_matrix<T, n, n> inverse = shifted.solve(numeric::identity<T, n>());
+    const fixed_matrix<Number, states, states> inverse = shifted.solve(numeric::identity<Number, states>());
     if (!is_moderate(inverse) || !is_moderate(first) || !is_moderate(second)) return false;
-    const fixed_matrix<T, n, n> twice = 2 * shift * inverse;
+    const fixed_matrix<Number, states, states> twice = 2 * shift * inverse;
     if (!(numeric::largest_entry(twice) < 1 / limits::epsilon())) return false;
-    for (fixed_matrix<T, n, n>* each : {&first, &second})
+    for (fixed_matrix<Number, states, states>* each : {&first, &second})
       *each = numeric::transposed(twice) * (*each * inverse);
-    a = numeric::identity<T, n>() + twice;
+    a = numeric::identity<Number, states>() + twice;
   }
   for (int k = 0; k < limits::digits; ++k) {
-    const T size = numeric::largest_entry(a);
+    const Number size = numeric::largest_entry(a);
     if (!(size < 1 / limits::epsilon())) return false;
-    const fixed_matrix<T, n, n> at = numeric::transposed(a);
-    for (fixed_matrix<T, n, n>* each : {&first, &second}) {
+    const fixed_matrix<Number, states, states> at = numeric::transposed(a);
+    for (fixed_matrix<Number, states, states>* each : {&first, &second}) {
       if (!is_moderate(*each)) return false;
       *each = numeric::symmetric(*each + at * (*each * a));
     }
@@ -66,9 +68,9 @@ constexpr bool solve_linear(fixed_matrix<T, n, n> a, fixed_matrix<T, n, n>& firs
   return false;
 }
 
-template <class T, int n>
-constexpr fixed_matrix<T, n, n> magnitudes(fixed_matrix<T, n, n> m) {
-  for (T& entry : m.entries) entry = numeric::constant_elimination_math::magnitude(entry);
+template <class Number, int states>
+constexpr fixed_matrix<Number, states, states> magnitudes(fixed_matrix<Number, states, states> m) {
+  for (Number& entry : m.entries) entry = numeric::constant_elimination_math::magnitude(entry);
   return m;
 }
 
@@ -76,30 +78,30 @@ constexpr fixed_matrix<T, n, n> magnitudes(fixed_matrix<T, n, n> m) {
 /// computations, IEEE Trans. Autom. Control 13, 1968), until rounding is all that moves it. False where that
 /// is much, or where the closed loop does not decay whatever rounding does to it: then only that reaches a
 /// motion that grows, or decays so slowly that rounding hides it.
-template <time_domain domain, class T, int n>
-constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x) {
-  using limits = std::numeric_limits<T>;
-  constexpr T accurate = power_of_two_near_root(limits::epsilon());
-  constexpr T tolerable = T(1) / 1024; // of what rounding leaves to do, again and again
+template <time_domain domain, class Number, int states>
+constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Number, states, states>& x) {
+  using limits = std::numeric_limits<Number>;
+  constexpr Number accurate = power_of_two_near_root(limits::epsilon());
+  constexpr Number tolerable = Number(1) / 1024; // of what rounding leaves to do, again and again
   constexpr int most_steps = 4;
-  T before = most_of_solution<T>;
+  Number before = most_of_solution<Number>;
   for (int i = 0; i < most_steps; ++i) {
     if (!is_moderate(x)) return false;
-    const riccati_equation<T, n> rest = defect<domain>(e, x);
-    const T size = numeric::largest_entry(x);
-    fixed_matrix<T, n, n> change = rest.q, weight, cost;
-    for (int k = 0; k < n; ++k) weight(k, k) = size > 0 ? x(k, k) + limits::epsilon() * size : T(1);
+    const riccati_equation<Number, states> rest = defect<domain>(e, x);
+    const Number size = numeric::largest_entry(x);
+    fixed_matrix<Number, states, states> change = rest.q, weight, cost;
+    for (int k = 0; k < states; ++k) weight(k, k) = size > 0 ? x(k, k) + limits::epsilon() * size : Number(1);
     cost = weight;
     if (!solve_linear<domain>(rest.a, change, cost)) return false;
-    const fixed_matrix<T, n, n> rounding =
+    const fixed_matrix<Number, states, states> rounding =
         magnitudes(cost) * (limits::epsilon() * (magnitudes(e.g) * magnitudes(x)));
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < states; ++k)
       for (int j = 0; j <= k; ++j) {
-        const T both = rounding(k, j) + rounding(j, k);
+        const Number both = rounding(k, j) + rounding(j, k);
         if (both > weight(k, k) && both > weight(j, j)) return false; // its square might be too large
         if (!(both * both <= weight(k, k) * weight(j, j))) return false;
       }
-    const T moved = numeric::largest_entry(change);
+    const Number moved = numeric::largest_entry(change);
     if (moved > before / 2) break;
     x = x + change;
     if (moved <= accurate * size) return true;
@@ -109,32 +111,32 @@ constexpr bool refine(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x)
 }
 
 /// Which states inputs reach, be it through other states.
-template <class T, int n>
+template <class Number, int states>
 class reach {
 public:
-  constexpr explicit reach(const riccati_equation<T, n>& e) {
+  constexpr explicit reach(const riccati_equation<Number, states>& e) {
     constexpr auto larger = balance::larger;
-    const exponents<n, n> a = exponents_of(e.a);
+    const exponents<states, states> a = exponents_of(e.a);
     const int rate = larger(largest_exponent(a), 0); // all are divided by the largest rate, if of the motion
-    for (int i = 0; i < n; ++i) unit.of[i] = numeric::exponent_of(e.g(i, i)) / 2;
-    for (int further = 1; further < n; ++further)
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) unit.of[i] = larger(unit.of[i], a(i, j) - rate + unit.of[j]);
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < states; ++i) unit.of[i] = numeric::exponent_of(e.g(i, i)) / 2;
+    for (int further = 1; further < states; ++further)
+      for (int i = 0; i < states; ++i)
+        for (int j = 0; j < states; ++j) unit.of[i] = larger(unit.of[i], a(i, j) - rate + unit.of[j]);
+    for (int i = 0; i < states; ++i) {
       is_reached[i] = unit.of[i] > numeric::exponent_of_zero / 4;
       if (!is_reached[i]) unit.of[i] = 0;
     }
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
+    for (int i = 0; i < states; ++i)
+      for (int j = 0; j < states; ++j)
         if (!is_reached[i] && is_reached[j]) unit.of[i] = -larger(-unit.of[i], a(j, i) - rate - unit.of[j]);
   }
 
   /// Whether there is a state that moves by itself alone, and no input reaches it.
   template <time_domain domain>
-  constexpr bool leaves_out_what_does_not_decay(const fixed_matrix<T, n, n>& a) const {
-    for (int i = 0; i < n; ++i) {
+  constexpr bool leaves_out_what_does_not_decay(const fixed_matrix<Number, states, states>& a) const {
+    for (int i = 0; i < states; ++i) {
       bool is_alone = !is_reached[i];
-      for (int j = 0; j < n; ++j) is_alone = is_alone && (i == j || numeric::equal(a(i, j), T(0)));
+      for (int j = 0; j < states; ++j) is_alone = is_alone && (i == j || numeric::equal(a(i, j), Number(0)));
       if (is_alone && (a(i, i) >= (domain == time_domain::discrete ? 1 : 0) ||
                        (domain == time_domain::discrete && a(i, i) <= -1)))
         return true;
@@ -142,26 +144,26 @@ public:
     return false;
   }
 
-  units<n> unit; ///< in which inputs act on all of them alike
+  units<states> unit; ///< in which inputs act on all of them alike
 
 private:
-  bool is_reached[static_cast<std::size_t>(n > 0 ? n : 1)]{};
+  bool is_reached[static_cast<std::size_t>(states > 0 ? states : 1)]{};
 };
 
 /// Whether scaling left an entry too small for a number.
-template <class T, int rows, int columns>
-constexpr bool has_same_zeros(const fixed_matrix<T, rows, columns>& a,
-                              const fixed_matrix<T, rows, columns>& b) {
+template <class Number, int rows, int columns>
+constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
+                              const fixed_matrix<Number, rows, columns>& b) {
   for (int i = 0; i < rows * columns; ++i)
-    if (numeric::equal(a.entries[i], T(0)) != numeric::equal(b.entries[i], T(0))) return false;
+    if (numeric::equal(a.entries[i], Number(0)) != numeric::equal(b.entries[i], Number(0))) return false;
   return true;
 }
 
 /// Whether a matrix has entries so small beside others, or 1, that rounding may hide them, or hides 1.
-template <class T, int n>
-constexpr bool is_graded(const fixed_matrix<T, n, n>& m) {
-  constexpr int half = std::numeric_limits<T>::digits / 2;
-  const exponents<n, n> of = exponents_of(m);
+template <class Number, int states>
+constexpr bool is_graded(const fixed_matrix<Number, states, states>& m) {
+  constexpr int half = std::numeric_limits<Number>::digits / 2;
+  const exponents<states, states> of = exponents_of(m);
   const int large = balance::larger(largest_exponent(of), 0), tiny = large - half;
   if (large > half / 2) return true;
   for (const int each : of.entries)
@@ -171,32 +173,34 @@ constexpr bool is_graded(const fixed_matrix<T, n, n>& m) {
 
 /// The solution of a balanced equation, with Q positive semidefinite. What cannot be done is said of the
 /// system only where rounding does not decide on it.
-template <time_domain domain, class T, int n>
-constexpr status solve_balanced(const riccati_equation<T, n>& e, fixed_matrix<T, n, n>& x) {
-  const riccati_solution<T, n> direct = stabilizing<domain>(e);
+template <time_domain domain, class Number, int states>
+constexpr status solve_balanced(const riccati_equation<Number, states>& e,
+                                fixed_matrix<Number, states, states>& x) {
+  const riccati_solution<Number, states> direct = stabilizing<domain>(e);
   x = direct.x;
   if (direct.found() && refine<domain>(e, x)) return {};
   // With a weight on every state there is a solution if the system can be stabilized at all.
-  const reach<T, n> of_inputs(e);
-  const units<n>& unit = of_inputs.unit;
-  const riccati_equation<T, n> weighted{unit.template scaled<-1, 1>(e.a, unit),
-                                        unit.template scaled<-1, -1>(e.g, unit), numeric::identity<T, n>()};
+  const reach<Number, states> of_inputs(e);
+  const units<states>& unit = of_inputs.unit;
+  const riccati_equation<Number, states> weighted{unit.template scaled<-1, 1>(e.a, unit),
+                                                  unit.template scaled<-1, -1>(e.g, unit),
+                                                  numeric::identity<Number, states>()};
   if (of_inputs.template leaves_out_what_does_not_decay<domain>(e.a)) return not_stabilizable;
   if (!is_moderate(weighted.a) || !is_moderate(weighted.g)) return not_converged;
-  const riccati_solution<T, n> nearby = stabilizing<domain>(weighted);
+  const riccati_solution<Number, states> nearby = stabilizing<domain>(weighted);
   x = nearby.x;
   if (!nearby.found() || !refine<domain>(weighted, x)) {
     if (is_graded(weighted.a) || !has_same_zeros(weighted.a, e.a)) return not_converged;
     if (nearby.comes_to == doubling::does_not || nearby.comes_to == doubling::halves) return not_stabilizable;
     // Of a motion that only rounding reaches the cost is beyond what rates far apart make of it.
-    const T size = numeric::largest_entry(weighted.a),
-            large = (1 + size * size) / (1024 * std::numeric_limits<T>::epsilon());
+    const Number size = numeric::largest_entry(weighted.a),
+                 large = (1 + size * size) / (1024 * std::numeric_limits<Number>::epsilon());
     const bool is_large = !numeric::is_finite(nearby.x) || numeric::largest_entry(nearby.x) > large;
     return is_large ? not_stabilizable : not_converged;
   }
   x = unit.template scaled<-1, -1>(x, unit);
   if (!is_moderate(x)) return not_converged;
-  const riccati_solution<T, n> rest = stabilizing<domain>(defect<domain>(e, x));
+  const riccati_solution<Number, states> rest = stabilizing<domain>(defect<domain>(e, x));
   const bool halves = direct.comes_to == doubling::halves || rest.comes_to == doubling::halves;
   if (!rest.found() && halves && !is_positive_definite(e.q))
     return domain == time_domain::continuous ? not_detectable_on_axis : not_detectable_on_circle;
@@ -206,29 +210,31 @@ constexpr status solve_balanced(const riccati_equation<T, n>& e, fixed_matrix<T,
 }
 
 /// A Riccati equation in units in which its matrices are alike.
-template <time_domain domain, class T, int n, int m>
+template <time_domain domain, class Number, int states, int others>
 class scaled_equation {
 public:
-  constexpr scaled_equation(const fixed_matrix<T, n, n>& a, const fixed_matrix<T, n, m>& b,
-                            const fixed_matrix<T, n, n>& q, const fixed_matrix<T, m, m>& r)
+  constexpr scaled_equation(const fixed_matrix<Number, states, states>& a,
+                            const fixed_matrix<Number, states, others>& b,
+                            const fixed_matrix<Number, states, states>& q,
+                            const fixed_matrix<Number, others, others>& r)
       : inputs_(diagonal_units(r)) {
     constexpr auto larger = balance::larger;
-    const exponents<n, n> ea = exponents_of(a), eq = exponents_of(q);
-    const exponents<n, m> eb = exponents_of(b);
-    exponents<n, n> eg;
+    const exponents<states, states> ea = exponents_of(a), eq = exponents_of(q);
+    const exponents<states, others> eb = exponents_of(b);
+    exponents<states, states> eg;
     int diagonal = numeric::exponent_of_zero;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < states; ++i) {
       diagonal = larger(diagonal, ea(i, i));
-      for (int j = 0; j < n; ++j) {
+      for (int j = 0; j < states; ++j) {
         eg(i, j) = numeric::exponent_of_zero;
-        for (int k = 0; k < m; ++k) eg(i, j) = larger(eg(i, j), eb(i, k) + eb(j, k) + 2 * inputs_.of[k]);
+        for (int k = 0; k < others; ++k) eg(i, j) = larger(eg(i, j), eb(i, k) + eb(j, k) + 2 * inputs_.of[k]);
       }
     }
     const bool has_diagonal = !numeric::is_exponent_of_zero(diagonal);
     states_ = balanced_units(ea, eg, eq, has_diagonal ? diagonal : 0);
     int of_a = numeric::exponent_of_zero, of_g = of_a, of_q = of_a;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < states; ++i)
+      for (int j = 0; j < states; ++j) {
         of_a = larger(of_a, ea(i, j) - states_.of[i] + states_.of[j]);
         of_g = larger(of_g, eg(i, j) - states_.of[i] - states_.of[j]);
         of_q = larger(of_q, eq(i, j) + states_.of[i] + states_.of[j]);
@@ -245,32 +251,34 @@ public:
     input_weights_ = inputs_.template scaled<1, 1>(r, inputs_);
     is_complete_ =
         has_same_zeros(matrix_, a) && has_same_zeros(by_inputs_, b) && has_same_zeros(state_weights_, q);
-    for (const T entry : by_inputs_.entries) // their squares must not vanish either
+    for (const Number entry : by_inputs_.entries) // their squares must not vanish either
       is_complete_ =
-          is_complete_ && (numeric::equal(entry, T(0)) ||
-                           2 * numeric::exponent_of(entry) > std::numeric_limits<T>::min_exponent + 4);
+          is_complete_ && (numeric::equal(entry, Number(0)) ||
+                           2 * numeric::exponent_of(entry) > std::numeric_limits<Number>::min_exponent + 4);
   }
 
   /// K and P, as far as they can be found.
-  constexpr status solve(fixed_matrix<T, m, n>& gain, fixed_matrix<T, n, n>& cost) const {
+  constexpr status solve(fixed_matrix<Number, others, states>& gain,
+                         fixed_matrix<Number, states, states>& cost) const {
     constexpr auto is_small = [](const auto& each) {
-      constexpr T most = numeric::power_of_two<T>(std::numeric_limits<T>::max_exponent / 4);
+      constexpr Number most = numeric::power_of_two<Number>(std::numeric_limits<Number>::max_exponent / 4);
       return numeric::is_finite(each) && numeric::largest_entry(each) < most;
     };
     if (!is_small(matrix_) || !is_small(by_inputs_) || !is_small(state_weights_)) return too_large;
-    const numeric::positive_factors<T, m> inputs(input_weights_);
-    const fixed_matrix<T, m, n> bt = numeric::transposed(by_inputs_);
-    fixed_matrix<T, n, n> x;
+    const numeric::positive_factors<Number, others> inputs(input_weights_);
+    const fixed_matrix<Number, others, states> bt = numeric::transposed(by_inputs_);
+    fixed_matrix<Number, states, states> x;
     if (const status s = solve_balanced<domain>(
-            riccati_equation<T, n>{matrix_, numeric::symmetric(by_inputs_ * inputs.solve(bt)),
-                                   numeric::symmetric(state_weights_)},
+            riccati_equation<Number, states>{matrix_, numeric::symmetric(by_inputs_ * inputs.solve(bt)),
+                                             numeric::symmetric(state_weights_)},
             x);
         !s)
       return is_complete_ ? s : not_converged;
     if constexpr (domain == time_domain::continuous) {
       gain = inputs.solve(bt * x);
     } else {
-      const numeric::positive_factors<T, m> both(numeric::symmetric(input_weights_ + bt * x * by_inputs_));
+      const numeric::positive_factors<Number, others> both(
+          numeric::symmetric(input_weights_ + bt * x * by_inputs_));
       if (!both) return not_converged;
       gain = both.solve(bt * x * matrix_);
     }
@@ -284,7 +292,7 @@ private:
   /// where both are small beside it the inputs are so less, that the cost of a motion that grows is not
   /// large.
   static constexpr int common_unit(int of_a, int of_g, int of_q) {
-    using limits = std::numeric_limits<T>;
+    using limits = std::numeric_limits<Number>;
     constexpr int medium = limits::digits, least = limits::min_exponent + 2 * limits::digits;
     const bool has_g = !numeric::is_exponent_of_zero(of_g), has_q = !numeric::is_exponent_of_zero(of_q);
     const int rate = numeric::is_exponent_of_zero(of_a) ? 0 : of_a;
@@ -295,13 +303,13 @@ private:
     return -balance::larger(0, wanted < possible ? wanted : possible) / 2;
   }
 
-  units<m> inputs_;
-  units<n> states_;
+  units<others> inputs_;
+  units<states> states_;
   bool is_complete_ = true; ///< no entry is too small for a number
   int half_rate_ = 0;       ///< in the unit of time all are divided by its square
-  fixed_matrix<T, n, n> matrix_, state_weights_;
-  fixed_matrix<T, n, m> by_inputs_;
-  fixed_matrix<T, m, m> input_weights_;
+  fixed_matrix<Number, states, states> matrix_, state_weights_;
+  fixed_matrix<Number, states, others> by_inputs_;
+  fixed_matrix<Number, others, others> input_weights_;
 };
 
 } // namespace kanexpr::control

@@ -15,24 +15,24 @@ class image_reader {
 public:
   constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m);
 
-  template <class T>
-  constexpr void operator()(T& part) {
-    if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
-      part = static_cast<T>(read());
-    else if constexpr (requires { T::each_member(part, *this); })
-      T::each_member(part, *this);
+  template <class Part>
+  constexpr void operator()(Part& part) {
+    if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
+      part = static_cast<Part>(read());
+    else if constexpr (requires { Part::each_member(part, *this); })
+      Part::each_member(part, *this);
     else
       for_each_member(part, *this);
   }
-  template <class T>
-  constexpr void operator()(symbolic::sequence<T>& parts) {
+  template <class Part>
+  constexpr void operator()(symbolic::sequence<Part>& parts) {
     const int size = read();
     parts.clear();
     parts.resize(size);
-    for (T& each : parts) (*this)(each);
+    for (Part& each : parts) (*this)(each);
   }
-  template <class T>
-  constexpr void operator()(std::optional<T>& part) {
+  template <class Part>
+  constexpr void operator()(std::optional<Part>& part) {
     if (read() == 0) return;
     part.emplace(g_);
     (*this)(*part);

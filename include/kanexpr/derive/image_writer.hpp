@@ -15,22 +15,22 @@ class image_writer {
 public:
   constexpr image_writer(image& into, const symbolic::graph& g);
 
-  template <class T>
-  constexpr void operator()(const T& part) {
-    if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+  template <class Part>
+  constexpr void operator()(const Part& part) {
+    if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
       write(static_cast<int>(part));
-    else if constexpr (requires { T::each_member(part, *this); })
-      T::each_member(part, *this);
+    else if constexpr (requires { Part::each_member(part, *this); })
+      Part::each_member(part, *this);
     else
       for_each_member(part, *this);
   }
-  template <class T>
-  constexpr void operator()(const symbolic::sequence<T>& parts) {
+  template <class Part>
+  constexpr void operator()(const symbolic::sequence<Part>& parts) {
     write(parts.size());
-    for (const T& each : parts) (*this)(each);
+    for (const Part& each : parts) (*this)(each);
   }
-  template <class T>
-  constexpr void operator()(const std::optional<T>& part) {
+  template <class Part>
+  constexpr void operator()(const std::optional<Part>& part) {
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }

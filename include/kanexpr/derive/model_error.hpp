@@ -122,11 +122,11 @@ struct told_of {
 template <class Told>
 constexpr bool tell() {
   if constexpr (is_told<Told>())
-    return []<int... i>(std::integer_sequence<int, i...>) {
+    return []<int... index>(std::integer_sequence<int, index...>) {
       if constexpr (requires { typename Told::system; })
-        return shown(static_cast<told_of<typename Told::system, piece_of<Told, i>()...>*>(nullptr));
+        return shown(static_cast<told_of<typename Told::system, piece_of<Told, index>()...>*>(nullptr));
       else
-        return shown(static_cast<told<piece_of<Told, i>()...>*>(nullptr));
+        return shown(static_cast<told<piece_of<Told, index>()...>*>(nullptr));
     }(std::make_integer_sequence<int, count_pieces(Told::mistake)>{});
   else
     return true;

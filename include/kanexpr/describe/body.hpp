@@ -15,10 +15,10 @@ constexpr void give_inertia(body_record& r) {
     r.instead_of_inertia = type_name<Inertia>();
 }
 
-template <class T>
-constexpr bool is_whole_zero(const T& x) {
-  if constexpr (plain_number<T> && std::integral<T>)
-    return x == T{};
+template <class Written>
+constexpr bool is_whole_zero(const Written& x) {
+  if constexpr (plain_number<Written> && std::integral<Written>)
+    return x == Written{};
   else
     return false;
 }

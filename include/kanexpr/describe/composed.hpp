@@ -10,26 +10,26 @@ namespace kanexpr {
 
 namespace describe {
 
-template <class... X>
-concept some_of_a_model = (written<X> && ...) && (expression_of_a_model<X> || ...);
+template <class... Operands>
+concept some_of_a_model = (written<Operands> && ...) && (expression_of_a_model<Operands> || ...);
 
-template <class X>
+template <class Operand>
 inline constexpr int size_of_operand =
-    static_cast<int>(sizeof(operand(std::declval<const X&>()).tokens) / sizeof(token));
+    static_cast<int>(sizeof(operand(std::declval<const Operand&>()).tokens) / sizeof(token));
 
-template <class... X>
-constexpr auto composed(symbolic::composition f, const X&... x) {
-  scalar<(size_of_operand<X> + ... + 1)> all{};
+template <class... Operands>
+constexpr auto composed(symbolic::composition f, const Operands&... x) {
+  scalar<(size_of_operand<Operands> + ... + 1)> all{};
   int place = 0;
   const auto append = [&](const auto& given) {
     for (const token& each : given.tokens) all.tokens[place++] = each;
   };
   (append(operand(x)), ...);
   token& last = all.tokens[place];
-  last = (equates<X, X> || ...) ? misused(misuse::inner_equation) : with(token_kind::composed);
+  last = (equates<Operands, Operands> || ...) ? misused(misuse::inner_equation) : with(token_kind::composed);
   if (last.what == token_kind::composed) {
     last.index = static_cast<int>(f);
-    last.number = symbolic::exactly(sizeof...(X));
+    last.number = symbolic::exactly(sizeof...(Operands));
   }
   return all;
 }
@@ -37,8 +37,8 @@ constexpr auto composed(symbolic::composition f, const X&... x) {
 /// What tabulated<...> and periodic<...> are, to be called with an expression.
 template <symbolic::composition is, auto... points>
 struct table_word {
-  template <written X>
-  constexpr auto operator()(const X& x) const {
+  template <written Operand>
+  constexpr auto operator()(const Operand& x) const {
     return composed(is, x, points...);
   }
 };
@@ -46,53 +46,53 @@ struct table_word {
 } // namespace describe
 
 /// √(x² + y²)
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto hypot(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto hypot(const Operands&... x) {
   return describe::composed(symbolic::composition::hypot, x...);
 }
 
 /// `if_positive(condition, a, b)`: a where the condition is positive, else b.
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto if_positive(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto if_positive(const Operands&... x) {
   return describe::composed(symbolic::composition::if_positive, x...);
 }
 
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto(min)(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto(min)(const Operands&... x) {
   return describe::composed(symbolic::composition::min, x...);
 }
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto(max)(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto(max)(const Operands&... x) {
   return describe::composed(symbolic::composition::max, x...);
 }
 
 /// `clamp(x, least, most)`
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto clamp(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto clamp(const Operands&... x) {
   return describe::composed(symbolic::composition::clamp, x...);
 }
 
 /// `smooth_abs(x, width)`: x tanh(x/width)
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto smooth_abs(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto smooth_abs(const Operands&... x) {
   return describe::composed(symbolic::composition::smooth_abs, x...);
 }
 /// `softplus(x, width)`: width ln(1 + e^(x/width))
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto softplus(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto softplus(const Operands&... x) {
   return describe::composed(symbolic::composition::softplus, x...);
 }
 /// `smooth_step(x, from, to)`: from 0 to 1 with continuous second derivatives
-template <class... X>
-  requires describe::some_of_a_model<X...>
-constexpr auto smooth_step(const X&... x) {
+template <class... Operands>
+  requires describe::some_of_a_model<Operands...>
+constexpr auto smooth_step(const Operands&... x) {
   return describe::composed(symbolic::composition::smooth_step, x...);
 }
 

@@ -12,13 +12,13 @@ namespace kanexpr {
 namespace describe {
 
 /// What `dot(q) = u` stands for, a mistake.
-template <class X, class Y>
-constexpr auto assigned(const X& x, const Y& y);
+template <class Left, class Right>
+constexpr auto assigned(const Left& x, const Right& y);
 /// And `q[0]`, and `q(t)`.
-template <class X>
-constexpr auto with_index(const X& x);
-template <class X>
-constexpr auto with_arguments(const X& x);
+template <class Operand>
+constexpr auto with_index(const Operand& x);
+template <class Operand>
+constexpr auto with_arguments(const Operand& x);
 
 } // namespace describe
 
@@ -27,16 +27,16 @@ template <int size>
 struct scalar {
   describe::token tokens[static_cast<std::size_t>(size)];
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
-  template <class T>
-  constexpr auto operator[](const T&) const {
+  template <class Index>
+  constexpr auto operator[](const Index&) const {
     return describe::with_index(*this);
   }
-  template <class... T>
-  constexpr auto operator()(const T&...) const {
+  template <class... Arguments>
+  constexpr auto operator()(const Arguments&...) const {
     return describe::with_arguments(*this);
   }
 };
@@ -49,32 +49,32 @@ struct equation {
 
 namespace describe {
 
-template <class Result, std::size_t a, std::size_t b>
-constexpr Result join(const token (&left)[a], const token (&right)[b], const token& last) {
+template <class Result, std::size_t left_size, std::size_t right_size>
+constexpr Result join(const token (&left)[left_size], const token (&right)[right_size], const token& last) {
   Result all{};
-  for (std::size_t i = 0; i < a; ++i) all.tokens[i] = left[i];
-  for (std::size_t i = 0; i < b; ++i) all.tokens[a + i] = right[i];
-  all.tokens[a + b] = last;
+  for (std::size_t i = 0; i < left_size; ++i) all.tokens[i] = left[i];
+  for (std::size_t i = 0; i < right_size; ++i) all.tokens[left_size + i] = right[i];
+  all.tokens[left_size + right_size] = last;
   return all;
 }
 
-template <class Result, std::size_t a>
-constexpr Result join(const token (&left)[a], const token& last) {
+template <class Result, std::size_t size>
+constexpr Result join(const token (&left)[size], const token& last) {
   Result all{};
-  for (std::size_t i = 0; i < a; ++i) all.tokens[i] = left[i];
-  all.tokens[a] = last;
+  for (std::size_t i = 0; i < size; ++i) all.tokens[i] = left[i];
+  all.tokens[size] = last;
   return all;
 }
 
-template <class T>
-concept plain_number = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
+template <class Number>
+concept plain_number = std::is_arithmetic_v<Number> && !std::same_as<Number, bool>;
 
-template <plain_number T>
-constexpr scalar<1> constant(T value) {
+template <plain_number Number>
+constexpr scalar<1> constant(Number value) {
   token t{};
-  if constexpr (std::integral<T>) {
+  if constexpr (std::integral<Number>) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (std::unsigned_integral<T> && whole < 0) // there is no such whole number with a sign
+    if (std::unsigned_integral<Number> && whole < 0) // there is no such whole number with a sign
       t.number = symbolic::real(static_cast<double>(value));
     else
       t.number = symbolic::exactly(whole);
@@ -103,92 +103,99 @@ constexpr token misused(misuse what) {
 }
 
 /// What is done with a number. To C++ 1/2 is the whole number 0, which nobody writes here on purpose.
-template <plain_number T, class Step>
-constexpr token done_with(T value, Step what, misuse of_nothing) {
-  if constexpr (std::integral<T>)
-    if (value == T{}) return misused(of_nothing);
+template <plain_number Number, class Step>
+constexpr token done_with(Number value, Step what, misuse of_nothing) {
+  if constexpr (std::integral<Number>)
+    if (value == Number{}) return misused(of_nothing);
   return with(what);
 }
 
 } // namespace describe
 
-template <int a>
-constexpr scalar<a + 1> operator-(const scalar<a>& x) {
-  return describe::join<scalar<a + 1>>(x.tokens, describe::with(describe::token_kind::negate));
+template <int size>
+constexpr scalar<size + 1> operator-(const scalar<size>& x) {
+  return describe::join<scalar<size + 1>>(x.tokens, describe::with(describe::token_kind::negate));
 }
-template <int a>
-constexpr const scalar<a>& operator+(const scalar<a>& x) {
+template <int size>
+constexpr const scalar<size>& operator+(const scalar<size>& x) {
   return x;
 }
 
-template <int a, int b>
-constexpr scalar<a + b + 1> operator+(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::token_kind::add));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> operator+(const scalar<left_size>& x,
+                                                       const scalar<right_size>& y) {
+  return describe::join<scalar<left_size + right_size + 1>>(x.tokens, y.tokens,
+                                                            describe::with(describe::token_kind::add));
 }
-template <int a, int b>
-constexpr scalar<a + b + 1> operator-(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens,
-                                           describe::with(describe::token_kind::subtract));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> operator-(const scalar<left_size>& x,
+                                                       const scalar<right_size>& y) {
+  return describe::join<scalar<left_size + right_size + 1>>(x.tokens, y.tokens,
+                                                            describe::with(describe::token_kind::subtract));
 }
-template <int a, int b>
-constexpr scalar<a + b + 1> operator*(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens,
-                                           describe::with(describe::token_kind::multiply));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> operator*(const scalar<left_size>& x,
+                                                       const scalar<right_size>& y) {
+  return describe::join<scalar<left_size + right_size + 1>>(x.tokens, y.tokens,
+                                                            describe::with(describe::token_kind::multiply));
 }
-template <int a, int b>
-constexpr scalar<a + b + 1> operator/(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<scalar<a + b + 1>>(x.tokens, y.tokens, describe::with(describe::token_kind::divide));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> operator/(const scalar<left_size>& x,
+                                                       const scalar<right_size>& y) {
+  return describe::join<scalar<left_size + right_size + 1>>(x.tokens, y.tokens,
+                                                            describe::with(describe::token_kind::divide));
 }
-template <int a, int b>
-constexpr equation<a + b + 1> operator==(const scalar<a>& x, const scalar<b>& y) {
-  return describe::join<equation<a + b + 1>>(x.tokens, y.tokens,
-                                             describe::with(describe::token_kind::subtract));
+template <int left_size, int right_size>
+constexpr equation<left_size + right_size + 1> operator==(const scalar<left_size>& x,
+                                                          const scalar<right_size>& y) {
+  return describe::join<equation<left_size + right_size + 1>>(x.tokens, y.tokens,
+                                                              describe::with(describe::token_kind::subtract));
 }
 
-template <int a, describe::plain_number T>
-constexpr auto operator+(const scalar<a>& x, T y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator+(const scalar<size>& x, Number y) {
   return x + describe::constant(y);
 }
-template <int a, describe::plain_number T>
-constexpr auto operator+(T x, const scalar<a>& y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator+(Number x, const scalar<size>& y) {
   return describe::constant(x) + y;
 }
-template <int a, describe::plain_number T>
-constexpr auto operator-(const scalar<a>& x, T y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator-(const scalar<size>& x, Number y) {
   return x - describe::constant(y);
 }
-template <int a, describe::plain_number T>
-constexpr auto operator-(T x, const scalar<a>& y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator-(Number x, const scalar<size>& y) {
   return describe::constant(x) - y;
 }
-template <int a, describe::plain_number T>
-constexpr scalar<a + 2> operator*(const scalar<a>& x, T y) {
-  return describe::join<scalar<a + 2>>(
+template <int size, describe::plain_number Number>
+constexpr scalar<size + 2> operator*(const scalar<size>& x, Number y) {
+  return describe::join<scalar<size + 2>>(
       x.tokens, describe::constant(y).tokens,
       describe::done_with(y, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
-template <int a, describe::plain_number T>
-constexpr scalar<a + 2> operator*(T x, const scalar<a>& y) {
-  return describe::join<scalar<a + 2>>(
+template <int size, describe::plain_number Number>
+constexpr scalar<size + 2> operator*(Number x, const scalar<size>& y) {
+  return describe::join<scalar<size + 2>>(
       describe::constant(x).tokens, y.tokens,
       describe::done_with(x, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
-template <int a, describe::plain_number T>
-constexpr auto operator/(const scalar<a>& x, T y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator/(const scalar<size>& x, Number y) {
   return x / describe::constant(y);
 }
-template <int a, describe::plain_number T>
-constexpr scalar<a + 2> operator/(T x, const scalar<a>& y) {
-  return describe::join<scalar<a + 2>>(
+template <int size, describe::plain_number Number>
+constexpr scalar<size + 2> operator/(Number x, const scalar<size>& y) {
+  return describe::join<scalar<size + 2>>(
       describe::constant(x).tokens, y.tokens,
       describe::done_with(x, describe::token_kind::divide, describe::misuse::zero_factor));
 }
-template <int a, describe::plain_number T>
-constexpr auto operator==(const scalar<a>& x, T y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator==(const scalar<size>& x, Number y) {
   return x == describe::constant(y);
 }
-template <int a, describe::plain_number T>
-constexpr auto operator==(T x, const scalar<a>& y) {
+template <int size, describe::plain_number Number>
+constexpr auto operator==(Number x, const scalar<size>& y) {
   return describe::constant(x) == y;
 }
 

@@ -49,9 +49,10 @@ struct derivative_of {
 };
 inline constexpr int no_derivative = 0;
 
-template <class X>
-concept counts_as_number = std::convertible_to<X, double> && !std::same_as<std::remove_cvref_t<X>, bool> &&
-                           !std::is_pointer_v<std::remove_cvref_t<X>>;
+template <class Operand>
+concept counts_as_number =
+    std::convertible_to<Operand, double> && !std::same_as<std::remove_cvref_t<Operand>, bool> &&
+    !std::is_pointer_v<std::remove_cvref_t<Operand>>;
 
 /// A function and its derivatives, each a class that is called with scalars: of several operands, or of order
 /// two and higher, a derivative gives numbers by [i] or [i][j].
@@ -62,15 +63,15 @@ struct external_family {
   template <int order>
   using one = std::tuple_element_t<static_cast<std::size_t>(order), std::tuple<Function, Derivatives...>>;
 
-  template <int order, class T, std::size_t... i>
-  static constexpr bool takes(std::index_sequence<i...>) {
+  template <int order, class Number, std::size_t... index>
+  static constexpr bool takes(std::index_sequence<index...>) {
     return std::is_default_constructible_v<one<order>> &&
-           std::is_invocable_v<one<order>, decltype((void(i), std::declval<const T&>()))...>;
+           std::is_invocable_v<one<order>, decltype((void(index), std::declval<const Number&>()))...>;
   }
   /// Whether the function or derivative is one of so many scalars.
-  template <int order, class T, int many = operands>
+  template <int order, class Number, int many = operands>
   static constexpr bool is_called_with =
-      takes<order, T>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
+      takes<order, Number>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
 
   /// What a derivative lacks.
   struct no_entry {};
@@ -98,17 +99,17 @@ struct external_family {
     else
       return no_entry();
   }
-  template <int order, class T, std::size_t... i>
-  static constexpr auto given_with(std::index_sequence<i...>)
-      -> std::invoke_result_t<one<order>, decltype((void(i), std::declval<const T&>()))...>;
-  template <int digits, class T>
-  using value_with = decltype(entry<digits, 0>(given_with<derivative_of(digits).order, T>(
+  template <int order, class Number, std::size_t... index>
+  static constexpr auto given_with(std::index_sequence<index...>)
+      -> std::invoke_result_t<one<order>, decltype((void(index), std::declval<const Number&>()))...>;
+  template <int digits, class Number>
+  using value_with = decltype(entry<digits, 0>(given_with<derivative_of(digits).order, Number>(
       std::make_index_sequence<static_cast<std::size_t>(operands)>{})));
 
-  template <int digits, class T>
+  template <int digits, class Number>
   static constexpr bool accepts() {
-    if constexpr (is_called_with<derivative_of(digits).order, T>)
-      return std::is_constructible_v<T, value_with<digits, T>>;
+    if constexpr (is_called_with<derivative_of(digits).order, Number>)
+      return std::is_constructible_v<Number, value_with<digits, Number>>;
     else
       return false;
   }
@@ -138,9 +139,9 @@ struct external_family {
     constexpr const char* which[]{"", ", whose first derivative does not give numbers",
                                   ", whose second derivative does not give numbers",
                                   ", whose third derivative does not give numbers"};
-    return [&]<int... k>(std::integer_sequence<int, k...>) {
+    return [&]<int... place>(std::integer_sequence<int, place...>) {
       const char* found = "";
-      ((*found == '\0' && !gives_numbers<1 + k>() ? void(found = which[1 + k]) : void()), ...);
+      ((*found == '\0' && !gives_numbers<1 + place>() ? void(found = which[1 + place]) : void()), ...);
       return found;
     }(std::make_integer_sequence<int, sizeof...(Derivatives)>{});
   }();
@@ -149,8 +150,8 @@ struct external_family {
   static constexpr int other_count = [] {
     int found = 0;
     if constexpr (!is_called_with<0, double>)
-      [&]<int... k>(std::integer_sequence<int, k...>) {
-        ((found == 0 && is_called_with<0, double, 1 + k> ? void(found = 1 + k) : void()), ...);
+      [&]<int... place>(std::integer_sequence<int, place...>) {
+        ((found == 0 && is_called_with<0, double, 1 + place> ? void(found = 1 + place) : void()), ...);
       }(std::make_integer_sequence<int, symbolic::most_operands>{});
     return found;
   }();
@@ -171,19 +172,19 @@ struct external_member {
                         has_slopes = path.order < Family::derivatives;
 
   /// Whether it can be called with such scalars.
-  template <class T>
+  template <class Number>
   static constexpr bool accepts() {
-    return Family::template accepts<digits, T>();
+    return Family::template accepts<digits, Number>();
   }
-  template <class T>
-  [[gnu::always_inline]] static constexpr T value(const auto&... x) {
-    return T(Family::template entry<digits, 0>(typename Family::template one<path.order>{}(x...)));
+  template <class Number>
+  [[gnu::always_inline]] static constexpr Number value(const auto&... x) {
+    return Number(Family::template entry<digits, 0>(typename Family::template one<path.order>{}(x...)));
   }
 
 private:
-  template <std::size_t... i>
-  static constexpr double value_of(const double* x, std::index_sequence<i...>) {
-    return value<double>(x[i]...);
+  template <std::size_t... index>
+  static constexpr double value_of(const double* x, std::index_sequence<index...>) {
+    return value<double>(x[index]...);
   }
   static constexpr double value_at(const double* x) {
     return value_of(x, std::make_index_sequence<static_cast<std::size_t>(Family::count)>{});
@@ -191,10 +192,10 @@ private:
 
   template <class Operands>
   struct slopes;
-  template <int... i>
-  struct slopes<std::integer_sequence<int, i...>> {
+  template <int... index>
+  struct slopes<std::integer_sequence<int, index...>> {
     static constexpr const symbolic::external_function* all[]{
-        linked<external_member<Family, path.and_by(i)>>()...};
+        linked<external_member<Family, path.and_by(index)>>()...};
   };
 
   static constexpr symbolic::external_function described() {
@@ -237,10 +238,10 @@ inline constexpr external_record external_of = [] {
 /// [i][j][k]. They may be left out where nobody asks for them.
 template <text called, class Function, class... Derivatives>
 struct external {
-  template <class... X>
-    requires describe::some_of_a_model<X...>
-  constexpr auto operator()(const X&... x) const {
-    constexpr int count = static_cast<int>(sizeof...(X));
+  template <class... Operands>
+    requires describe::some_of_a_model<Operands...>
+  constexpr auto operator()(const Operands&... x) const {
+    constexpr int count = static_cast<int>(sizeof...(Operands));
     auto all = describe::composed({}, x...);
     describe::token& last = all.tokens[sizeof(all.tokens) / sizeof(describe::token) - 1];
     if (last.what == describe::token_kind::misused) return all;
@@ -252,11 +253,11 @@ struct external {
   }
 
   /// The same of expressions of a builder.
-  template <std::same_as<symbolic::expression>... X>
-    requires(sizeof...(X) > 0)
-  constexpr auto operator()(X... x) const {
+  template <std::same_as<symbolic::expression>... Operands>
+    requires(sizeof...(Operands) > 0)
+  constexpr auto operator()(Operands... x) const {
     using family =
-        describe::external_family<called, static_cast<int>(sizeof...(X)), Function, Derivatives...>;
+        describe::external_family<called, static_cast<int>(sizeof...(Operands)), Function, Derivatives...>;
     static_assert(family::mistake.empty(), "the function cannot be called with so many numbers");
     return call(*describe::external_of<family>.function, {x...});
   }

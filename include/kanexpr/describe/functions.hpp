@@ -10,230 +10,231 @@ namespace kanexpr {
 
 namespace describe {
 
-template <int a>
-constexpr scalar<a + 1> function_of(symbolic::operation f, const scalar<a>& x) {
-  return join<scalar<a + 1>>(x.tokens, with(f));
+template <int size>
+constexpr scalar<size + 1> function_of(symbolic::operation f, const scalar<size>& x) {
+  return join<scalar<size + 1>>(x.tokens, with(f));
 }
-template <int a, int b>
-constexpr scalar<a + b + 1> function_of(symbolic::operation f, const scalar<a>& x, const scalar<b>& y) {
-  return join<scalar<a + b + 1>>(x.tokens, y.tokens, with(f));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> function_of(symbolic::operation f, const scalar<left_size>& x,
+                                                         const scalar<right_size>& y) {
+  return join<scalar<left_size + right_size + 1>>(x.tokens, y.tokens, with(f));
 }
 
 } // namespace describe
 
-template <int a>
-constexpr auto sqrt(const scalar<a>& x) {
+template <int size>
+constexpr auto sqrt(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::sqrt, x);
 }
-template <describe::no_scalar X>
-constexpr auto sqrt(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto sqrt(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sqrt));
 }
 
-template <int a>
-constexpr auto sin(const scalar<a>& x) {
+template <int size>
+constexpr auto sin(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::sin, x);
 }
-template <describe::no_scalar X>
-constexpr auto sin(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto sin(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sin));
 }
 
-template <int a>
-constexpr auto cos(const scalar<a>& x) {
+template <int size>
+constexpr auto cos(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::cos, x);
 }
-template <describe::no_scalar X>
-constexpr auto cos(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto cos(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cos));
 }
 
-template <int a>
-constexpr auto tan(const scalar<a>& x) {
+template <int size>
+constexpr auto tan(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::tan, x);
 }
-template <describe::no_scalar X>
-constexpr auto tan(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto tan(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tan));
 }
 
-template <int a>
-constexpr auto asin(const scalar<a>& x) {
+template <int size>
+constexpr auto asin(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::asin, x);
 }
-template <describe::no_scalar X>
-constexpr auto asin(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto asin(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::asin));
 }
 
-template <int a>
-constexpr auto acos(const scalar<a>& x) {
+template <int size>
+constexpr auto acos(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::acos, x);
 }
-template <describe::no_scalar X>
-constexpr auto acos(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto acos(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::acos));
 }
 
-template <int a>
-constexpr auto atan(const scalar<a>& x) {
+template <int size>
+constexpr auto atan(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::atan, x);
 }
-template <describe::no_scalar X>
-constexpr auto atan(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto atan(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::atan));
 }
 
-template <int a>
-constexpr auto exp(const scalar<a>& x) {
+template <int size>
+constexpr auto exp(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::exp, x);
 }
-template <describe::no_scalar X>
-constexpr auto exp(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto exp(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::exp));
 }
 
-template <int a>
-constexpr auto log(const scalar<a>& x) {
+template <int size>
+constexpr auto log(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::log, x);
 }
-template <describe::no_scalar X>
-constexpr auto log(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto log(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::log));
 }
 
-template <int a>
-constexpr auto sinh(const scalar<a>& x) {
+template <int size>
+constexpr auto sinh(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::sinh, x);
 }
-template <describe::no_scalar X>
-constexpr auto sinh(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto sinh(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sinh));
 }
 
-template <int a>
-constexpr auto cosh(const scalar<a>& x) {
+template <int size>
+constexpr auto cosh(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::cosh, x);
 }
-template <describe::no_scalar X>
-constexpr auto cosh(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto cosh(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cosh));
 }
 
-template <int a>
-constexpr auto tanh(const scalar<a>& x) {
+template <int size>
+constexpr auto tanh(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::tanh, x);
 }
-template <describe::no_scalar X>
-constexpr auto tanh(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto tanh(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tanh));
 }
 
-template <int a>
-constexpr auto abs(const scalar<a>& x) {
+template <int size>
+constexpr auto abs(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::abs, x);
 }
-template <describe::no_scalar X>
-constexpr auto abs(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto abs(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::abs));
 }
 
-template <int a>
-constexpr auto sign(const scalar<a>& x) {
+template <int size>
+constexpr auto sign(const scalar<size>& x) {
   return describe::function_of(symbolic::operation::sign, x);
 }
-template <describe::no_scalar X>
-constexpr auto sign(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto sign(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sign));
 }
 
-template <int a, int b>
-constexpr auto atan2(const scalar<a>& y, const scalar<b>& x) {
+template <int left_size, int right_size>
+constexpr auto atan2(const scalar<left_size>& y, const scalar<right_size>& x) {
   return describe::function_of(symbolic::operation::atan2, y, x);
 }
-template <int a, describe::plain_number T>
-constexpr auto atan2(const scalar<a>& y, T x) {
+template <int size, describe::plain_number Number>
+constexpr auto atan2(const scalar<size>& y, Number x) {
   return atan2(y, describe::constant(x));
 }
-template <int a, describe::plain_number T>
-constexpr auto atan2(T y, const scalar<a>& x) {
+template <int size, describe::plain_number Number>
+constexpr auto atan2(Number y, const scalar<size>& x) {
   return atan2(describe::constant(y), x);
 }
-template <class X, class Y>
-  requires describe::no_function<X, Y>
-constexpr auto atan2(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_function<Left, Right>
+constexpr auto atan2(const Left& x, const Right& y) {
   return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::atan2));
 }
 
-template <int a, int b>
-constexpr auto pow(const scalar<a>& x, const scalar<b>& exponent) {
+template <int left_size, int right_size>
+constexpr auto pow(const scalar<left_size>& x, const scalar<right_size>& exponent) {
   return describe::function_of(symbolic::operation::power, x, exponent);
 }
-template <int a, describe::plain_number T>
-constexpr scalar<a + 2> pow(const scalar<a>& x, T exponent) {
-  return describe::join<scalar<a + 2>>(
+template <int size, describe::plain_number Number>
+constexpr scalar<size + 2> pow(const scalar<size>& x, Number exponent) {
+  return describe::join<scalar<size + 2>>(
       x.tokens, describe::constant(exponent).tokens,
       describe::done_with(exponent, symbolic::operation::power, describe::misuse::zero_power));
 }
-template <int a, describe::plain_number T>
-constexpr auto pow(T x, const scalar<a>& exponent) {
+template <int size, describe::plain_number Number>
+constexpr auto pow(Number x, const scalar<size>& exponent) {
   return pow(describe::constant(x), exponent);
 }
-template <class X, class Y>
-  requires describe::no_function<X, Y>
-constexpr auto pow(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_function<Left, Right>
+constexpr auto pow(const Left& x, const Right& y) {
   return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::power));
 }
 
 // Those that C++ has and models do not, to say so.
 
-template <describe::expression_of_a_model X>
-constexpr auto asinh(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto asinh(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto acosh(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto acosh(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto atanh(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto atanh(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto cbrt(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto cbrt(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto exp2(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto exp2(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto log2(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto log2(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto log10(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto log10(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto floor(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto floor(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto ceil(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto ceil(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto(round)(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto(round)(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <describe::expression_of_a_model X>
-constexpr auto fabs(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto fabs(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto fmod(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto fmod(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::function);
 }
 

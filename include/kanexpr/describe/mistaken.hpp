@@ -8,125 +8,126 @@ namespace kanexpr {
 
 namespace describe {
 
-template <class X>
-concept expression_of_a_model = written<X> && std::is_class_v<X>;
-template <class X, class Y>
-concept operands_of_a_model = written<X> && written<Y> && (std::is_class_v<X> || std::is_class_v<Y>);
+template <class Operand>
+concept expression_of_a_model = written<Operand> && std::is_class_v<Operand>;
+template <class Left, class Right>
+concept operands_of_a_model =
+    written<Left> && written<Right> && (std::is_class_v<Left> || std::is_class_v<Right>);
 
-template <template <int> class Kind, class X>
-constexpr auto misused(const X& x, misuse what) {
+template <template <int> class Kind, class Operand>
+constexpr auto misused(const Operand& x, misuse what) {
   return followed_by<Kind>(operand(x).tokens, misused(what));
 }
-template <template <int> class Kind, class X, class Y>
-constexpr auto misused(const X& x, const Y& y, misuse what) {
+template <template <int> class Kind, class Left, class Right>
+constexpr auto misused(const Left& x, const Right& y, misuse what) {
   return followed_by<Kind>(operand(x).tokens, operand(y).tokens, misused(what));
 }
 
-template <class X, class Y>
-constexpr auto assigned(const X& x, const Y& y) {
+template <class Left, class Right>
+constexpr auto assigned(const Left& x, const Right& y) {
   return misused<equation>(x, y, misuse::assignment);
 }
-template <class X>
-constexpr auto with_index(const X& x) {
+template <class Operand>
+constexpr auto with_index(const Operand& x) {
   return misused<scalar>(x, misuse::index);
 }
-template <class X>
-constexpr auto with_arguments(const X& x) {
+template <class Operand>
+constexpr auto with_arguments(const Operand& x) {
   return misused<scalar>(x, misuse::arguments);
 }
 
 } // namespace describe
 
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator!=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator!=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator<(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator<(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator>(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator>(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator<=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator<=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator>=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator>=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator<=>(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator<=>(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::comparison);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator^(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator^(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::caret);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator%(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator%(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::remainder);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator&(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator&(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::bits);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator|(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator|(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::bits);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator<<(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator<<(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::bits);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator>>(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator>>(const Left& x, const Right& y) {
   return describe::misused<scalar>(x, y, describe::misuse::bits);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator!(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator!(const Operand& x) {
   return describe::misused<equation>(x, describe::misuse::denial);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator~(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator~(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::bits);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator*(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator*(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::bits);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator+=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator+=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator-=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator-=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator*=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator*=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator/=(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator/=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
 
@@ -134,45 +135,45 @@ constexpr auto operator/=(const X& x, const Y& y) {
 // sentence.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator&&(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator&&(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::junction);
 }
-template <class X, class Y>
-  requires describe::operands_of_a_model<X, Y>
-constexpr auto operator||(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::operands_of_a_model<Left, Right>
+constexpr auto operator||(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::junction);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator++(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator++(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::change);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator++(const X& x, int) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator++(const Operand& x, int) {
   return describe::misused<scalar>(x, describe::misuse::change);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator--(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator--(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::change);
 }
-template <describe::expression_of_a_model X>
-constexpr auto operator--(const X& x, int) {
+template <describe::expression_of_a_model Operand>
+constexpr auto operator--(const Operand& x, int) {
   return describe::misused<scalar>(x, describe::misuse::change);
 }
 #pragma GCC diagnostic pop
 
-template <describe::expression_of_a_model X>
-constexpr auto dot(const X& x) {
+template <describe::expression_of_a_model Operand>
+constexpr auto dot(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::rate);
 }
 
-template <describe::expression_of_a_model X, class Y, class Z, class... More>
-constexpr auto dot(const X& x, const Y&, const Z&, const More&...) {
+template <describe::expression_of_a_model Left, class Right, class Third, class... More>
+constexpr auto dot(const Left& x, const Right&, const Third&, const More&...) {
   return describe::misused<scalar>(x, describe::misuse::operands);
 }
-template <describe::expression_of_a_model X, class Y, class Z, class... More>
-constexpr auto cross(const X& x, const Y&, const Z&, const More&...) {
+template <describe::expression_of_a_model Left, class Right, class Third, class... More>
+constexpr auto cross(const Left& x, const Right&, const Third&, const More&...) {
   return describe::misused<vector>(x, describe::misuse::operands);
 }
 

@@ -8,94 +8,98 @@ namespace kanexpr {
 
 namespace describe {
 
-template <class X, class Y>
+template <class Left, class Right>
 inline constexpr bool equates =
-    shape_of_operand<X> == shape::equation || shape_of_operand<Y> == shape::equation;
+    shape_of_operand<Left> == shape::equation || shape_of_operand<Right> == shape::equation;
 /// One of them is no quantity at all.
-template <class X, class Y>
-inline constexpr bool strange = equates<X, Y> || std::same_as<X, bool> || std::same_as<Y, bool>;
+template <class Left, class Right>
+inline constexpr bool strange = equates<Left, Right> || std::same_as<Left, bool> || std::same_as<Right, bool>;
 
-template <class X, class Y>
-concept no_sum = written<X> && written<Y> && (strange<X, Y> || shape_of_operand<X> != shape_of_operand<Y>);
-template <class X, class Y>
-concept no_product = written<X> && written<Y> && (strange<X, Y> || (no_scalar<X> && no_scalar<Y>));
-template <class X, class Y>
-concept no_quotient = written<X> && written<Y> && (strange<X, Y> || no_scalar<Y>);
+template <class Left, class Right>
+concept no_sum = written<Left> && written<Right> &&
+                 (strange<Left, Right> || shape_of_operand<Left> != shape_of_operand<Right>);
+template <class Left, class Right>
+concept no_product =
+    written<Left> && written<Right> && (strange<Left, Right> || (no_scalar<Left> && no_scalar<Right>));
+template <class Left, class Right>
+concept no_quotient = written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Right>);
 /// Of two scalars, as an equation is.
-template <class X, class Y>
-concept no_function = written<X> && written<Y> && (strange<X, Y> || no_scalar<X> || no_scalar<Y>);
-template <class X, class Y>
-concept no_dot_product =
-    written<X> && written<Y> &&
-    (no_vector<Y> || (shape_of_operand<X> != shape::vector && shape_of_operand<X> != shape::dyadic));
+template <class Left, class Right>
+concept no_function =
+    written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Left> || no_scalar<Right>);
+template <class Left, class Right>
+concept no_dot_product = written<Left> && written<Right> &&
+                         (no_vector<Right> || (shape_of_operand<Left> != shape::vector &&
+                                               shape_of_operand<Left> != shape::dyadic));
 /// Of two vectors.
-template <class X, class Y>
-concept no_vectors = written<X> && written<Y> && (no_vector<X> || no_vector<Y>);
+template <class Left, class Right>
+concept no_vectors = written<Left> && written<Right> && (no_vector<Left> || no_vector<Right>);
 
 /// An equation has lost its sign; of other operands the reader can say what they are.
-template <template <int> class Kind, class X>
-constexpr auto meaningless(const X& x, const token& last) {
-  return followed_by<Kind>(operand(x).tokens, equates<X, X> ? misused(misuse::inner_equation) : last);
+template <template <int> class Kind, class Operand>
+constexpr auto meaningless(const Operand& x, const token& last) {
+  return followed_by<Kind>(operand(x).tokens,
+                           equates<Operand, Operand> ? misused(misuse::inner_equation) : last);
 }
-template <template <int> class Kind, class X, class Y>
-constexpr auto meaningless(const X& x, const Y& y, const token& last) {
+template <template <int> class Kind, class Left, class Right>
+constexpr auto meaningless(const Left& x, const Right& y, const token& last) {
   return followed_by<Kind>(operand(x).tokens, operand(y).tokens,
-                           equates<X, Y> ? misused(misuse::inner_equation) : last);
+                           equates<Left, Right> ? misused(misuse::inner_equation) : last);
 }
 
 } // namespace describe
 
-template <class X, class Y>
-  requires describe::no_sum<X, Y>
-constexpr auto operator+(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_sum<Left, Right>
+constexpr auto operator+(const Left& x, const Right& y) {
   return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::add));
 }
-template <class X, class Y>
-  requires describe::no_sum<X, Y>
-constexpr auto operator-(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_sum<Left, Right>
+constexpr auto operator-(const Left& x, const Right& y) {
   return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::subtract));
 }
-template <class X, class Y>
-  requires describe::no_product<X, Y>
-constexpr auto operator*(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_product<Left, Right>
+constexpr auto operator*(const Left& x, const Right& y) {
   return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::multiply));
 }
-template <class X, class Y>
-  requires describe::no_quotient<X, Y>
-constexpr auto operator/(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_quotient<Left, Right>
+constexpr auto operator/(const Left& x, const Right& y) {
   return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::divide));
 }
-template <class X, class Y>
-  requires describe::no_function<X, Y>
-constexpr auto operator==(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_function<Left, Right>
+constexpr auto operator==(const Left& x, const Right& y) {
   return describe::meaningless<equation>(x, y, describe::with(describe::token_kind::subtract));
 }
-template <int a>
-constexpr auto operator-(const equation<a>& e) {
+template <int size>
+constexpr auto operator-(const equation<size>& e) {
   return describe::meaningless<vector>(e, describe::with(describe::token_kind::negate));
 }
 
-template <class X, class Y>
-  requires describe::no_dot_product<X, Y>
-constexpr auto dot(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_dot_product<Left, Right>
+constexpr auto dot(const Left& x, const Right& y) {
   return describe::meaningless<scalar>(x, y, describe::with(describe::token_kind::dot));
 }
-template <class X, class Y>
-  requires describe::no_vectors<X, Y>
-constexpr auto cross(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_vectors<Left, Right>
+constexpr auto cross(const Left& x, const Right& y) {
   return describe::meaningless<vector>(x, y, describe::with(describe::token_kind::cross));
 }
-template <class X, class Y>
-  requires describe::no_vectors<X, Y>
-constexpr auto outer(const X& x, const Y& y) {
+template <class Left, class Right>
+  requires describe::no_vectors<Left, Right>
+constexpr auto outer(const Left& x, const Right& y) {
   return describe::meaningless<dyadic>(x, y, describe::with(describe::token_kind::outer));
 }
-template <describe::no_vector X>
-constexpr auto magnitude(const X& x) {
+template <describe::no_vector Operand>
+constexpr auto magnitude(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(describe::token_kind::magnitude));
 }
-template <describe::no_vector X>
-constexpr auto normalized(const X& x) {
+template <describe::no_vector Operand>
+constexpr auto normalized(const Operand& x) {
   return describe::meaningless<vector>(x, describe::with(describe::token_kind::normalized));
 }
 

@@ -26,8 +26,8 @@ constexpr token by_symbol(token_kind what, const scalar<1>& symbol) {
   return t.symbol != nullptr ? t : misused(misuse::partial);
 }
 
-template <class T>
-concept no_symbol = written<T> && !std::derived_from<T, scalar<1>>;
+template <class Other>
+concept no_symbol = written<Other> && !std::derived_from<Other, scalar<1>>;
 
 /// Motions are those in the inertial frame; `velocity_of<P, N>` is a mistake.
 template <class... Others>
@@ -71,89 +71,93 @@ inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<
     describe::motion_of(describe::token_kind::angular_acceleration, &describe::frame_of<Frame>));
 
 /// The time derivative of a vector as it is seen in `Frame`.
-template <class Frame, int a>
-constexpr vector<a + 1> derivative_in(const vector<a>& v) {
+template <class Frame, int size>
+constexpr vector<size + 1> derivative_in(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::derivative);
   t.frame = &describe::frame_of<Frame>;
-  return describe::join<vector<a + 1>>(v.tokens, t);
+  return describe::join<vector<size + 1>>(v.tokens, t);
 }
 
 /// The time derivative of a scalar.
-template <int a>
-constexpr scalar<a + 1> derivative(const scalar<a>& s) {
-  return describe::join<scalar<a + 1>>(s.tokens, describe::with(describe::token_kind::derivative));
+template <int size>
+constexpr scalar<size + 1> derivative(const scalar<size>& s) {
+  return describe::join<scalar<size + 1>>(s.tokens, describe::with(describe::token_kind::derivative));
 }
 
 /// The same vector by its components in the axes of `Frame`.
-template <class Frame, int a>
-constexpr vector<a + 1> in_axes_of(const vector<a>& v) {
+template <class Frame, int size>
+constexpr vector<size + 1> in_axes_of(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::in_axes);
   t.frame = &describe::frame_of<Frame>;
-  return describe::join<vector<a + 1>>(v.tokens, t);
+  return describe::join<vector<size + 1>>(v.tokens, t);
 }
 
 /// The partial derivative by a symbol; of a vector, in its own axes. `partial(velocity_of<P>, u1)` is a
 /// partial velocity.
-template <int a>
-constexpr scalar<a + 1> partial(const scalar<a>& s, const scalar<1>& symbol) {
-  return describe::join<scalar<a + 1>>(s.tokens, describe::by_symbol(describe::token_kind::partial, symbol));
+template <int size>
+constexpr scalar<size + 1> partial(const scalar<size>& s, const scalar<1>& symbol) {
+  return describe::join<scalar<size + 1>>(s.tokens,
+                                          describe::by_symbol(describe::token_kind::partial, symbol));
 }
-template <int a>
-constexpr vector<a + 1> partial(const vector<a>& v, const scalar<1>& symbol) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::by_symbol(describe::token_kind::partial, symbol));
+template <int size>
+constexpr vector<size + 1> partial(const vector<size>& v, const scalar<1>& symbol) {
+  return describe::join<vector<size + 1>>(v.tokens,
+                                          describe::by_symbol(describe::token_kind::partial, symbol));
 }
 
-template <class X, describe::no_symbol Symbol>
-  requires describe::expression_of_a_model<X>
-constexpr auto partial(const X& x, const Symbol& by) {
+template <class Operand, describe::no_symbol Symbol>
+  requires describe::expression_of_a_model<Operand>
+constexpr auto partial(const Operand& x, const Symbol& by) {
   return describe::misused<vector>(x, by, describe::misuse::partial);
 }
 
 // derivatives and axes that do not fit what they are asked of
-template <describe::no_scalar X>
-constexpr auto derivative(const X& x) {
+template <describe::no_scalar Operand>
+constexpr auto derivative(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::unseen_derivative);
 }
-template <class Frame, describe::no_vector X>
-constexpr auto derivative_in(const X& x) {
+template <class Frame, describe::no_vector Operand>
+constexpr auto derivative_in(const Operand& x) {
   return describe::misused<vector>(x, describe::misuse::seen_scalar);
 }
-template <describe::written X>
-constexpr auto derivative_in(const X& x) {
+template <describe::written Operand>
+constexpr auto derivative_in(const Operand& x) {
   return describe::misused<vector>(x, describe::misuse::unseen_derivative);
 }
-template <class Frame, describe::no_vector X>
-constexpr auto in_axes_of(const X& x) {
+template <class Frame, describe::no_vector Operand>
+constexpr auto in_axes_of(const Operand& x) {
   return describe::misused<vector>(x, describe::misuse::axes);
 }
-template <describe::written X>
-constexpr auto in_axes_of(const X& x) {
+template <describe::written Operand>
+constexpr auto in_axes_of(const Operand& x) {
   return describe::misused<vector>(x, describe::misuse::axes);
 }
 
 /// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial
 /// axes.
-template <int a, int columns>
+template <int size, int columns>
 struct jacobian_matrix {
   bool of_vector;
-  describe::token tokens[static_cast<std::size_t>(a)];
+  describe::token tokens[static_cast<std::size_t>(size)];
   describe::token by[static_cast<std::size_t>(columns)];
 };
 
-template <int a, std::derived_from<scalar<1>>... Symbols>
-constexpr auto jacobian(const vector<a>& v, const Symbols&... symbols) {
-  jacobian_matrix<a, sizeof...(Symbols)> j{true, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
-  for (int i = 0; i < a; ++i) j.tokens[i] = v.tokens[i];
+template <int size, std::derived_from<scalar<1>>... Symbols>
+constexpr auto jacobian(const vector<size>& v, const Symbols&... symbols) {
+  jacobian_matrix<size, sizeof...(Symbols)> j{
+      true, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
+  for (int i = 0; i < size; ++i) j.tokens[i] = v.tokens[i];
   return j;
 }
-template <int a, std::derived_from<scalar<1>>... Symbols>
-constexpr auto jacobian(const scalar<a>& s, const Symbols&... symbols) {
-  jacobian_matrix<a, sizeof...(Symbols)> j{false, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
-  for (int i = 0; i < a; ++i) j.tokens[i] = s.tokens[i];
+template <int size, std::derived_from<scalar<1>>... Symbols>
+constexpr auto jacobian(const scalar<size>& s, const Symbols&... symbols) {
+  jacobian_matrix<size, sizeof...(Symbols)> j{
+      false, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
+  for (int i = 0; i < size; ++i) j.tokens[i] = s.tokens[i];
   return j;
 }
-template <describe::expression_of_a_model X, class... Symbols>
-constexpr auto jacobian(const X& x, const Symbols&...) {
+template <describe::expression_of_a_model Operand, class... Symbols>
+constexpr auto jacobian(const Operand& x, const Symbols&...) {
   return describe::misused<vector>(x, describe::misuse::partial);
 }
 

@@ -8,70 +8,70 @@
 /// What may stand beside an operator, whether it makes sense there or not.
 namespace kanexpr::describe {
 
-template <int a>
-constexpr const scalar<a>& operand(const scalar<a>& x) {
+template <int size>
+constexpr const scalar<size>& operand(const scalar<size>& x) {
   return x;
 }
-template <int a>
-constexpr const vector<a>& operand(const vector<a>& x) {
+template <int size>
+constexpr const vector<size>& operand(const vector<size>& x) {
   return x;
 }
-template <int a>
-constexpr const dyadic<a>& operand(const dyadic<a>& x) {
+template <int size>
+constexpr const dyadic<size>& operand(const dyadic<size>& x) {
   return x;
 }
-template <int a>
-constexpr const equation<a>& operand(const equation<a>& x) {
+template <int size>
+constexpr const equation<size>& operand(const equation<size>& x) {
   return x;
 }
-template <class T>
-  requires(!std::is_class_v<T> &&
-           std::is_arithmetic_v<T>) // in this order: few types of a program come to the second
-constexpr scalar<1> operand(T x) {
-  if constexpr (std::is_same_v<T, bool>)
+template <class Operand>
+  requires(!std::is_class_v<Operand> &&
+           std::is_arithmetic_v<Operand>) // in this order: few types of a program come to the second
+constexpr scalar<1> operand(Operand x) {
+  if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
   else
     return constant(x);
 }
 
-template <class T>
-concept written = requires(const T& x) { operand(x); };
+template <class Operand>
+concept written = requires(const Operand& x) { operand(x); };
 
-template <int a>
-constexpr shape shape_at(const scalar<a>*) {
+template <int size>
+constexpr shape shape_at(const scalar<size>*) {
   return shape::scalar;
 }
-template <int a>
-constexpr shape shape_at(const vector<a>*) {
+template <int size>
+constexpr shape shape_at(const vector<size>*) {
   return shape::vector;
 }
-template <int a>
-constexpr shape shape_at(const dyadic<a>*) {
+template <int size>
+constexpr shape shape_at(const dyadic<size>*) {
   return shape::dyadic;
 }
-template <int a>
-constexpr shape shape_at(const equation<a>*) {
+template <int size>
+constexpr shape shape_at(const equation<size>*) {
   return shape::equation;
 }
 
-template <written T>
-inline constexpr shape shape_of_operand =
-    shape_at(static_cast<std::remove_reference_t<decltype(operand(std::declval<const T&>()))>*>(nullptr));
+template <written Operand>
+inline constexpr shape shape_of_operand = shape_at(
+    static_cast<std::remove_reference_t<decltype(operand(std::declval<const Operand&>()))>*>(nullptr));
 
-template <class T>
-concept no_scalar = written<T> && shape_of_operand<T> != shape::scalar;
-template <class T>
-concept no_vector = written<T> && shape_of_operand<T> != shape::vector;
+template <class Operand>
+concept no_scalar = written<Operand> && shape_of_operand<Operand> != shape::scalar;
+template <class Operand>
+concept no_vector = written<Operand> && shape_of_operand<Operand> != shape::vector;
 
 /// The operands and what is done with them, one after another.
-template <template <int> class Kind, std::size_t a>
-constexpr Kind<static_cast<int>(a + 1)> followed_by(const token (&x)[a], const token& last) {
-  return join<Kind<static_cast<int>(a + 1)>>(x, last);
+template <template <int> class Kind, std::size_t size>
+constexpr Kind<static_cast<int>(size + 1)> followed_by(const token (&x)[size], const token& last) {
+  return join<Kind<static_cast<int>(size + 1)>>(x, last);
 }
-template <template <int> class Kind, std::size_t a, std::size_t b>
-constexpr Kind<static_cast<int>(a + b + 1)> followed_by(const token (&x)[a], const token (&y)[b],
-                                                        const token& last) {
-  return join<Kind<static_cast<int>(a + b + 1)>>(x, y, last);
+template <template <int> class Kind, std::size_t left_size, std::size_t right_size>
+constexpr Kind<static_cast<int>(left_size + right_size + 1)>
+followed_by(const token (&x)[left_size], const token (&y)[right_size], const token& last) {
+  return join<Kind<static_cast<int>(left_size + right_size + 1)>>(x, y, last);
 }
 
 } // namespace kanexpr::describe

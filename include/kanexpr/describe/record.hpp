@@ -35,9 +35,9 @@ constexpr shape shape_of(const equation<size>&) {
   return shape::equation;
 }
 
-template <class T>
-constexpr auto with_numbers_as_scalars(const T& value) {
-  if constexpr (plain_number<T>)
+template <class Written>
+constexpr auto with_numbers_as_scalars(const Written& value) {
+  if constexpr (plain_number<Written>)
     return constant(value);
   else
     return value;

@@ -38,8 +38,8 @@ struct coordinate : scalar<1> {
   constexpr coordinate()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate, called, index>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -49,8 +49,8 @@ template <text called, int index = unnumbered>
 struct speed : scalar<1> {
   constexpr speed() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::speed, called, index>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -61,8 +61,8 @@ struct parameter : scalar<1> {
   constexpr parameter()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::parameter, called, index>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -72,8 +72,8 @@ template <text called, int index = unnumbered>
 struct input : scalar<1> {
   constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -85,8 +85,8 @@ struct prescribed : scalar<1> {
   constexpr prescribed()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index, order>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -96,8 +96,8 @@ struct time_variable : scalar<1> {
   constexpr time_variable()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };
@@ -108,8 +108,8 @@ struct coordinate_rate : scalar<1> {
   constexpr coordinate_rate()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>()) {}
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
 };

@@ -7,18 +7,18 @@
 namespace kanexpr::describe {
 
 struct anything {
-  template <class T>
-  operator T() const;
+  template <class Type>
+  operator Type() const;
 };
 
 /// Whether a class has neither bases nor members, and is not a word of the library. Nobody writes such an
 /// entity or system, but it is what a compiler leaves of one with an error in its base clause. That error is
 /// the one to read: a sentence about what follows from it would be false.
-template <class T>
+template <class Type>
 constexpr bool is_unparsed() {
-  if constexpr (requires { sizeof(T); })
-    return what_it_is<T>().empty() && std::is_empty_v<T> && std::is_aggregate_v<T> &&
-           !requires { T{anything{}}; };
+  if constexpr (requires { sizeof(Type); })
+    return what_it_is<Type>().empty() && std::is_empty_v<Type> && std::is_aggregate_v<Type> &&
+           !requires { Type{anything{}}; };
   else
     return false;
 }

@@ -9,16 +9,16 @@ template <int size>
 struct vector {
   describe::token tokens[static_cast<std::size_t>(size)];
 
-  template <class T>
-  constexpr auto operator=(const T& other) const {
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
     return describe::assigned(*this, other);
   }
-  template <class T>
-  constexpr auto operator[](const T&) const {
+  template <class Index>
+  constexpr auto operator[](const Index&) const {
     return describe::with_index(*this);
   }
-  template <class... T>
-  constexpr auto operator()(const T&...) const {
+  template <class... Arguments>
+  constexpr auto operator()(const Arguments&...) const {
     return describe::with_arguments(*this);
   }
 };
@@ -29,114 +29,132 @@ struct dyadic {
   describe::token tokens[static_cast<std::size_t>(size)];
 };
 
-template <int a>
-constexpr vector<a + 1> operator-(const vector<a>& v) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::token_kind::negate));
+template <int size>
+constexpr vector<size + 1> operator-(const vector<size>& v) {
+  return describe::join<vector<size + 1>>(v.tokens, describe::with(describe::token_kind::negate));
 }
-template <int a>
-constexpr const vector<a>& operator+(const vector<a>& v) {
+template <int size>
+constexpr const vector<size>& operator+(const vector<size>& v) {
   return v;
 }
-template <int a, int b>
-constexpr vector<a + b + 1> operator+(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::add));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> operator+(const vector<left_size>& v,
+                                                       const vector<right_size>& w) {
+  return describe::join<vector<left_size + right_size + 1>>(v.tokens, w.tokens,
+                                                            describe::with(describe::token_kind::add));
 }
-template <int a, int b>
-constexpr vector<a + b + 1> operator-(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens,
-                                           describe::with(describe::token_kind::subtract));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> operator-(const vector<left_size>& v,
+                                                       const vector<right_size>& w) {
+  return describe::join<vector<left_size + right_size + 1>>(v.tokens, w.tokens,
+                                                            describe::with(describe::token_kind::subtract));
 }
-template <int a, int b>
-constexpr vector<a + b + 1> operator*(const scalar<a>& s, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(s.tokens, v.tokens,
-                                           describe::with(describe::token_kind::multiply));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> operator*(const scalar<left_size>& s,
+                                                       const vector<right_size>& v) {
+  return describe::join<vector<left_size + right_size + 1>>(s.tokens, v.tokens,
+                                                            describe::with(describe::token_kind::multiply));
 }
-template <int a, int b>
-constexpr vector<a + b + 1> operator*(const vector<a>& v, const scalar<b>& s) {
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> operator*(const vector<left_size>& v,
+                                                       const scalar<right_size>& s) {
   return s * v;
 }
-template <int a, int b>
-constexpr vector<a + b + 1> operator/(const vector<a>& v, const scalar<b>& s) {
-  return describe::join<vector<a + b + 1>>(v.tokens, s.tokens, describe::with(describe::token_kind::divide));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> operator/(const vector<left_size>& v,
+                                                       const scalar<right_size>& s) {
+  return describe::join<vector<left_size + right_size + 1>>(v.tokens, s.tokens,
+                                                            describe::with(describe::token_kind::divide));
 }
-template <describe::plain_number T, int b>
-constexpr auto operator*(T s, const vector<b>& v) {
+template <describe::plain_number Number, int size>
+constexpr auto operator*(Number s, const vector<size>& v) {
   return describe::constant(s) * v;
 }
-template <int a, describe::plain_number T>
-constexpr auto operator*(const vector<a>& v, T s) {
+template <int size, describe::plain_number Number>
+constexpr auto operator*(const vector<size>& v, Number s) {
   return describe::constant(s) * v;
 }
-template <int a, describe::plain_number T>
-constexpr auto operator/(const vector<a>& v, T s) {
+template <int size, describe::plain_number Number>
+constexpr auto operator/(const vector<size>& v, Number s) {
   return v / describe::constant(s);
 }
 
-template <int a, int b>
-constexpr scalar<a + b + 1> dot(const vector<a>& v, const vector<b>& w) {
-  return describe::join<scalar<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::dot));
+template <int left_size, int right_size>
+constexpr scalar<left_size + right_size + 1> dot(const vector<left_size>& v, const vector<right_size>& w) {
+  return describe::join<scalar<left_size + right_size + 1>>(v.tokens, w.tokens,
+                                                            describe::with(describe::token_kind::dot));
 }
-template <int a, int b>
-constexpr vector<a + b + 1> cross(const vector<a>& v, const vector<b>& w) {
-  return describe::join<vector<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::cross));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> cross(const vector<left_size>& v, const vector<right_size>& w) {
+  return describe::join<vector<left_size + right_size + 1>>(v.tokens, w.tokens,
+                                                            describe::with(describe::token_kind::cross));
 }
-template <int a>
-constexpr scalar<a + 1> magnitude(const vector<a>& v) {
-  return describe::join<scalar<a + 1>>(v.tokens, describe::with(describe::token_kind::magnitude));
+template <int size>
+constexpr scalar<size + 1> magnitude(const vector<size>& v) {
+  return describe::join<scalar<size + 1>>(v.tokens, describe::with(describe::token_kind::magnitude));
 }
 /// The unit vector along `v`.
-template <int a>
-constexpr vector<a + 1> normalized(const vector<a>& v) {
-  return describe::join<vector<a + 1>>(v.tokens, describe::with(describe::token_kind::normalized));
+template <int size>
+constexpr vector<size + 1> normalized(const vector<size>& v) {
+  return describe::join<vector<size + 1>>(v.tokens, describe::with(describe::token_kind::normalized));
 }
 
 /// The dyad v ⊗ w.
-template <int a, int b>
-constexpr dyadic<a + b + 1> outer(const vector<a>& v, const vector<b>& w) {
-  return describe::join<dyadic<a + b + 1>>(v.tokens, w.tokens, describe::with(describe::token_kind::outer));
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> outer(const vector<left_size>& v, const vector<right_size>& w) {
+  return describe::join<dyadic<left_size + right_size + 1>>(v.tokens, w.tokens,
+                                                            describe::with(describe::token_kind::outer));
 }
-template <int a>
-constexpr dyadic<a + 1> operator-(const dyadic<a>& d) {
-  return describe::join<dyadic<a + 1>>(d.tokens, describe::with(describe::token_kind::negate));
+template <int size>
+constexpr dyadic<size + 1> operator-(const dyadic<size>& d) {
+  return describe::join<dyadic<size + 1>>(d.tokens, describe::with(describe::token_kind::negate));
 }
-template <int a, int b>
-constexpr dyadic<a + b + 1> operator+(const dyadic<a>& d, const dyadic<b>& e) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens, describe::with(describe::token_kind::add));
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> operator+(const dyadic<left_size>& d,
+                                                       const dyadic<right_size>& e) {
+  return describe::join<dyadic<left_size + right_size + 1>>(d.tokens, e.tokens,
+                                                            describe::with(describe::token_kind::add));
 }
-template <int a, int b>
-constexpr dyadic<a + b + 1> operator-(const dyadic<a>& d, const dyadic<b>& e) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, e.tokens,
-                                           describe::with(describe::token_kind::subtract));
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> operator-(const dyadic<left_size>& d,
+                                                       const dyadic<right_size>& e) {
+  return describe::join<dyadic<left_size + right_size + 1>>(d.tokens, e.tokens,
+                                                            describe::with(describe::token_kind::subtract));
 }
-template <int a, int b>
-constexpr dyadic<a + b + 1> operator*(const scalar<a>& s, const dyadic<b>& d) {
-  return describe::join<dyadic<a + b + 1>>(s.tokens, d.tokens,
-                                           describe::with(describe::token_kind::multiply));
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> operator*(const scalar<left_size>& s,
+                                                       const dyadic<right_size>& d) {
+  return describe::join<dyadic<left_size + right_size + 1>>(s.tokens, d.tokens,
+                                                            describe::with(describe::token_kind::multiply));
 }
-template <int a, int b>
-constexpr dyadic<a + b + 1> operator*(const dyadic<a>& d, const scalar<b>& s) {
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> operator*(const dyadic<left_size>& d,
+                                                       const scalar<right_size>& s) {
   return s * d;
 }
-template <describe::plain_number T, int b>
-constexpr auto operator*(T s, const dyadic<b>& d) {
+template <describe::plain_number Number, int size>
+constexpr auto operator*(Number s, const dyadic<size>& d) {
   return describe::constant(s) * d;
 }
-template <int a, describe::plain_number T>
-constexpr auto operator*(const dyadic<a>& d, T s) {
+template <int size, describe::plain_number Number>
+constexpr auto operator*(const dyadic<size>& d, Number s) {
   return describe::constant(s) * d;
 }
-template <int a, int b>
-constexpr dyadic<a + b + 1> operator/(const dyadic<a>& d, const scalar<b>& s) {
-  return describe::join<dyadic<a + b + 1>>(d.tokens, s.tokens, describe::with(describe::token_kind::divide));
+template <int left_size, int right_size>
+constexpr dyadic<left_size + right_size + 1> operator/(const dyadic<left_size>& d,
+                                                       const scalar<right_size>& s) {
+  return describe::join<dyadic<left_size + right_size + 1>>(d.tokens, s.tokens,
+                                                            describe::with(describe::token_kind::divide));
 }
-template <int a, describe::plain_number T>
-constexpr auto operator/(const dyadic<a>& d, T s) {
+template <int size, describe::plain_number Number>
+constexpr auto operator/(const dyadic<size>& d, Number s) {
   return d / describe::constant(s);
 }
 /// The vector d·v.
-template <int a, int b>
-constexpr vector<a + b + 1> dot(const dyadic<a>& d, const vector<b>& v) {
-  return describe::join<vector<a + b + 1>>(d.tokens, v.tokens, describe::with(describe::token_kind::dot));
+template <int left_size, int right_size>
+constexpr vector<left_size + right_size + 1> dot(const dyadic<left_size>& d, const vector<right_size>& v) {
+  return describe::join<vector<left_size + right_size + 1>>(d.tokens, v.tokens,
+                                                            describe::with(describe::token_kind::dot));
 }
 
 } // namespace kanexpr

@@ -8,19 +8,19 @@ inline constexpr std::string_view joint_out_of_place = "a joint; write joints<..
 
 /// What a type is, for a sentence about one that stands where it does not belong. Empty: none of a model's
 /// words.
-template <class T>
+template <class Type>
 constexpr std::string_view what_it_is() {
-  if constexpr (requires { T::joint_told(); })
+  if constexpr (requires { Type::joint_told(); })
     return joint_out_of_place;
-  else if constexpr (requires { T::content(); })
+  else if constexpr (requires { Type::content(); })
     return "a body; write bodies<...> around it";
-  else if constexpr (requires { T::orientation(); })
+  else if constexpr (requires { Type::orientation(); })
     return "a frame; frames are found by what uses them";
-  else if constexpr (requires { T::place(); })
+  else if constexpr (requires { Type::place(); })
     return "a point; points are found by what uses them";
-  else if constexpr (requires { T::load.what; })
+  else if constexpr (requires { Type::load.what; })
     return "a load; write loads<...> around it";
-  else if constexpr (requires { T::word; })
+  else if constexpr (requires { Type::word; })
     return "a word of the system";
   else
     return {};

@@ -185,9 +185,9 @@ private:
         return each.of(t, x, p, r);
     });
   }
-  template <class X>
-  auto inputs_by_law(double t, const X& x) const {
-    if constexpr (batches::takes_batches<Law, X>())
+  template <class State>
+  auto inputs_by_law(double t, const State& x) const {
+    if constexpr (batches::takes_batches<Law, State>())
       return law_(t, x);
     else
       return batches::lane_by_lane<side_by_side_, input_values<System, Number>, Law>{law_}(t, x);

@@ -137,8 +137,8 @@ private:
 
 /// A step that leaves the state as it is.
 struct no_motion {
-  template <class Equations, class Time, class X>
-  static status advance(const Equations&, const Time&, const X&, const Time&, X&) {
+  template <class Equations, class Time, class State>
+  static status advance(const Equations&, const Time&, const State&, const Time&, State&) {
     return {};
   }
 };

@@ -35,9 +35,9 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
     r.from_parent = true;
   }
 
-  template <class Joint, std::size_t i>
+  template <class Joint, std::size_t index>
   static constexpr auto rate_of_position =
-      dot(Joint::template q<i>) == dot(drift<Joint>, basis(Joint::home_frame(), static_cast<int>(i)));
+      dot(Joint::template q<index>) == dot(drift<Joint>, basis(Joint::home_frame(), static_cast<int>(index)));
 
   template <class Joint>
   static constexpr listing<phrase> kinematics() {

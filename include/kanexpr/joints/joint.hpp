@@ -38,19 +38,19 @@ template <text... coordinates, text... speeds>
 struct joint_symbols<names<coordinates...>, names<speeds...>> {
   static constexpr std::size_t of_position = sizeof...(coordinates), of_motion = sizeof...(speeds);
 
-  template <std::size_t i, class Self, text first, text... rest>
+  template <std::size_t index, class Self, text first, text... rest>
   static constexpr auto coordinate_called() {
-    if constexpr (i == 0)
+    if constexpr (index == 0)
       return coordinate<name_before<first, Self>>{};
     else
-      return coordinate_called<i - 1, Self, rest...>();
+      return coordinate_called<index - 1, Self, rest...>();
   }
-  template <std::size_t i, class Self, text first, text... rest>
+  template <std::size_t index, class Self, text first, text... rest>
   static constexpr auto speed_called() {
-    if constexpr (i == 0)
+    if constexpr (index == 0)
       return speed<name_before<first, Self>>{};
     else
-      return speed_called<i - 1, Self, rest...>();
+      return speed_called<index - 1, Self, rest...>();
   }
 
   template <class Given>
@@ -61,19 +61,19 @@ struct joint_symbols<names<coordinates...>, names<speeds...>> {
       return false;
   }();
 
-  template <std::size_t i, class Self, class Given>
+  template <std::size_t index, class Self, class Given>
   static constexpr auto position() {
     if constexpr (has_all<Given>)
-      return Given::template symbol<i>;
+      return Given::template symbol<index>;
     else
-      return coordinate_called<i, Self, coordinates...>();
+      return coordinate_called<index, Self, coordinates...>();
   }
-  template <std::size_t i, class Self, class Given>
+  template <std::size_t index, class Self, class Given>
   static constexpr auto motion() {
     if constexpr (has_all<Given>)
-      return Given::template symbol<of_position + i>;
+      return Given::template symbol<of_position + index>;
     else
-      return speed_called<i, Self, speeds...>();
+      return speed_called<index, Self, speeds...>();
   }
 };
 
@@ -90,8 +90,8 @@ constexpr void not_turned(frame_record& r) {
   turn_about(r, phrase_of<0>, phrase_of<basis(Joint::home_frame(), 2)>);
 }
 
-template <class Joint, std::size_t i>
-inline constexpr auto rate_is_speed = dot(Joint::template q<i>) == Joint::template u<i>;
+template <class Joint, std::size_t index>
+inline constexpr auto rate_is_speed = dot(Joint::template q<index>) == Joint::template u<index>;
 
 template <class Joint>
 inline constexpr frame_record home_of_joint = Joint::home_record();
@@ -142,10 +142,10 @@ struct joint : axes<Self>, place_words, joint_words {
 
   static constexpr std::size_t coordinates_count = Kind::symbols::of_position,
                                speeds_count = Kind::symbols::of_motion;
-  template <std::size_t i>
-  static constexpr auto q = Kind::symbols::template position<i, Self, word<joint_word::by>>();
-  template <std::size_t i>
-  static constexpr auto u = Kind::symbols::template motion<i, Self, word<joint_word::by>>();
+  template <std::size_t index>
+  static constexpr auto q = Kind::symbols::template position<index, Self, word<joint_word::by>>();
+  template <std::size_t index>
+  static constexpr auto u = Kind::symbols::template motion<index, Self, word<joint_word::by>>();
 
   using parent = Parent;
   static constexpr bool hangs_on_itself = hangs_on<Parent, Self, 3>();
@@ -172,19 +172,19 @@ struct joint : axes<Self>, place_words, joint_words {
   }
 
   /// Axes that are given in `own` ones are fixed in the home of the child, or, `seen_by` the child, in that.
-  template <std::size_t i>
+  template <std::size_t index>
   static constexpr auto axis_in(const frame_record* seen_by) {
     if constexpr (!has<joint_word::axis>)
-      return by_axes_of(seen_by, i == 0 ? own::z : own::x);
-    else if constexpr (i == 0)
+      return by_axes_of(seen_by, index == 0 ? own::z : own::x);
+    else if constexpr (index == 0)
       return unit_along(by_axes_of(seen_by, word<joint_word::axis>::first));
     else
       return unit_along(by_axes_of(seen_by, word<joint_word::axis>::second));
   }
-  template <std::size_t i>
-  static constexpr auto axis_at_home = axis_in<i>(home_frame());
-  template <std::size_t i>
-  static constexpr auto axis_of_child = axis_in<i>(child_frame());
+  template <std::size_t index>
+  static constexpr auto axis_at_home = axis_in<index>(home_frame());
+  template <std::size_t index>
+  static constexpr auto axis_of_child = axis_in<index>(child_frame());
 
   static constexpr bool is_off_parent = has<joint_word::at>;
   static constexpr bool is_off_child = [] {
@@ -302,9 +302,9 @@ private:
     r.coordinates = list_of<phrase, &phrase_of<q<of_position>>...>::all;
     r.speeds = list_of<phrase, &phrase_of<u<of_motion>>...>::all;
   }
-  template <std::size_t... i>
-  static constexpr listing<phrase> simple_kinematics(std::index_sequence<i...>) {
-    return list_of<phrase, &phrase_of<rate_is_speed<Self, i>>...>::all;
+  template <std::size_t... index>
+  static constexpr listing<phrase> simple_kinematics(std::index_sequence<index...>) {
+    return list_of<phrase, &phrase_of<rate_is_speed<Self, index>>...>::all;
   }
 
   /// The axes that need a look: whether they have a length, are fixed, and two of them are not parallel.

@@ -141,8 +141,8 @@ template <auto... symbols>
 struct by {
   static constexpr describe::joint_word joint_word = describe::joint_word::by;
   static constexpr std::size_t count = sizeof...(symbols);
-  template <std::size_t i>
-  static constexpr auto symbol = describe::one_of<i, symbols...>();
+  template <std::size_t index>
+  static constexpr auto symbol = describe::one_of<index, symbols...>();
 };
 
 /// The body that moves with the child: its mass, its mass centre as a vector from the child's point, and its

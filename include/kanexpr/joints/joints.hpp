@@ -16,11 +16,11 @@ struct joints : describe::system_words {
 };
 
 /// Coordinate i of a joint, from 1.
-template <class Joint, std::size_t i = 1>
-inline constexpr auto q_of = Joint::template q<i - 1>;
+template <class Joint, std::size_t index = 1>
+inline constexpr auto q_of = Joint::template q<index - 1>;
 
 /// Speed i of a joint, from 1.
-template <class Joint, std::size_t i = 1>
-inline constexpr auto u_of = Joint::template u<i - 1>;
+template <class Joint, std::size_t index = 1>
+inline constexpr auto u_of = Joint::template u<index - 1>;
 
 } // namespace kanexpr

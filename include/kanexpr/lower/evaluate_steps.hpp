@@ -15,31 +15,31 @@ constexpr int aside_of(const Code& code) {
   return most;
 }
 
-template <class Code, class T>
-void evaluate_linear_step(const Code& code, const linear_step& e, T* values, T* aside) {
-  using math = elimination_math<T>;
-  T* const out = values + code.first_step() + e.step;
-  T* const into = e.op == operation::singularity_measure || e.op == operation::call ? aside : out;
-  const T* const factors = values + e.factors;
+template <class Code, class Number>
+void evaluate_linear_step(const Code& code, const linear_step& e, Number* values, Number* aside) {
+  using math = elimination_math<Number>;
+  Number* const out = values + code.first_step() + e.step;
+  Number* const into = e.op == operation::singularity_measure || e.op == operation::call ? aside : out;
+  const Number* const factors = values + e.factors;
   for (int i = 0; i < e.inputs(); ++i) into[i] = values[code.operands[e.operands + i]];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
   else if (e.op == operation::singularity_measure)
     *out = numeric::singularity_measure_of<math>(e.order, factors, into);
   else if (e.op == operation::call)
-    *out = scalar_math<T>::called(*code.externals[e.factors], into);
+    *out = scalar_math<Number>::called(*code.externals[e.factors], into);
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);
   else
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
-template <class T>
-void evaluate_step(const instruction& step, const T* values, T* out) {
-  const T& a = values[step.a];
-  const T& b = values[step.b];
+template <class Number>
+void evaluate_step(const instruction& step, const Number* values, Number* out) {
+  const Number& a = values[step.a];
+  const Number& b = values[step.b];
   if (step.paired) {
-    if (step.op == operation::sin) scalar_math<T>::sincos(a, out[0], out[1]);
+    if (step.op == operation::sin) scalar_math<Number>::sincos(a, out[0], out[1]);
     return;
   }
   using symbolic::form;
@@ -70,15 +70,15 @@ void evaluate_step(const instruction& step, const T* values, T* out) {
   }
 }
 
-template <class Code, class T>
-void evaluate_steps(const Code& code, int begin, int end, T* values) {
-  T* out = values + code.first_step() + begin;
+template <class Code, class Number>
+void evaluate_steps(const Code& code, int begin, int end, Number* values) {
+  Number* out = values + code.first_step() + begin;
   for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], values, out++);
 }
 
 /// Fills the slots of all steps, in their order; those of the numbers and of the arguments are filled.
-template <class Code, class T>
-void evaluate_steps(const Code& code, T* values, T* aside) {
+template <class Code, class Number>
+void evaluate_steps(const Code& code, Number* values, Number* aside) {
   int next = 0;
   for (const linear_step& e : code.linear_steps) {
     evaluate_steps(code, next, e.step, values);

@@ -13,35 +13,36 @@
 /// for it.
 namespace kanexpr::lower {
 
-template <class T>
-concept vector_extension = !std::is_class_v<T> && requires(const T v) {
+template <class Vector>
+concept vector_extension = !std::is_class_v<Vector> && requires(const Vector v) {
   v[0];
   v* v;
 };
 
 /// Arithmetic is the compiler's; sines, cosines and square roots are taken of all lanes at once, other
 /// functions lane by lane. Each lane has the bits of its own evaluation.
-template <vector_extension T>
-struct scalar_math<T> {
-  using element = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+template <vector_extension Vector>
+struct scalar_math<Vector> {
+  using element = std::remove_cvref_t<decltype(std::declval<const Vector&>()[0])>;
   using of_element = scalar_math<element>;
-  static constexpr int lanes = static_cast<int>(sizeof(T) / sizeof(element));
+  static constexpr int lanes = static_cast<int>(sizeof(Vector) / sizeof(element));
 
-  [[gnu::always_inline]] static T from(const T& value) { return value; }
+  [[gnu::always_inline]] static Vector from(const Vector& value) { return value; }
   template <class Value>
-  [[gnu::always_inline]] static T from(const Value& value) {
-    return of_element::from(value) - T{}; // less zero: zeros keep their sign
+  [[gnu::always_inline]] static Vector from(const Value& value) {
+    return of_element::from(value) - Vector{}; // less zero: zeros keep their sign
   }
 
-  [[gnu::always_inline]] static void sincos(const T& angle, T& sine, T& cosine) {
-    const T angles[]{angle};
-    T sines[1], cosines[1];
+  [[gnu::always_inline]] static void sincos(const Vector& angle, Vector& sine, Vector& cosine) {
+    const Vector angles[]{angle};
+    Vector sines[1], cosines[1];
     sincos(angles, sines, cosines);
     sine = sines[0];
     cosine = cosines[0];
   }
   template <std::size_t count>
-  [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
+  [[gnu::always_inline]] static void sincos(const Vector (&angle)[count], Vector (&sine)[count],
+                                            Vector (&cosine)[count]) {
     if constexpr (has_own_sines<element>) return numeric::sines_and_cosines(angle, sine, cosine);
     for (std::size_t i = 0; i < count; ++i)
       for (int lane = 0; lane < lanes; ++lane) {
@@ -53,63 +54,63 @@ struct scalar_math<T> {
   }
 
   template <symbolic::operation op>
-  [[gnu::always_inline]] static T by_name(const T& x) {
+  [[gnu::always_inline]] static Vector by_name(const Vector& x) {
     using symbolic::operation;
     if constexpr (has_own_sines<element> && (op == operation::sin || op == operation::cos)) {
-      T sine, cosine;
+      Vector sine, cosine;
       sincos(x, sine, cosine);
       return op == operation::sin ? sine : cosine;
     } else if constexpr (op == operation::sqrt) {
       return numeric::square_roots(x);
     } else if constexpr (op == operation::abs && are_known) {
-      return __builtin_bit_cast(T, __builtin_bit_cast(bits, x) << 1 >> 1);
+      return __builtin_bit_cast(Vector, __builtin_bit_cast(bits, x) << 1 >> 1);
     } else {
       return each([&](int i) { return of_element::template by_name<op>(x[i]); });
     }
   }
-  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
+  [[gnu::always_inline]] static void exchange_if_positive(const Vector& d, Vector& a, Vector& b) {
     const auto exchanged = d > 0;
-    const T upper = exchanged ? b : a, lower = exchanged ? a : b;
+    const Vector upper = exchanged ? b : a, lower = exchanged ? a : b;
     a = upper;
     b = lower;
   }
   template <symbolic::operation op>
-  [[gnu::always_inline]] static T selected(const T& condition, const T& x) {
+  [[gnu::always_inline]] static Vector selected(const Vector& condition, const Vector& x) {
     const auto is_positive = condition > 0;
     if constexpr (op == symbolic::operation::if_positive) {
-      const T rest = condition < 0 ? T{} : condition;
+      const Vector rest = condition < 0 ? Vector{} : condition;
       return is_positive ? x : rest;
     } else {
-      const T rest = condition <= 0 ? x : condition;
-      return is_positive ? T{} : rest;
+      const Vector rest = condition <= 0 ? x : condition;
+      return is_positive ? Vector{} : rest;
     }
   }
   template <class Function>
   static constexpr bool calls = of_element::template calls<Function>;
   template <class Function>
-  [[gnu::always_inline]] static T called(const std::same_as<T> auto&... x) {
+  [[gnu::always_inline]] static Vector called(const std::same_as<Vector> auto&... x) {
     return each([&](int i) { return of_element::template called<Function>(element(x[i])...); });
   }
-  [[gnu::always_inline]] static T power(const T& x, const T& y) {
+  [[gnu::always_inline]] static Vector power(const Vector& x, const Vector& y) {
     return each([&](int i) { return of_element::power(x[i], y[i]); });
   }
-  [[gnu::always_inline]] static T atan2(const T& y, const T& x) {
+  [[gnu::always_inline]] static Vector atan2(const Vector& y, const Vector& x) {
     return each([&](int i) { return of_element::atan2(y[i], x[i]); });
   }
 
   /// In all lanes.
-  [[gnu::always_inline]] static bool exceeds(const T& x, const T& bound) {
+  [[gnu::always_inline]] static bool exceeds(const Vector& x, const Vector& bound) {
     return is_in_no_lane(~(x > bound));
   }
-  [[gnu::always_inline]] static bool is_in_no_lane(const decltype(T{} <= T{})& comparison) {
+  [[gnu::always_inline]] static bool is_in_no_lane(const decltype(Vector{} <= Vector{})& comparison) {
     return !numeric::detail::is_set_in_a_lane(comparison);
   }
 
-  [[gnu::always_inline]] static bool is_finite(const T& x) {
+  [[gnu::always_inline]] static bool is_finite(const Vector& x) {
 #if !defined(__FINITE_MATH_ONLY__) || !__FINITE_MATH_ONLY__
     if constexpr (are_known) {
       constexpr auto infinity =
-          __builtin_bit_cast(numeric::detail::number_bits<T>, std::numeric_limits<element>::infinity());
+          __builtin_bit_cast(numeric::detail::number_bits<Vector>, std::numeric_limits<element>::infinity());
       return is_in_no_lane((__builtin_bit_cast(bits, x) & infinity) == infinity);
     }
 #endif
@@ -120,11 +121,11 @@ struct scalar_math<T> {
 
 private:
   static constexpr bool are_known = std::is_same_v<element, double> || std::is_same_v<element, float>;
-  using bits = numeric::detail::bits_of<T>;
+  using bits = numeric::detail::bits_of<Vector>;
 
   template <class Lane>
-  [[gnu::always_inline]] static T each(const Lane& lane) {
-    T all{};
+  [[gnu::always_inline]] static Vector each(const Lane& lane) {
+    Vector all{};
     for (int i = 0; i < lanes; ++i) all[i] = lane(i);
     return all;
   }
@@ -135,14 +136,14 @@ private:
 namespace Eigen {
 
 /// Enough for Eigen to store packs and to give them back.
-template <kanexpr::lower::vector_extension T>
-struct NumTraits<T> : GenericNumTraits<T> {
+template <kanexpr::lower::vector_extension Vector>
+struct NumTraits<Vector> : GenericNumTraits<Vector> {
   enum { RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
 };
 
 /// A pack asks for its own alignment, which may be more than Eigen would.
-template <kanexpr::lower::vector_extension T, int size>
-struct internal::compute_default_alignment<T, size> {
+template <kanexpr::lower::vector_extension Vector, int size>
+struct internal::compute_default_alignment<Vector, size> {
   enum { value = 0 };
 };
 

@@ -14,34 +14,34 @@
 
 namespace kanexpr::lower {
 
-template <class T>
+template <class Number>
 struct scalar_math;
 
 /// Whether sines and cosines are computed here: in straight-line code, of several angles at once. With the
 /// macro KANEXPR_SINES_OF_THE_LIBRARY they come from the C library.
-template <class T>
+template <class Number>
 inline constexpr bool has_own_sines =
 #if defined(KANEXPR_SINES_OF_THE_LIBRARY)
     false;
 #else
-    std::is_same_v<T, double> || std::is_same_v<T, float>;
+    std::is_same_v<Number, double> || std::is_same_v<Number, float>;
 #endif
 
 /// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
-template <class T>
+template <class Number>
 struct default_scalar_math {
   /// A constant, or an argument that is given in another type.
   template <class Value>
-  static T from(const Value& value) {
-    return T(value);
+  static Number from(const Value& value) {
+    return Number(value);
   }
 
-  [[gnu::always_inline]] static void sincos(const T& angle, T& sine, T& cosine) {
-    if constexpr (has_own_sines<T>) return numeric::sine_and_cosine(angle, sine, cosine);
+  [[gnu::always_inline]] static void sincos(const Number& angle, Number& sine, Number& cosine) {
+    if constexpr (has_own_sines<Number>) return numeric::sine_and_cosine(angle, sine, cosine);
 #if defined(__GLIBC__)
-    if constexpr (std::is_same_v<T, double>) return ::sincos(angle, &sine, &cosine);
-    if constexpr (std::is_same_v<T, float>) return ::sincosf(angle, &sine, &cosine);
-    if constexpr (std::is_same_v<T, long double>) return ::sincosl(angle, &sine, &cosine);
+    if constexpr (std::is_same_v<Number, double>) return ::sincos(angle, &sine, &cosine);
+    if constexpr (std::is_same_v<Number, float>) return ::sincosf(angle, &sine, &cosine);
+    if constexpr (std::is_same_v<Number, long double>) return ::sincosl(angle, &sine, &cosine);
 #endif
     using std::cos;
     using std::sin;
@@ -51,23 +51,24 @@ struct default_scalar_math {
 
   /// Several angles at once.
   template <std::size_t count>
-  [[gnu::always_inline]] static void sincos(const T (&angle)[count], T (&sine)[count], T (&cosine)[count]) {
-    if constexpr (has_own_sines<T>)
+  [[gnu::always_inline]] static void sincos(const Number (&angle)[count], Number (&sine)[count],
+                                            Number (&cosine)[count]) {
+    if constexpr (has_own_sines<Number>)
       numeric::sines_and_cosines(angle, sine, cosine);
     else
       one_by_one(angle, sine, cosine, std::make_index_sequence<count>{});
   }
-  template <std::size_t... i>
-  [[gnu::always_inline]] static void one_by_one(const T* angle, T* sine, T* cosine,
-                                                std::index_sequence<i...>) {
-    (sincos(angle[i], sine[i], cosine[i]), ...);
+  template <std::size_t... index>
+  [[gnu::always_inline]] static void one_by_one(const Number* angle, Number* sine, Number* cosine,
+                                                std::index_sequence<index...>) {
+    (sincos(angle[index], sine[index], cosine[index]), ...);
   }
 
   template <symbolic::operation op>
-  static T by_name(const T& x) {
+  static Number by_name(const Number& x) {
     using symbolic::operation;
-    if constexpr (has_own_sines<T> && (op == operation::sin || op == operation::cos)) {
-      T sine, cosine;
+    if constexpr (has_own_sines<Number> && (op == operation::sin || op == operation::cos)) {
+      Number sine, cosine;
       numeric::sine_and_cosine(x, sine, cosine);
       return op == operation::sin ? sine : cosine;
     } else {
@@ -76,17 +77,18 @@ struct default_scalar_math {
   }
 
   /// Not-a-number exceeds nothing.
-  static bool exceeds(const T& x, const T& bound) { return x > bound; }
+  static bool exceeds(const Number& x, const Number& bound) { return x > bound; }
 
   /// By its bits where these are known, so that it holds with -ffast-math.
-  static bool is_finite(const T& x) {
-    if constexpr (std::is_same_v<T, double>)
+  static bool is_finite(const Number& x) {
+    if constexpr (std::is_same_v<Number, double>)
       return is_finite(std::bit_cast<std::uint64_t>(x), std::uint64_t{0x7ff} << 52);
-    else if constexpr (std::is_same_v<T, float>)
+    else if constexpr (std::is_same_v<Number, float>)
       return is_finite(std::bit_cast<std::uint32_t>(x), std::uint32_t{0xff} << 23);
     else
-      return scalar_math<T>::exceeds(T(x - x),
-                                     scalar_math<T>::from(-1)); // else the difference is not a number
+      return scalar_math<Number>::exceeds(
+          Number(x - x),
+          scalar_math<Number>::from(-1)); // else the difference is not a number
   }
   template <class Bits>
   [[gnu::always_inline]] static bool is_finite(Bits bits, Bits exponent) {
@@ -96,40 +98,40 @@ struct default_scalar_math {
     return (bits & exponent) != exponent;
   }
 
-  static T sign(const T& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
+  static Number sign(const Number& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
   /// What elimination exchanges rows with: by selection, since a branch would depend on the data.
-  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
-    const bool exchanged = T(0) < d;
-    const T upper = exchanged ? b : a, lower = exchanged ? a : b;
+  [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
+    const bool exchanged = Number(0) < d;
+    const Number upper = exchanged ? b : a, lower = exchanged ? a : b;
     a = upper;
     b = lower;
   }
   /// x where the condition is positive, or where it is not, else zero.
   template <symbolic::operation op>
-  [[gnu::always_inline]] static T selected(const T& condition, const T& x) {
+  [[gnu::always_inline]] static Number selected(const Number& condition, const Number& x) {
     constexpr bool wants_positive = op == symbolic::operation::if_positive;
-    if constexpr (numeric::selected_by_masks<T>)
+    if constexpr (numeric::selected_by_masks<Number>)
       return wants_positive ? numeric::where_positive(condition, x)
                             : numeric::where_not_positive(condition, x);
-    else if (T(0) < condition)
-      return wants_positive ? x : T(0);
-    else if (condition <= T(0))
-      return wants_positive ? T(0) : x;
+    else if (Number(0) < condition)
+      return wants_positive ? x : Number(0);
+    else if (condition <= Number(0))
+      return wants_positive ? Number(0) : x;
     else
       return condition; // not a number
   }
   /// A function of the program.
   template <class Function>
-  static constexpr bool calls = Function::template accepts<T>();
+  static constexpr bool calls = Function::template accepts<Number>();
   template <class Function>
   static constexpr bool interprets = true;
   template <class Function>
-  [[gnu::always_inline]] static T called(const auto&... x) {
-    return Function::template value<T>(x...);
+  [[gnu::always_inline]] static Number called(const auto&... x) {
+    return Function::template value<Number>(x...);
   }
   /// The same for an interpreter, which knows its values of double.
-  static T called(const symbolic::external_function& f, const T* x) {
-    if constexpr (std::is_same_v<T, double>) {
+  static Number called(const symbolic::external_function& f, const Number* x) {
+    if constexpr (std::is_same_v<Number, double>) {
       return f.value(x);
     } else {
       static_assert(
@@ -137,14 +139,14 @@ struct default_scalar_math {
           "functions of the program are interpreted with numbers that convert to double");
       double operands[symbolic::most_operands]{};
       for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i]);
-      return T(f.value(operands));
+      return Number(f.value(operands));
     }
   }
-  static T power(const T& x, const T& y) {
+  static Number power(const Number& x, const Number& y) {
     using std::pow;
     return pow(x, y);
   }
-  static T atan2(const T& y, const T& x) {
+  static Number atan2(const Number& y, const Number& x) {
     using std::atan2;
     return atan2(y, x);
   }
@@ -152,48 +154,48 @@ struct default_scalar_math {
 
 /// Specialise it to replace one function, such as sine and cosine together by a vector routine:
 /// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
-template <class T>
-struct scalar_math : default_scalar_math<T> {};
+template <class Number>
+struct scalar_math : default_scalar_math<Number> {};
 
-/// One operation of a tape on values of type T; the only place where a step becomes arithmetic, for compiled
-/// and for interpreted evaluation alike. Products are fused with the sums that they go into where the
-/// processor can, which clang++ would do within one statement only; not with KANEXPR_NO_FUSING.
-template <symbolic::operation op, class T>
-[[gnu::always_inline]] inline T apply(const T& a, const T& b) {
+/// One operation of a tape on values of one type; the only place where a step becomes arithmetic, for
+/// compiled and for interpreted evaluation alike. Products are fused with the sums that they go into where
+/// the processor can, which clang++ would do within one statement only; not with KANEXPR_NO_FUSING.
+template <symbolic::operation op, class Number>
+[[gnu::always_inline]] inline Number apply(const Number& a, const Number& b) {
 #if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
 #pragma clang fp contract(fast)
 #endif
   using symbolic::operation;
   if constexpr (symbolic::is_function(op))
-    return scalar_math<T>::template by_name<op>(a);
+    return scalar_math<Number>::template by_name<op>(a);
   else if constexpr (op == operation::negate)
-    return T(-a);
+    return Number(-a);
   else if constexpr (op == operation::add)
-    return T(a + b);
+    return Number(a + b);
   else if constexpr (op == operation::subtract)
-    return T(a - b);
+    return Number(a - b);
   else if constexpr (op == operation::multiply)
-    return T(a * b);
+    return Number(a * b);
   else if constexpr (op == operation::divide)
-    return T(a / b);
+    return Number(a / b);
   else if constexpr (op == operation::power)
-    return scalar_math<T>::power(a, b);
+    return scalar_math<Number>::power(a, b);
   else if constexpr (symbolic::is_selection(op))
-    return scalar_math<T>::template selected<op>(a, b);
+    return scalar_math<Number>::template selected<op>(a, b);
   else {
     static_assert(op == operation::atan2);
-    return scalar_math<T>::atan2(a, b);
+    return scalar_math<Number>::atan2(a, b);
   }
 }
 
 /// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its
 /// digits.
-template <class T>
-[[gnu::always_inline]] inline T number_as(const symbolic::number& n) {
-  if (n.denominator == 0) return scalar_math<T>::from(n.real);
-  const T numerator = scalar_math<T>::from(static_cast<double>(n.numerator));
+template <class Number>
+[[gnu::always_inline]] inline Number number_as(const symbolic::number& n) {
+  if (n.denominator == 0) return scalar_math<Number>::from(n.real);
+  const Number numerator = scalar_math<Number>::from(static_cast<double>(n.numerator));
   if (n.denominator == 1) return numerator;
-  return T(numerator / scalar_math<T>::from(static_cast<double>(n.denominator)));
+  return Number(numerator / scalar_math<Number>::from(static_cast<double>(n.denominator)));
 }
 
 } // namespace kanexpr::lower

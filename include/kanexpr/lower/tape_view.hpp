@@ -5,17 +5,17 @@
 namespace kanexpr::lower {
 
 /// So many entries that stand elsewhere.
-template <class T>
+template <class Number>
 class view {
 public:
-  constexpr view(const T* first, int size) : first_(first), size_(size) {}
+  constexpr view(const Number* first, int size) : first_(first), size_(size) {}
   constexpr int size() const { return size_; }
-  constexpr const T& operator[](int i) const { return first_[i]; }
-  constexpr const T* begin() const { return first_; }
-  constexpr const T* end() const { return first_ + size_; }
+  constexpr const Number& operator[](int i) const { return first_[i]; }
+  constexpr const Number* begin() const { return first_; }
+  constexpr const Number* end() const { return first_ + size_; }
 
 private:
-  const T* first_;
+  const Number* first_;
   int size_;
 };
 

@@ -9,11 +9,11 @@
 /// Quaternions within a vector, by the places of their entries.
 namespace kanexpr::lower {
 
-template <class X, class Places>
-[[gnu::always_inline]] inline typename X::Scalar squared_norm(const X& x, const Places& places) {
-  using T = typename X::Scalar;
-  T sum = scalar_math<T>::from(0);
-  for (const int place : places) sum = T(sum + T(x(place) * x(place)));
+template <class State, class Places>
+[[gnu::always_inline]] inline typename State::Scalar squared_norm(const State& x, const Places& places) {
+  using Number = typename State::Scalar;
+  Number sum = scalar_math<Number>::from(0);
+  for (const int place : places) sum = Number(sum + Number(x(place) * x(place)));
   return sum;
 }
 
@@ -23,23 +23,23 @@ struct norm_range {
 };
 
 /// Divides a quaternion by the root of the square of its norm.
-template <class X, class Places>
-[[gnu::always_inline]] inline void divide_by_norm(X& x, const Places& places,
-                                                  const typename X::Scalar& square) {
-  using T = typename X::Scalar;
-  using math = scalar_math<T>;
-  const T scale = T(math::from(1) / math::template by_name<symbolic::operation::sqrt>(square));
-  for (const int place : places) x(place) = T(x(place) * scale);
+template <class State, class Places>
+[[gnu::always_inline]] inline void divide_by_norm(State& x, const Places& places,
+                                                  const typename State::Scalar& square) {
+  using Number = typename State::Scalar;
+  using math = scalar_math<Number>;
+  const Number scale = Number(math::from(1) / math::template by_name<symbolic::operation::sqrt>(square));
+  for (const int place : places) x(place) = Number(x(place) * scale);
 }
 
 /// Gives a quaternion norm 1; false where its norm is out of the range.
-template <class X, class Places>
-[[gnu::always_inline]] inline bool normalize(X& x, const Places& places, const norm_range& from) {
-  using T = typename X::Scalar;
-  using math = scalar_math<T>;
-  const T square = squared_norm(x, places);
+template <class State, class Places>
+[[gnu::always_inline]] inline bool normalize(State& x, const Places& places, const norm_range& from) {
+  using Number = typename State::Scalar;
+  using math = scalar_math<Number>;
+  const Number square = squared_norm(x, places);
   if (!math::exceeds(square, math::from(from.least * from.least)) ||
-      !math::exceeds(T(-square), math::from(-(from.most * from.most))))
+      !math::exceeds(Number(-square), math::from(-(from.most * from.most))))
     return false;
   divide_by_norm(x, places, square);
   return true;
@@ -47,8 +47,8 @@ template <class X, class Places>
 
 /// Takes off the derivatives by a quaternion of norm 1 what belongs to its norm: they are those of a function
 /// that gives it norm 1 first.
-template <class Jacobian, class X, class Places>
-void leave_norm_out(Jacobian& by_all, const X& x, const Places& places) {
+template <class Jacobian, class State, class Places>
+void leave_norm_out(Jacobian& by_all, const State& x, const Places& places) {
   for (Eigen::Index i = 0; i < by_all.rows(); ++i) {
     auto along = by_all(i, 0) * 0;
     for (const int place : places) along += by_all(i, place) * x(place);

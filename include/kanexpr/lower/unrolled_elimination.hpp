@@ -6,166 +6,187 @@
 namespace kanexpr::lower {
 
 /// What elimination needs of a scalar type.
-template <class T>
+template <class Number>
 struct elimination_math {
-  [[gnu::always_inline]] static T magnitude(const T& x) {
-    return scalar_math<T>::template by_name<symbolic::operation::abs>(x);
+  [[gnu::always_inline]] static Number magnitude(const Number& x) {
+    return scalar_math<Number>::template by_name<symbolic::operation::abs>(x);
   }
-  [[gnu::always_inline]] static T root(const T& x) {
-    return scalar_math<T>::template by_name<symbolic::operation::sqrt>(x);
+  [[gnu::always_inline]] static Number root(const Number& x) {
+    return scalar_math<Number>::template by_name<symbolic::operation::sqrt>(x);
   }
-  [[gnu::always_inline]] static T reciprocal(const T& x) { return T(scalar_math<T>::from(1) / x); }
-  [[gnu::always_inline]] static void exchange_if_positive(const T& d, T& a, T& b) {
-    scalar_math<T>::exchange_if_positive(d, a, b);
+  [[gnu::always_inline]] static Number reciprocal(const Number& x) {
+    return Number(scalar_math<Number>::from(1) / x);
+  }
+  [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
+    scalar_math<Number>::exchange_if_positive(d, a, b);
   }
 };
 
 /// The steps of numeric/elimination.hpp one by one, with constant places only.
-template <int order, class T>
+template <int order, class Number>
 class unrolled_elimination {
-  using math = elimination_math<T>;
+  using math = elimination_math<Number>;
   static constexpr numeric::factors place{order};
   template <int count>
   using numbers = std::make_integer_sequence<int, count>;
 
 public:
-  [[gnu::always_inline]] static void factorize(T* f) noexcept { factorize(f, numbers<order>{}); }
-  [[gnu::always_inline]] static void solve(const T* f, T* x) noexcept { solve(f, x, numbers<order>{}); }
-  [[gnu::always_inline]] static void solve_transposed(const T* f, T* x) noexcept {
+  [[gnu::always_inline]] static void factorize(Number* f) noexcept { factorize(f, numbers<order>{}); }
+  [[gnu::always_inline]] static void solve(const Number* f, Number* x) noexcept {
+    solve(f, x, numbers<order>{});
+  }
+  [[gnu::always_inline]] static void solve_transposed(const Number* f, Number* x) noexcept {
     solve_transposed(f, x, numbers<order>{});
   }
-  [[gnu::always_inline]] static T singularity_measure(const T* f, T* squares) noexcept {
+  [[gnu::always_inline]] static Number singularity_measure(const Number* f, Number* squares) noexcept {
     return singularity_measure(f, squares, numbers<order>{});
   }
 
 private:
-  template <int... k>
-  [[gnu::always_inline]] static void factorize(T* f, std::integer_sequence<int, k...>) noexcept {
-    T least = math::magnitude(f[0]); // overwritten by the first pivot
-    const int in_order[]{(pivot<k>(f, least, numbers<order - 1 - k>{}), 0)...};
+  template <int... step>
+  [[gnu::always_inline]] static void factorize(Number* f, std::integer_sequence<int, step...>) noexcept {
+    Number least = math::magnitude(f[0]); // overwritten by the first pivot
+    const int in_order[]{(pivot<step>(f, least, numbers<order - 1 - step>{}), 0)...};
     static_cast<void>(in_order);
     f[place.least_pivot()] = least;
   }
 
-  template <int k, int... below>
-  [[gnu::always_inline]] static void pivot(T* f, T& least, std::integer_sequence<int, below...>) noexcept {
-    const int exchanged[]{0, (compare<k, k + 1 + below>(f, numbers<order - k>{}), 0)...};
-    T& pivot = f[place.at(k, k)];
-    T size = math::magnitude(pivot);
-    if constexpr (k == 0)
+  template <int step, int... below>
+  [[gnu::always_inline]] static void pivot(Number* f, Number& least,
+                                           std::integer_sequence<int, below...>) noexcept {
+    const int exchanged[]{0, (compare<step, step + 1 + below>(f, numbers<order - step>{}), 0)...};
+    Number& pivot = f[place.at(step, step)];
+    Number size = math::magnitude(pivot);
+    if constexpr (step == 0)
       least = size;
     else
-      math::exchange_if_positive(T(least - size), least, size);
+      math::exchange_if_positive(Number(least - size), least, size);
     pivot = math::reciprocal(pivot);
-    const int eliminated[]{0, (update<k, k + 1 + below>(f, numbers<order - 1 - k>{}), 0)...};
+    const int eliminated[]{0, (update<step, step + 1 + below>(f, numbers<order - 1 - step>{}), 0)...};
     static_cast<void>(exchanged), static_cast<void>(eliminated);
   }
 
-  template <int k, int i, int... right>
-  [[gnu::always_inline]] static void compare(T* f, std::integer_sequence<int, right...>) noexcept {
-    T& excess = f[place.excess(k, i)];
-    excess = T(math::magnitude(f[place.at(i, k)]) - math::magnitude(f[place.at(k, k)]));
-    const int exchanged[]{
-        (math::exchange_if_positive(excess, f[place.at(k, k + right)], f[place.at(i, k + right)]), 0)...};
+  template <int pivot, int row, int... right>
+  [[gnu::always_inline]] static void compare(Number* f, std::integer_sequence<int, right...>) noexcept {
+    Number& excess = f[place.excess(pivot, row)];
+    excess = Number(math::magnitude(f[place.at(row, pivot)]) - math::magnitude(f[place.at(pivot, pivot)]));
+    const int exchanged[]{(math::exchange_if_positive(excess, f[place.at(pivot, pivot + right)],
+                                                      f[place.at(row, pivot + right)]),
+                           0)...};
     static_cast<void>(exchanged);
   }
 
-  template <int k, int i, int... right>
-  [[gnu::always_inline]] static void update(T* f, std::integer_sequence<int, right...>) noexcept {
-    T& multiplier = f[place.at(i, k)];
-    multiplier = T(multiplier * f[place.at(k, k)]);
+  template <int pivot, int row, int... right>
+  [[gnu::always_inline]] static void update(Number* f, std::integer_sequence<int, right...>) noexcept {
+    Number& multiplier = f[place.at(row, pivot)];
+    multiplier = Number(multiplier * f[place.at(pivot, pivot)]);
     const int updated[]{
-        (subtract(f[place.at(i, k + 1 + right)], multiplier, f[place.at(k, k + 1 + right)]), 0)...};
+        (subtract(f[place.at(row, pivot + 1 + right)], multiplier, f[place.at(pivot, pivot + 1 + right)]),
+         0)...};
     static_cast<void>(updated);
   }
 
   /// a -= b c
-  [[gnu::always_inline]] static void subtract(T& a, const T& b, const T& c) noexcept { a = T(a - T(b * c)); }
+  [[gnu::always_inline]] static void subtract(Number& a, const Number& b, const Number& c) noexcept {
+    a = Number(a - Number(b * c));
+  }
 
-  template <int... k>
-  [[gnu::always_inline]] static T singularity_measure(const T* f, T* squares,
-                                                      std::integer_sequence<int, k...>) noexcept {
-    T largest = f[0]; // overwritten by the first
-    const int in_order[]{(inverse<k>(f, squares, largest, numbers<order - 1 - k>{}), 0)...};
+  template <int... pivot>
+  [[gnu::always_inline]] static Number singularity_measure(const Number* f, Number* squares,
+                                                           std::integer_sequence<int, pivot...>) noexcept {
+    Number largest = f[0]; // overwritten by the first
+    const int in_order[]{(inverse<pivot>(f, squares, largest, numbers<order - 1 - pivot>{}), 0)...};
     static_cast<void>(in_order);
-    T least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
+    Number least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
     math::exchange_if_positive(f[place.least_pivot()], least, beside);
     return least; // where a pivot is zero, what comes behind it is not a number
   }
-  template <int k, int... below>
-  [[gnu::always_inline]] static void inverse(const T* f, T* squares, T& largest,
+  template <int pivot, int... below>
+  [[gnu::always_inline]] static void inverse(const Number* f, Number* squares, Number& largest,
                                              std::integer_sequence<int, below...>) noexcept {
-    const int exchanged[]{0, (exchange<k, k + 1 + below>(f, squares, numbers<order - k>{}), 0)...};
-    const T& inverse = f[place.at(k, k)];
-    T own = T(inverse * T(inverse * squares[place.at(k, k)]));
-    if constexpr (k > 0) math::exchange_if_positive(T(largest - own), own, largest);
+    const int exchanged[]{0,
+                          (exchange<pivot, pivot + 1 + below>(f, squares, numbers<order - pivot>{}), 0)...};
+    const Number& inverse = f[place.at(pivot, pivot)];
+    Number own = Number(inverse * Number(inverse * squares[place.at(pivot, pivot)]));
+    if constexpr (pivot > 0) math::exchange_if_positive(Number(largest - own), own, largest);
     largest = own;
-    const int grown[]{0, (grow<k, k + 1 + below>(f, squares, numbers<order - 1 - k>{}), 0)...};
+    const int grown[]{0, (grow<pivot, pivot + 1 + below>(f, squares, numbers<order - 1 - pivot>{}), 0)...};
     static_cast<void>(exchanged), static_cast<void>(grown);
   }
-  template <int k, int i, int... right>
-  [[gnu::always_inline]] static void exchange(const T* f, T* squares,
+  template <int pivot, int row, int... right>
+  [[gnu::always_inline]] static void exchange(const Number* f, Number* squares,
                                               std::integer_sequence<int, right...>) noexcept {
-    const int exchanged[]{(math::exchange_if_positive(f[place.excess(k, i)], squares[place.at(k, k + right)],
-                                                      squares[place.at(i, k + right)]),
-                           0)...};
+    const int exchanged[]{
+        (math::exchange_if_positive(f[place.excess(pivot, row)], squares[place.at(pivot, pivot + right)],
+                                    squares[place.at(row, pivot + right)]),
+         0)...};
     static_cast<void>(exchanged);
   }
-  template <int k, int i, int... right>
-  [[gnu::always_inline]] static void grow(const T* f, T* squares,
+  template <int pivot, int row, int... right>
+  [[gnu::always_inline]] static void grow(const Number* f, Number* squares,
                                           std::integer_sequence<int, right...>) noexcept {
-    const T square = T(f[place.at(i, k)] * f[place.at(i, k)]);
+    const Number square = Number(f[place.at(row, pivot)] * f[place.at(row, pivot)]);
     const int grown[]{
-        (add(squares[place.at(i, k + 1 + right)], square, squares[place.at(k, k + 1 + right)]), 0)...};
+        (add(squares[place.at(row, pivot + 1 + right)], square, squares[place.at(pivot, pivot + 1 + right)]),
+         0)...};
     static_cast<void>(grown);
   }
 
   /// a += b c
-  [[gnu::always_inline]] static void add(T& a, const T& b, const T& c) noexcept { a = T(a + T(b * c)); }
+  [[gnu::always_inline]] static void add(Number& a, const Number& b, const Number& c) noexcept {
+    a = Number(a + Number(b * c));
+  }
 
-  template <int... k>
-  [[gnu::always_inline]] static void solve(const T* f, T* x, std::integer_sequence<int, k...>) noexcept {
-    const int down[]{(forward<k>(f, x, numbers<order - 1 - k>{}), 0)...};
-    const int up[]{(backward<order - 1 - k>(f, x, numbers<k>{}), 0)...};
+  template <int... pivot>
+  [[gnu::always_inline]] static void solve(const Number* f, Number* x,
+                                           std::integer_sequence<int, pivot...>) noexcept {
+    const int down[]{(forward<pivot>(f, x, numbers<order - 1 - pivot>{}), 0)...};
+    const int up[]{(backward<order - 1 - pivot>(f, x, numbers<pivot>{}), 0)...};
     static_cast<void>(down), static_cast<void>(up);
   }
-  template <int k, int... below>
-  [[gnu::always_inline]] static void forward([[maybe_unused]] const T* f, [[maybe_unused]] T* x,
+  template <int pivot, int... below>
+  [[gnu::always_inline]] static void forward([[maybe_unused]] const Number* f, [[maybe_unused]] Number* x,
                                              std::integer_sequence<int, below...>) noexcept {
-    const int done[]{
-        0, (math::exchange_if_positive(f[place.excess(k, k + 1 + below)], x[k], x[k + 1 + below]), 0)...,
-        (subtract(x[k + 1 + below], f[place.at(k + 1 + below, k)], x[k]), 0)...};
+    const int done[]{0,
+                     (math::exchange_if_positive(f[place.excess(pivot, pivot + 1 + below)], x[pivot],
+                                                 x[pivot + 1 + below]),
+                      0)...,
+                     (subtract(x[pivot + 1 + below], f[place.at(pivot + 1 + below, pivot)], x[pivot]), 0)...};
     static_cast<void>(done);
   }
-  template <int k, int... right>
-  [[gnu::always_inline]] static void backward(const T* f, T* x,
+  template <int pivot, int... right>
+  [[gnu::always_inline]] static void backward(const Number* f, Number* x,
                                               std::integer_sequence<int, right...>) noexcept {
-    const int done[]{0, (subtract(x[k], f[place.at(k, k + 1 + right)], x[k + 1 + right]), 0)...};
+    const int done[]{0,
+                     (subtract(x[pivot], f[place.at(pivot, pivot + 1 + right)], x[pivot + 1 + right]), 0)...};
     static_cast<void>(done);
-    x[k] = T(x[k] * f[place.at(k, k)]);
+    x[pivot] = Number(x[pivot] * f[place.at(pivot, pivot)]);
   }
 
-  template <int... k>
-  [[gnu::always_inline]] static void solve_transposed(const T* f, T* x,
-                                                      std::integer_sequence<int, k...>) noexcept {
-    const int down[]{(forward_transposed<k>(f, x, numbers<order - 1 - k>{}), 0)...};
-    const int up[]{(backward_transposed<order - 1 - k>(f, x, numbers<k>{}), 0)...};
+  template <int... pivot>
+  [[gnu::always_inline]] static void solve_transposed(const Number* f, Number* x,
+                                                      std::integer_sequence<int, pivot...>) noexcept {
+    const int down[]{(forward_transposed<pivot>(f, x, numbers<order - 1 - pivot>{}), 0)...};
+    const int up[]{(backward_transposed<order - 1 - pivot>(f, x, numbers<pivot>{}), 0)...};
     static_cast<void>(down), static_cast<void>(up);
   }
-  template <int k, int... right>
-  [[gnu::always_inline]] static void forward_transposed(const T* f, T* x,
+  template <int pivot, int... right>
+  [[gnu::always_inline]] static void forward_transposed(const Number* f, Number* x,
                                                         std::integer_sequence<int, right...>) noexcept {
-    x[k] = T(x[k] * f[place.at(k, k)]);
-    const int done[]{0, (subtract(x[k + 1 + right], f[place.at(k, k + 1 + right)], x[k]), 0)...};
+    x[pivot] = Number(x[pivot] * f[place.at(pivot, pivot)]);
+    const int done[]{0,
+                     (subtract(x[pivot + 1 + right], f[place.at(pivot, pivot + 1 + right)], x[pivot]), 0)...};
     static_cast<void>(done);
   }
-  template <int k, int... below>
-  [[gnu::always_inline]] static void backward_transposed([[maybe_unused]] const T* f, [[maybe_unused]] T* x,
+  template <int pivot, int... below>
+  [[gnu::always_inline]] static void backward_transposed([[maybe_unused]] const Number* f,
+                                                         [[maybe_unused]] Number* x,
                                                          std::integer_sequence<int, below...>) noexcept {
-    const int done[]{
-        0, (subtract(x[k], f[place.at(k + 1 + below, k)], x[k + 1 + below]), 0)...,
-        (math::exchange_if_positive(f[place.excess(k, order - 1 - below)], x[k], x[order - 1 - below]),
-         0)...};
+    const int done[]{0,
+                     (subtract(x[pivot], f[place.at(pivot + 1 + below, pivot)], x[pivot + 1 + below]), 0)...,
+                     (math::exchange_if_positive(f[place.excess(pivot, order - 1 - below)], x[pivot],
+                                                 x[order - 1 - below]),
+                      0)...};
     static_cast<void>(done);
   }
 };

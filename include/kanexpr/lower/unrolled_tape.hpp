@@ -41,7 +41,7 @@ struct step_plan {
 /// Every index is a constant and all steps stand in one function, each in the place of its slot in one
 /// initializer, so compilers dissolve the array before they look at anything else. Behind a pointer to the
 /// slots they would look at every step in memory, and in every function on the way out again.
-template <class Code, class T>
+template <class Code, class Number>
 class unrolled_tape {
 public:
   static constexpr const auto& tape = Code::tape;
@@ -54,9 +54,9 @@ public:
         up_to<tape.sizes.steps - behind>{}, up_to<tape.sizes.results>{});
   }
 
-  template <int i>
-  [[gnu::always_inline]] const T& result() const noexcept {
-    return result_[i];
+  template <int index>
+  [[gnu::always_inline]] const Number& result() const noexcept {
+    return result_[index];
   }
 
 private:
@@ -83,18 +83,18 @@ private:
                                   std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
                                   std::integer_sequence<int, after...>,
                                   std::integer_sequence<int, result...>) noexcept {
-    [[maybe_unused]] const T given[at_least_one(first + first_angle)] {
-      number_as<T>(tape.numbers[number])...,
+    [[maybe_unused]] const Number given[at_least_one(first + first_angle)] {
+      number_as<Number>(tape.numbers[number])...,
       arguments.template operator()<tape.loads[load].from, tape.loads[load].position>()...,
       take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr)...
     };
-    [[maybe_unused]] T sine[at_least_one(angles)], cosine[at_least_one(angles)];
+    [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
     if constexpr (angles > 0) {
-      const T all[]{given[a(first_angle + 2 * angle)]...};
-      scalar_math<T>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
+      const Number all[]{given[a(first_angle + 2 * angle)]...};
+      scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
-    [[maybe_unused]] T aside[at_least_one(plan.aside_count)];
-    [[maybe_unused]] const T slot[at_least_one(tape.slot_count())]{
+    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
+    [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
         given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
         take<plan.what[behind + after]>(
             slot[a(behind + after)], slot[b(behind + after)],
@@ -105,58 +105,60 @@ private:
   }
 
   /// Numbers by value: what a reference is bound to would have to be in memory.
-  using operand = std::conditional_t<std::is_arithmetic_v<T>, T, const T&>;
+  using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
 
   /// The value of a slot. Only what needs them is given the places aside and the slots.
   template <int what>
-  [[gnu::always_inline]] static T take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] T* aside,
-                                       [[maybe_unused]] const T* slot) noexcept {
+  [[gnu::always_inline]] static Number take(operand a, [[maybe_unused]] operand b,
+                                            [[maybe_unused]] Number* aside,
+                                            [[maybe_unused]] const Number* slot) noexcept {
     if constexpr (!plan.uses_aside(what)) {
-      return apply<static_cast<operation>(what), T>(a, b);
+      return apply<static_cast<operation>(what), Number>(a, b);
     } else {
       if constexpr (what == plan.sine_and_cosine)
-        scalar_math<T>::sincos(a, aside[0], aside[1]);
+        scalar_math<Number>::sincos(a, aside[0], aside[1]);
       else if constexpr (what < 0)
         eliminate<plan.first_linear_step - what>(aside, slot);
       return *aside;
     }
   }
 
-  template <int i>
-  [[gnu::always_inline]] static void eliminate(T* out, const T* slot) noexcept {
-    constexpr linear_step e = tape.linear_steps[i];
+  template <int index>
+  [[gnu::always_inline]] static void eliminate(Number* out, const Number* slot) noexcept {
+    constexpr linear_step e = tape.linear_steps[index];
     if constexpr (e.op == operation::call) {
-      *out = call<i>(slot, up_to<e.order>{});
+      *out = call<index>(slot, up_to<e.order>{});
     } else if constexpr (e.op == operation::singularity_measure) {
-      T squares[static_cast<std::size_t>(e.inputs())];
+      Number squares[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(squares, slot, up_to<e.inputs()>{});
-      *out = unrolled_elimination<e.order, T>::singularity_measure(slot + e.factors, squares);
+      *out = unrolled_elimination<e.order, Number>::singularity_measure(slot + e.factors, squares);
     } else {
       gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)
-        unrolled_elimination<e.order, T>::factorize(out);
+        unrolled_elimination<e.order, Number>::factorize(out);
       else if constexpr (e.op == operation::solve)
-        unrolled_elimination<e.order, T>::solve(slot + e.factors, out);
+        unrolled_elimination<e.order, Number>::solve(slot + e.factors, out);
       else
-        unrolled_elimination<e.order, T>::solve_transposed(slot + e.factors, out);
+        unrolled_elimination<e.order, Number>::solve_transposed(slot + e.factors, out);
     }
   }
 
-  template <int step, int... i>
-  [[gnu::always_inline]] static T call(const T* slot, std::integer_sequence<int, i...>) noexcept {
+  template <int step, int... index>
+  [[gnu::always_inline]] static Number call(const Number* slot,
+                                            std::integer_sequence<int, index...>) noexcept {
     constexpr linear_step e = tape.linear_steps[step];
     using function = decltype(code_of(symbolic::external_tag<tape.externals[e.factors]>{}));
-    return scalar_math<T>::template called<function>(slot[tape.operands[e.operands + i]]...);
+    return scalar_math<Number>::template called<function>(slot[tape.operands[e.operands + index]]...);
   }
 
-  template <int begin, int... i>
-  [[gnu::always_inline]] static void gather(T* out, const T* slot,
-                                            std::integer_sequence<int, i...>) noexcept {
-    const int order[]{(out[i] = slot[tape.operands[begin + i]], 0)...};
+  template <int begin, int... index>
+  [[gnu::always_inline]] static void gather(Number* out, const Number* slot,
+                                            std::integer_sequence<int, index...>) noexcept {
+    const int order[]{(out[index] = slot[tape.operands[begin + index]], 0)...};
     static_cast<void>(order);
   }
 
-  T result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
+  Number result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
 };
 
 } // namespace kanexpr::lower

@@ -7,9 +7,9 @@
 namespace kanexpr::numeric {
 
 /// A matrix of a constant expression as Eigen has it: `-as_eigen(K) * x`.
-template <class T, int rows, int columns>
-Eigen::Matrix<T, rows, columns> as_eigen(const fixed_matrix<T, rows, columns>& m) {
-  Eigen::Matrix<T, rows, columns> same;
+template <class Number, int rows, int columns>
+Eigen::Matrix<Number, rows, columns> as_eigen(const fixed_matrix<Number, rows, columns>& m) {
+  Eigen::Matrix<Number, rows, columns> same;
   for (int i = 0; i < rows * columns; ++i) same.data()[i] = m.entries[i];
   return same;
 }

@@ -9,19 +9,19 @@ namespace kanexpr::numeric {
 /// What elimination needs of numbers in a constant expression. A constant expression must not divide by zero:
 /// a vanishing pivot is left out, and whoever solves looks at the least pivot first.
 struct constant_elimination_math {
-  template <class T>
-  static constexpr T magnitude(T x) {
+  template <class Number>
+  static constexpr Number magnitude(Number x) {
     return x < 0 ? -x : x;
   }
-  template <class T>
-  static constexpr T reciprocal(T x) {
-    return equal(x, T(0)) ? T(0) : 1 / x;
+  template <class Number>
+  static constexpr Number reciprocal(Number x) {
+    return equal(x, Number(0)) ? Number(0) : 1 / x;
   }
   static constexpr double root(double x) { return elementary::sqrt(x); }
-  template <class T>
-  static constexpr void exchange_if_positive(T d, T& a, T& b) {
+  template <class Number>
+  static constexpr void exchange_if_positive(Number d, Number& a, Number& b) {
     if (!(d > 0)) return;
-    const T kept = a;
+    const Number kept = a;
     a = b;
     b = kept;
   }

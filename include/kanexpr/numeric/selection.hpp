@@ -10,35 +10,35 @@
 /// Numbers that a condition lets through: by masks, for compilers make branches of a conditional expression.
 namespace kanexpr::numeric {
 
-template <class T>
-concept selected_by_masks = std::same_as<T, double> || std::same_as<T, float>;
+template <class Number>
+concept selected_by_masks = std::same_as<Number, double> || std::same_as<Number, float>;
 
 /// x where c is positive, else 0; not-a-number where c is none.
-template <selected_by_masks T>
-[[gnu::always_inline]] constexpr T where_positive(T c, T x) noexcept {
-  using bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
-  const bits is_positive = bits{0} - static_cast<bits>(T(0) < c),
-             is_negative = bits{0} - static_cast<bits>(c < T(0));
-  return std::bit_cast<T>((std::bit_cast<bits>(x) & is_positive) |
-                          (std::bit_cast<bits>(c) & ~(is_positive | is_negative)));
+template <selected_by_masks Number>
+[[gnu::always_inline]] constexpr Number where_positive(Number c, Number x) noexcept {
+  using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+  const bits is_positive = bits{0} - static_cast<bits>(Number(0) < c),
+             is_negative = bits{0} - static_cast<bits>(c < Number(0));
+  return std::bit_cast<Number>((std::bit_cast<bits>(x) & is_positive) |
+                               (std::bit_cast<bits>(c) & ~(is_positive | is_negative)));
 }
 
 /// 0 where c is positive, else x; not-a-number where c is none.
-template <selected_by_masks T>
-[[gnu::always_inline]] constexpr T where_not_positive(T c, T x) noexcept {
-  using bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
-  const bits is_positive = bits{0} - static_cast<bits>(T(0) < c),
-             is_other = bits{0} - static_cast<bits>(c <= T(0));
-  return std::bit_cast<T>((std::bit_cast<bits>(x) & is_other) |
-                          (std::bit_cast<bits>(c) & ~(is_positive | is_other)));
+template <selected_by_masks Number>
+[[gnu::always_inline]] constexpr Number where_not_positive(Number c, Number x) noexcept {
+  using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+  const bits is_positive = bits{0} - static_cast<bits>(Number(0) < c),
+             is_other = bits{0} - static_cast<bits>(c <= Number(0));
+  return std::bit_cast<Number>((std::bit_cast<bits>(x) & is_other) |
+                               (std::bit_cast<bits>(c) & ~(is_positive | is_other)));
 }
 
 /// x where c is a number, else c.
-template <selected_by_masks T>
-[[gnu::always_inline]] constexpr T where_number(T c, T x) noexcept {
-  using bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+template <selected_by_masks Number>
+[[gnu::always_inline]] constexpr Number where_number(Number c, Number x) noexcept {
+  using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
   const bits is_one = bits{0} - static_cast<bits>(is_number(c));
-  return std::bit_cast<T>((std::bit_cast<bits>(x) & is_one) | (std::bit_cast<bits>(c) & ~is_one));
+  return std::bit_cast<Number>((std::bit_cast<bits>(x) & is_one) | (std::bit_cast<bits>(c) & ~is_one));
 }
 
 } // namespace kanexpr::numeric

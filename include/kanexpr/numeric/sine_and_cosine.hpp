@@ -42,24 +42,24 @@ template <class Number>
 struct circular;
 template <>
 struct circular<double> { // 2^-57.9 and 2^-63.9
-  static constexpr double S[]{-0x1.5555555555548p-3, 0x1.111111110f7d0p-7,   -0x1.a01a019bfdee3p-13,
-                              0x1.71de3567d2be4p-19, -0x1.ae5e5a911c1a5p-26, 0x1.5d8fd18cf9527p-33};
-  static constexpr double C[]{0x1.555555555554bp-5,   -0x1.6c16c16c14f91p-10, 0x1.a01a019c844d5p-16,
-                              -0x1.27e4f7eac3446p-22, 0x1.1ee9d7b3dfb8dp-29,  -0x1.8fa4997f3dab6p-37};
+  static constexpr double of_sine[]{-0x1.5555555555548p-3, 0x1.111111110f7d0p-7,   -0x1.a01a019bfdee3p-13,
+                                    0x1.71de3567d2be4p-19, -0x1.ae5e5a911c1a5p-26, 0x1.5d8fd18cf9527p-33};
+  static constexpr double of_cosine[]{0x1.555555555554bp-5,   -0x1.6c16c16c14f91p-10, 0x1.a01a019c844d5p-16,
+                                      -0x1.27e4f7eac3446p-22, 0x1.1ee9d7b3dfb8dp-29,  -0x1.8fa4997f3dab6p-37};
   static constexpr double quadrants = 0x1.45f306dc9c883p-1; // in a radian
   static constexpr double integers = 0x1.8p52;              // from here on numbers are integers
 };
 template <>
 struct circular<float> { // 2^-37.4 and 2^-33
-  static constexpr float S[]{-0x1.555556p-3F, 0x1.111108p-7F, -0x1.a00f80p-13F, 0x1.6cd1f2p-19F};
-  static constexpr float C[]{0x1.55554ap-5F, -0x1.6c0c34p-10F, 0x1.99eb9cp-16F};
+  static constexpr float of_sine[]{-0x1.555556p-3F, 0x1.111108p-7F, -0x1.a00f80p-13F, 0x1.6cd1f2p-19F};
+  static constexpr float of_cosine[]{0x1.55554ap-5F, -0x1.6c0c34p-10F, 0x1.99eb9cp-16F};
   static constexpr float quadrants = 0x1.45f306p-1F;
   static constexpr float integers = 0x1.8p23F;
 };
 
 /// Keeps g++ from merging v with what it is added to.
-template <class T>
-[[gnu::always_inline]] constexpr T rounded(const T& v) {
+template <class Value>
+[[gnu::always_inline]] constexpr Value rounded(const Value& v) {
 #if defined(__clang__)
   return v;
 #else
@@ -68,54 +68,54 @@ template <class T>
 }
 
 /// An angle of `quadrant` quarter turns, in its lowest bits, and `offset + rest` beyond them.
-template <class T>
+template <class Value>
 struct reduced_angle {
-  T offset, rest;
-  bits_of<T> quadrant;
+  Value offset, rest;
+  bits_of<Value> quadrant;
 };
 
 /// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is what the
 /// first leaves. The closest that an angle comes to a multiple of π/2 is 2^-60 (to 29 of them).
-template <class T>
-[[gnu::always_inline]] constexpr reduced_angle<T> reduced(const T& magnitude) {
+template <class Value>
+[[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
   using known = circular<double>;
-  const T shifted = rounded<T>(magnitude * known::quadrants + known::integers);
-  const T q = rounded<T>(shifted - known::integers);
-  const T first = rounded<T>(magnitude - q * 0x1.921fb54440000p+0);
-  const T subtracted = rounded<T>(q * 0x1.68c234c4c0000p-39);
-  const T offset = rounded<T>(first - subtracted);
-  const T rest = rounded<T>(rounded<T>(first - offset) - subtracted) - q * 0x1.98a2e03707344p-77;
-  return {offset, rest, __builtin_bit_cast(bits_of<T>, shifted)};
+  const Value shifted = rounded<Value>(magnitude * known::quadrants + known::integers);
+  const Value q = rounded<Value>(shifted - known::integers);
+  const Value first = rounded<Value>(magnitude - q * 0x1.921fb54440000p+0);
+  const Value subtracted = rounded<Value>(q * 0x1.68c234c4c0000p-39);
+  const Value offset = rounded<Value>(first - subtracted);
+  const Value rest = rounded<Value>(rounded<Value>(first - offset) - subtracted) - q * 0x1.98a2e03707344p-77;
+  return {offset, rest, __builtin_bit_cast(bits_of<Value>, shifted)};
 }
 
 #if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
-template <class T>
-inline constexpr bool has_rest = !std::is_same_v<T, float>;
+template <class Value>
+inline constexpr bool has_rest = !std::is_same_v<Value, float>;
 #else
-template <class T>
+template <class Value>
 inline constexpr bool has_rest = true;
 #endif
 
-template <class T>
-  requires std::is_same_v<number_of<T>, float>
-constexpr reduced_angle<T> reduced(const T& magnitude);
+template <class Value>
+  requires std::is_same_v<number_of<Value>, float>
+constexpr reduced_angle<Value> reduced(const Value& magnitude);
 
 /// Of many lanes, half of them at a time.
-template <class T, std::size_t... i>
-[[gnu::always_inline]] constexpr reduced_angle<T> reduced_by_halves(const T& magnitude,
-                                                                    std::index_sequence<i...>) {
-  constexpr std::size_t half = sizeof...(i);
-  const auto first = reduced(__builtin_shufflevector(magnitude, magnitude, i...));
-  const auto second = reduced(__builtin_shufflevector(magnitude, magnitude, (half + i)...));
-  return {__builtin_shufflevector(first.offset, second.offset, i..., (half + i)...),
-          __builtin_shufflevector(first.rest, second.rest, i..., (half + i)...),
-          __builtin_shufflevector(first.quadrant, second.quadrant, i..., (half + i)...)};
+template <class Value, std::size_t... index>
+[[gnu::always_inline]] constexpr reduced_angle<Value> reduced_by_halves(const Value& magnitude,
+                                                                        std::index_sequence<index...>) {
+  constexpr std::size_t half = sizeof...(index);
+  const auto first = reduced(__builtin_shufflevector(magnitude, magnitude, index...));
+  const auto second = reduced(__builtin_shufflevector(magnitude, magnitude, (half + index)...));
+  return {__builtin_shufflevector(first.offset, second.offset, index..., (half + index)...),
+          __builtin_shufflevector(first.rest, second.rest, index..., (half + index)...),
+          __builtin_shufflevector(first.quadrant, second.quadrant, index..., (half + index)...)};
 }
 
 /// By way of `double`; where there is no such arithmetic, fused operations leave exact remainders.
-template <class T>
-  requires std::is_same_v<number_of<T>, float>
-[[gnu::always_inline]] constexpr reduced_angle<T> reduced(const T& magnitude) {
+template <class Value>
+  requires std::is_same_v<number_of<Value>, float>
+[[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
 #if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
   if (!std::is_constant_evaluated()) {
     using known = circular<float>;
@@ -126,12 +126,12 @@ template <class T>
     return {__builtin_fmaf(q, -0x1.846988p-48F, second), {}, __builtin_bit_cast(std::uint32_t, shifted)};
   }
 #endif
-  using wide = lanes_as<T, double>;
-  if constexpr (constexpr std::size_t count = lanes<T>::count;
+  using wide = lanes_as<Value, double>;
+  if constexpr (constexpr std::size_t count = lanes<Value>::count;
                 sizeof(wide) > (std::max)(widest_vector, sizeof(double)) && widest_vector > 0) {
     return reduced_by_halves(magnitude, std::make_index_sequence<count / 2>{});
   } else if constexpr (count > 1 && widest_vector == 0) {
-    reduced_angle<T> all;
+    reduced_angle<Value> all;
     for (std::size_t i = 0; i < count; ++i) {
       const reduced_angle<float> one = reduced<float>(magnitude[i]);
       all.offset[i] = one.offset, all.rest[i] = one.rest, all.quadrant[i] = one.quadrant;
@@ -143,58 +143,60 @@ template <class T>
     const wide shifted = rounded<wide>(all * known::quadrants + known::integers);
     const wide q = rounded<wide>(shifted - known::integers);
     const wide exact = rounded<wide>(all - q * 0x1.921fb54400000p+0) - q * 0x1.0b4611a626331p-34;
-    const T offset = converted<T>(exact);
-    return {offset, converted<T>(exact - converted<wide>(offset)),
+    const Value offset = converted<Value>(exact);
+    return {offset, converted<Value>(exact - converted<wide>(offset)),
             lower_halves(__builtin_bit_cast(bits_of<wide>, shifted))};
   }
 }
 
 /// By Horner's rule, from the coefficient `i` on.
-template <std::size_t i, std::size_t count, class Number, class T>
-[[gnu::always_inline]] constexpr T polynomial(const Number (&coefficients)[count], const T& x) {
-  if constexpr (i + 1 == count)
-    return T{} + coefficients[i];
+template <std::size_t index, std::size_t count, class Number, class Value>
+[[gnu::always_inline]] constexpr Value polynomial(const Number (&coefficients)[count], const Value& x) {
+  if constexpr (index + 1 == count)
+    return Value{} + coefficients[index];
   else
-    return polynomial<i + 1>(coefficients, x) * x + coefficients[i];
+    return polynomial<index + 1>(coefficients, x) * x + coefficients[index];
 }
 
-template <class T>
-[[gnu::always_inline]] constexpr void sine_and_cosine_within_reach(const T& angle, T& sine, T& cosine) {
-  using number = number_of<T>;
-  using bits = bits_of<T>;
+template <class Value>
+[[gnu::always_inline]] constexpr void sine_and_cosine_within_reach(const Value& angle, Value& sine,
+                                                                   Value& cosine) {
+  using number = number_of<Value>;
+  using bits = bits_of<Value>;
   using known = circular<number>;
   constexpr int last = 8 * sizeof(number) - 1;
-  constexpr auto sign = number_bits<T>{1} << last;
+  constexpr auto sign = number_bits<Value>{1} << last;
   const bits given = __builtin_bit_cast(bits, angle);
   bits magnitude = given & ~sign;
 #if defined(KANEXPR_ANGLES_WITHIN_REACH)
-  magnitude |= 0 - ((__builtin_bit_cast(number_bits<T>, number(farthest_angle)) - magnitude) >> last); // NaN
+  magnitude |=
+      0 - ((__builtin_bit_cast(number_bits<Value>, number(farthest_angle)) - magnitude) >> last); // NaN
 #endif
-  const reduced_angle<T> r = reduced(__builtin_bit_cast(T, magnitude));
-  const T square = r.offset * r.offset;
-  const T cube = r.offset * square;
-  const T falling = square * polynomial<0>(known::C, square) - number(0.5);
-  T along, across;
-  if constexpr (has_rest<T>) {
-    along = r.offset + (r.rest + cube * polynomial<0>(known::S, square));
+  const reduced_angle<Value> r = reduced(__builtin_bit_cast(Value, magnitude));
+  const Value square = r.offset * r.offset;
+  const Value cube = r.offset * square;
+  const Value falling = square * polynomial<0>(known::of_cosine, square) - number(0.5);
+  Value along, across;
+  if constexpr (has_rest<Value>) {
+    along = r.offset + (r.rest + cube * polynomial<0>(known::of_sine, square));
     across = number(1) + (square * falling - r.offset * r.rest);
   } else {
-    along = r.offset + cube * polynomial<0>(known::S, square);
+    along = r.offset + cube * polynomial<0>(known::of_sine, square);
     across = number(1) + square * falling;
   }
   // Odd quadrants exchange the two.
   const bits s = __builtin_bit_cast(bits, along), c = __builtin_bit_cast(bits, across);
   const bits exchanged = (s ^ c) & (0 - (r.quadrant & 1));
-  sine = __builtin_bit_cast(T, s ^ exchanged ^ ((r.quadrant << (last - 1) ^ given) & sign));
-  cosine = __builtin_bit_cast(T, c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign));
+  sine = __builtin_bit_cast(Value, s ^ exchanged ^ ((r.quadrant << (last - 1) ^ given) & sign));
+  cosine = __builtin_bit_cast(Value, c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign));
 }
 
 /// Whether some lane is farther than the farthest angle, or no number.
-template <class T>
-[[gnu::always_inline]] constexpr bool is_out_of_reach(const T& angle) {
-  using bits = number_bits<T>;
-  const bits_of<T> given = __builtin_bit_cast(bits_of<T>, angle);
-  const bits_of<T> left = __builtin_bit_cast(bits, number_of<T>(farthest_angle)) - (given << 1 >> 1);
+template <class Value>
+[[gnu::always_inline]] constexpr bool is_out_of_reach(const Value& angle) {
+  using bits = number_bits<Value>;
+  const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);
+  const bits_of<Value> left = __builtin_bit_cast(bits, number_of<Value>(farthest_angle)) - (given << 1 >> 1);
   return is_set_in_a_lane(left);
 }
 
@@ -213,24 +215,25 @@ template <class Number>
 
 /// The sine and the cosine of an angle in radians, or of as many angles as T has lanes. Each lane has the
 /// bits of its own evaluation.
-template <class T>
-[[gnu::always_inline]] constexpr void sine_and_cosine(const T& angle, T& sine, T& cosine) noexcept {
+template <class Value>
+[[gnu::always_inline]] constexpr void sine_and_cosine(const Value& angle, Value& sine,
+                                                      Value& cosine) noexcept {
   detail::sine_and_cosine_within_reach(angle, sine, cosine);
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
   if (detail::is_out_of_reach(angle)) [[unlikely]] {
     if (std::is_constant_evaluated()) {
-      if constexpr (detail::lanes<T>::count == 1) {
-        sine = static_cast<T>(elementary::sin(static_cast<double>(angle)));
-        cosine = static_cast<T>(elementary::cos(static_cast<double>(angle)));
+      if constexpr (detail::lanes<Value>::count == 1) {
+        sine = static_cast<Value>(elementary::sin(static_cast<double>(angle)));
+        cosine = static_cast<Value>(elementary::cos(static_cast<double>(angle)));
       }
     } else {
       // What the library is given must be in memory; what is computed here should not be.
-      detail::number_of<T> angles[detail::lanes<T>::count], sines[detail::lanes<T>::count],
-          cosines[detail::lanes<T>::count];
+      detail::number_of<Value> angles[detail::lanes<Value>::count], sines[detail::lanes<Value>::count],
+          cosines[detail::lanes<Value>::count];
       std::memcpy(angles, &angle, sizeof angle);
       std::memcpy(sines, &sine, sizeof angle);
       std::memcpy(cosines, &cosine, sizeof angle);
-      detail::by_the_library(detail::lanes<T>::count, angles, sines, cosines);
+      detail::by_the_library(detail::lanes<Value>::count, angles, sines, cosines);
       std::memcpy(&sine, sines, sizeof angle);
       std::memcpy(&cosine, cosines, sizeof angle);
     }

@@ -33,12 +33,12 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
   const vector all{angle_in_lane<Number, first, lane>(angle)...};
   vector sines, cosines;
   sine_and_cosine_within_reach(all, sines, cosines);
-  const auto keep = [&]<std::size_t i>() {
-    if constexpr (first + i < count) {
+  const auto keep = [&]<std::size_t index>() {
+    if constexpr (first + index < count) {
       if constexpr (sizeof...(lane) == 1)
         sine[first] = sines, cosine[first] = cosines;
       else
-        sine[first + i] = sines[i], cosine[first + i] = cosines[i];
+        sine[first + index] = sines[index], cosine[first + index] = cosines[index];
     }
   };
   (keep.template operator()<lane>(), ...);

@@ -8,36 +8,36 @@ namespace kanexpr::numeric {
 namespace detail {
 
 /// The highest bit of a lane is set where its angle is out of reach, or no number.
-template <class T>
-[[gnu::always_inline]] inline bits_of<T> beyond_reach(const T& angle) {
-  const bits_of<T> given = __builtin_bit_cast(bits_of<T>, angle);
-  return __builtin_bit_cast(number_bits<T>, number_of<T>(farthest_angle)) - (given << 1 >> 1);
+template <class Value>
+[[gnu::always_inline]] inline bits_of<Value> beyond_reach(const Value& angle) {
+  const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);
+  return __builtin_bit_cast(number_bits<Value>, number_of<Value>(farthest_angle)) - (given << 1 >> 1);
 }
 
-template <class T, std::size_t count, std::size_t... i>
-[[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const T (&angle)[count], T (&sine)[count],
-                                                                T (&cosine)[count],
-                                                                std::index_sequence<i...>) {
-  (sine_and_cosine_within_reach(angle[i], sine[i], cosine[i]), ...);
-  return is_set_in_a_lane((beyond_reach(angle[i]) | ...));
+template <class Value, std::size_t count, std::size_t... index>
+[[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const Value (&angle)[count],
+                                                                Value (&sine)[count], Value (&cosine)[count],
+                                                                std::index_sequence<index...>) {
+  (sine_and_cosine_within_reach(angle[index], sine[index], cosine[index]), ...);
+  return is_set_in_a_lane((beyond_reach(angle[index]) | ...));
 }
 
 } // namespace detail
 
 /// Each lane has the bits of `sine_and_cosine` of its angle.
-template <class T, std::size_t count>
-  requires(detail::lanes<T>::count > 1)
-[[gnu::always_inline]] inline void sines_and_cosines(const T (&angle)[count], T (&sine)[count],
-                                                     T (&cosine)[count]) noexcept {
+template <class Value, std::size_t count>
+  requires(detail::lanes<Value>::count > 1)
+[[gnu::always_inline]] inline void sines_and_cosines(const Value (&angle)[count], Value (&sine)[count],
+                                                     Value (&cosine)[count]) noexcept {
   [[maybe_unused]] const bool is_far =
       detail::sines_and_cosines_of_vectors(angle, sine, cosine, std::make_index_sequence<count>{});
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
   if (is_far) [[unlikely]] {
-    constexpr std::size_t lanes = detail::lanes<T>::count;
+    constexpr std::size_t lanes = detail::lanes<Value>::count;
     // Aligned, and with them the stack: clang++ would put vectors across the lines of a cache.
-    alignas(T) detail::number_of<T> angles[count][lanes];
-    alignas(T) detail::number_of<T> sines[count][lanes];
-    alignas(T) detail::number_of<T> cosines[count][lanes];
+    alignas(Value) detail::number_of<Value> angles[count][lanes];
+    alignas(Value) detail::number_of<Value> sines[count][lanes];
+    alignas(Value) detail::number_of<Value> cosines[count][lanes];
     std::memcpy(angles, angle, sizeof angles);
     std::memcpy(sines, sine, sizeof angles);
     std::memcpy(cosines, cosine, sizeof angles);

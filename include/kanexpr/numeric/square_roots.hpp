@@ -12,22 +12,25 @@ namespace kanexpr::numeric {
 
 /// The square roots of all lanes of one of the compiler's vectors, each rounded as that of a number is.
 /// Compilers take them one by one with a branch for `errno` where they are not asked for vectors.
-template <class T>
-[[gnu::always_inline]] inline T square_roots(const T& x) noexcept {
+template <class Number>
+[[gnu::always_inline]] inline Number square_roots(const Number& x) noexcept {
 #if defined(__clang__)
   return __builtin_elementwise_sqrt(x);
 #else
   using number = std::remove_cvref_t<decltype(x[0])>;
 #if defined(__SSE2__)
-  if constexpr (std::is_same_v<number, double> && sizeof(T) == 16) return T(_mm_sqrt_pd(__m128d(x)));
-  if constexpr (std::is_same_v<number, float> && sizeof(T) == 16) return T(_mm_sqrt_ps(__m128(x)));
+  if constexpr (std::is_same_v<number, double> && sizeof(Number) == 16)
+    return Number(_mm_sqrt_pd(__m128d(x)));
+  if constexpr (std::is_same_v<number, float> && sizeof(Number) == 16) return Number(_mm_sqrt_ps(__m128(x)));
 #endif
 #if defined(__AVX__)
-  if constexpr (std::is_same_v<number, double> && sizeof(T) == 32) return T(_mm256_sqrt_pd(__m256d(x)));
-  if constexpr (std::is_same_v<number, float> && sizeof(T) == 32) return T(_mm256_sqrt_ps(__m256(x)));
+  if constexpr (std::is_same_v<number, double> && sizeof(Number) == 32)
+    return Number(_mm256_sqrt_pd(__m256d(x)));
+  if constexpr (std::is_same_v<number, float> && sizeof(Number) == 32)
+    return Number(_mm256_sqrt_ps(__m256(x)));
 #endif
-  T roots{};
-  for (std::size_t i = 0; i < sizeof(T) / sizeof(number); ++i) roots[i] = std::sqrt(x[i]);
+  Number roots{};
+  for (std::size_t i = 0; i < sizeof(Number) / sizeof(number); ++i) roots[i] = std::sqrt(x[i]);
   return roots;
 #endif
 }

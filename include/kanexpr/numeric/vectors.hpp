@@ -30,26 +30,26 @@ struct vector_of<Number, 1> {
 };
 
 /// What T holds `count` of: T itself is a number or one of the compiler's vectors.
-template <class T>
+template <class Value>
 struct lanes {
-  using number = T;
+  using number = Value;
   static constexpr std::size_t count = 1;
 };
-template <class T>
-  requires requires(const T v) { v[0]; }
-struct lanes<T> {
-  using number = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
-  static constexpr std::size_t count = sizeof(T) / sizeof(number);
+template <class Value>
+  requires requires(const Value v) { v[0]; }
+struct lanes<Value> {
+  using number = std::remove_cvref_t<decltype(std::declval<const Value&>()[0])>;
+  static constexpr std::size_t count = sizeof(Value) / sizeof(number);
 };
-template <class T>
-using number_of = typename lanes<T>::number;
+template <class Value>
+using number_of = typename lanes<Value>::number;
 /// As many of another number.
-template <class T, class Number>
-using lanes_as = typename vector_of<Number, lanes<T>::count>::type;
-template <class T>
-using number_bits = std::conditional_t<sizeof(number_of<T>) == 8, std::uint64_t, std::uint32_t>;
-template <class T>
-using bits_of = lanes_as<T, number_bits<T>>;
+template <class Value, class Number>
+using lanes_as = typename vector_of<Number, lanes<Value>::count>::type;
+template <class Value>
+using number_bits = std::conditional_t<sizeof(number_of<Value>) == 8, std::uint64_t, std::uint32_t>;
+template <class Value>
+using bits_of = lanes_as<Value, number_bits<Value>>;
 
 template <class To, class From>
 [[gnu::always_inline]] constexpr To converted(const From& v) {
@@ -65,9 +65,9 @@ template <class To, class From>
   }
 }
 
-template <class Bits, std::size_t... i>
-[[gnu::always_inline]] constexpr auto every_other(const Bits& bits, std::index_sequence<i...>) {
-  return __builtin_shufflevector(bits, bits, 2 * i...);
+template <class Bits, std::size_t... index>
+[[gnu::always_inline]] constexpr auto every_other(const Bits& bits, std::index_sequence<index...>) {
+  return __builtin_shufflevector(bits, bits, 2 * index...);
 }
 
 /// The lower halves of 64 bits.
@@ -112,10 +112,10 @@ template <class Bits>
 template <class Bits>
 [[gnu::always_inline]] constexpr bool is_set_in_a_lane(const Bits& bits);
 
-template <class Bits, std::size_t... i>
-[[gnu::always_inline]] constexpr bool is_set_in_a_half(const Bits& bits, std::index_sequence<i...>) {
-  return is_set_in_a_lane(__builtin_shufflevector(bits, bits, i...) |
-                          __builtin_shufflevector(bits, bits, (sizeof...(i) + i)...));
+template <class Bits, std::size_t... index>
+[[gnu::always_inline]] constexpr bool is_set_in_a_half(const Bits& bits, std::index_sequence<index...>) {
+  return is_set_in_a_lane(__builtin_shufflevector(bits, bits, index...) |
+                          __builtin_shufflevector(bits, bits, (sizeof...(index) + index)...));
 }
 
 /// Whether the highest bit is set in some lane, as a comparison and a sign set it.

@@ -28,8 +28,8 @@ std::vector<double> entries_of(const Vector& v) {
 
 /// As for a compiled system: gives quaternions norm 1 and solves the constraints for what is dependent in
 /// `x` = [q; u].
-template <class P = Eigen::VectorXd, class R = Eigen::VectorXd>
-assembly assemble(model& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {}, double t = 0,
+template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
+assembly assemble(model& m, Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {}, double t = 0,
                   const assembly_options& options = {}) {
   return runtime::assemble(m, {x.data(), static_cast<std::size_t>(x.size())}, runtime::entries_of(p),
                            runtime::entries_of(r), t, options);
@@ -37,9 +37,9 @@ assembly assemble(model& m, Eigen::VectorXd& x, const P& p = {}, const R& r = {}
 
 /// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
 /// and its quaternions have norm 1; if not, what is off and by how much.
-template <class P = Eigen::VectorXd, class R = Eigen::VectorXd>
-consistency check_consistency(model& m, const Eigen::VectorXd& x, const P& p, const R& r, double t = 0,
-                              double tolerance = 1e-9) {
+template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
+consistency check_consistency(model& m, const Eigen::VectorXd& x, const Parameters& p, const Inputs& r,
+                              double t = 0, double tolerance = 1e-9) {
   return runtime::check_consistency(m, {x.data(), static_cast<std::size_t>(x.size())}, runtime::entries_of(p),
                                     runtime::entries_of(r), t, tolerance);
 }

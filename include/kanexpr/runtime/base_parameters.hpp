@@ -26,8 +26,8 @@ struct base_parameters {
   std::string_view cause() const { return failure.view(); }
 
   /// Y_base, of any Y.
-  template <class Y>
-  Eigen::MatrixXd columns_of(const Eigen::MatrixBase<Y>& y) const {
+  template <class Regressor>
+  Eigen::MatrixXd columns_of(const Eigen::MatrixBase<Regressor>& y) const {
     Eigen::MatrixXd base(y.rows(), static_cast<Eigen::Index>(columns.size()));
     for (Eigen::Index j = 0; j < base.cols(); ++j) base.col(j) = y.col(columns[static_cast<std::size_t>(j)]);
     return base;
@@ -58,8 +58,9 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
 /// Finds them at random states, which satisfy the constraints, of a system with the parameters `p`: lengths
 /// enter the combinations. A parameter that follows from those before it is combined with them, so what is
 /// left stands near the ground, body by body in the order of the system.
-template <class P = Eigen::VectorXd>
-base_parameters find_base_parameters(model& m, const P& p = {}, const base_parameter_options& options = {}) {
+template <class Parameters = Eigen::VectorXd>
+base_parameters find_base_parameters(model& m, const Parameters& p = {},
+                                     const base_parameter_options& options = {}) {
   using by_rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const runtime::found_base_parameters found =
       runtime::find_base_parameters(m, runtime::entries_of(p), options);

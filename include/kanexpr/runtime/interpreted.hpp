@@ -44,21 +44,22 @@ public:
     return too_short_ ? kanexpr::status(too_short_.view()) : code_.status();
   }
 
-  template <class X>
-  const matrix& operator()(const X& x) {
+  template <class State>
+  const matrix& operator()(const State& x) {
     return (*this)(Scalar(0), x, nothing{}, nothing{});
   }
-  template <class X, class P>
-  const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p) {
+  template <class State, class Parameters>
+  const matrix& operator()(const Eigen::MatrixBase<State>& x, const Parameters& p) {
     return (*this)(Scalar(0), x.derived(), p, nothing{});
   }
-  template <class X, class P, class R>
-  const matrix& operator()(const Eigen::MatrixBase<X>& x, const P& p, const R& r) {
+  template <class State, class Parameters, class Inputs>
+  const matrix& operator()(const Eigen::MatrixBase<State>& x, const Parameters& p, const Inputs& r) {
     return (*this)(Scalar(0), x.derived(), p, r);
   }
-  template <class X, class P, class R, class A = nothing, class B = nothing, class C = nothing>
-  const matrix& operator()(Scalar t, const X& x, const P& p, const R& r, const A& a = {}, const B& b = {},
-                           const C& c = {}) {
+  template <class State, class Parameters, class Inputs, class First = nothing, class Second = nothing,
+            class Third = nothing>
+  const matrix& operator()(Scalar t, const State& x, const Parameters& p, const Inputs& r,
+                           const First& a = {}, const Second& b = {}, const Third& c = {}) {
     using symbolic::symbol_kind;
     too_short_ = {};
     check_length(state_, x), check_length(parameters_, p), check_length(inputs_, r);

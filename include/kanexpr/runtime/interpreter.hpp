@@ -7,7 +7,7 @@ namespace kanexpr::runtime {
 /// Evaluates a tape that is only known while the program runs: the steps of the compiled evaluation, in its
 /// order and with its arithmetic, so the results agree to the last bit. All memory is taken once, by the
 /// constructor.
-template <class T = double>
+template <class Number = double>
 class interpreter {
 public:
   explicit interpreter(const lower::tape& code);
@@ -29,21 +29,21 @@ private:
   void run();
 
   lower::tape code_;
-  symbolic::sequence<T> slots_;
-  symbolic::sequence<T> aside_; ///< what a step works on
+  symbolic::sequence<Number> slots_;
+  symbolic::sequence<Number> aside_; ///< what a step works on
 };
 
 // Not inside of the class: there they would be inline, and every file would compile them.
 
-template <class T>
-interpreter<T>::interpreter(const lower::tape& code)
-    : code_(code), slots_(code.slot_count(), lower::scalar_math<T>::from(0)),
-      aside_(lower::aside_of(code), lower::scalar_math<T>::from(0)) {
-  for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<T>(code_.numbers[i]);
+template <class Number>
+interpreter<Number>::interpreter(const lower::tape& code)
+    : code_(code), slots_(code.slot_count(), lower::scalar_math<Number>::from(0)),
+      aside_(lower::aside_of(code), lower::scalar_math<Number>::from(0)) {
+  for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<Number>(code_.numbers[i]);
 }
 
-template <class T>
-void interpreter<T>::run() {
+template <class Number>
+void interpreter<Number>::run() {
   lower::evaluate_steps(code_, slots_.begin(), aside_.begin());
 }
 

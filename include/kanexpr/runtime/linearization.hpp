@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr {
 
 class linearization_point;
@@ -64,6 +66,8 @@ private:
 } // namespace runtime
 
 } // namespace kanexpr
+
+#include <kanexpr/base/letters_back.hpp>
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/engine/linearization.hpp>

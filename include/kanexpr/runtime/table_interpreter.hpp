@@ -8,20 +8,20 @@
 
 namespace kanexpr::runtime {
 
-/// Interprets the code table of a function, with numbers of the type T.
-template <class T>
+/// Interprets the code table of a function, with numbers of one type.
+template <class Number>
 class table_interpreter {
 public:
   table_interpreter(const compiled::code_table& table, const deriving::survey& known)
       : table_(table), known_(known), slots_(static_cast<std::size_t>(table.tape.slot_count())),
         aside_(static_cast<std::size_t>(lower::aside_of(table.tape))) {
     for (int i = 0; i < table.tape.numbers.size(); ++i)
-      slots_[static_cast<std::size_t>(i)] = lower::number_as<T>(table.tape.numbers[i]);
+      slots_[static_cast<std::size_t>(i)] = lower::number_as<Number>(table.tape.numbers[i]);
   }
 
   /// Writes the results one after another, each row by row.
-  status evaluate(const T& t, const T* x, const T* p, const T* r, T* results) {
-    T* load = slots_.data() + table_.tape.numbers.size();
+  status evaluate(const Number& t, const Number* x, const Number* p, const Number* r, Number* results) {
+    Number* load = slots_.data() + table_.tape.numbers.size();
     for (const lower::load& each : table_.tape.loads) *load++ = value_of(each, t, x, p, r);
     lower::evaluate_steps(table_.tape, slots_.data(), aside_.data());
     const int all = table_.tape.results.size() - 2 * table_.causes;
@@ -32,9 +32,12 @@ public:
   }
 
 private:
-  const T& found(int result) const { return slots_[static_cast<std::size_t>(table_.tape.results[result])]; }
+  const Number& found(int result) const {
+    return slots_[static_cast<std::size_t>(table_.tape.results[result])];
+  }
 
-  T value_of(const lower::load& l, const T& t, const T* x, const T* p, const T* r) const {
+  Number value_of(const lower::load& l, const Number& t, const Number* x, const Number* p,
+                  const Number* r) const {
     using symbolic::symbol_kind;
     if (l.from == symbol_kind::time) return t;
     if (l.from == symbol_kind::coordinate) return x[l.position];
@@ -42,8 +45,8 @@ private:
     return (l.from == symbol_kind::parameter ? p : r)[l.position];
   }
 
-  bool passes(int cause, const T& measure, const T& scale) const {
-    constexpr double least = mechanics::least_singularity_measure<T>();
+  bool passes(int cause, const Number& measure, const Number& scale) const {
+    constexpr double least = mechanics::least_singularity_measure<Number>();
     return table_.tells_finiteness && cause == table_.causes - 1
                ? lower::passes<true>(measure, scale, least)
                : lower::passes<false>(measure, scale, least);
@@ -51,7 +54,7 @@ private:
 
   const compiled::code_table& table_;
   const deriving::survey& known_;
-  std::vector<T> slots_, aside_;
+  std::vector<Number> slots_, aside_;
 };
 
 } // namespace kanexpr::runtime

@@ -23,8 +23,8 @@ class compiled_system final : public system {
   static constexpr bool is_implicit = by == integrator::differential_algebraic;
   using state = kanexpr::state<System>;
   using inputs = input_values<System>;
-  template <class T, int size>
-  using vector = Eigen::Matrix<T, size, 1>;
+  template <class Number, int size>
+  using vector = Eigen::Matrix<Number, size, 1>;
 
 public:
   compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
@@ -110,9 +110,9 @@ private:
     return nullptr;
   }
 
-  template <int size, class T = double>
-  static vector<T, size> vector_of(const T* entries) {
-    vector<T, size> v;
+  template <int size, class Number = double>
+  static vector<Number, size> vector_of(const Number* entries) {
+    vector<Number, size> v;
     std::copy_n(entries, size, v.data());
     return v;
   }
@@ -132,32 +132,32 @@ private:
     told(std::get<1>(found), second);
   }
 
-  template <class T>
-  status residual(double t, const T* y, const T* ydot, const T* inputs_at, T* out) const {
+  template <class Number>
+  status residual(double t, const Number* y, const Number* ydot, const Number* inputs_at, Number* out) const {
     status s;
     if constexpr (is_implicit) {
       const auto x = vector_of<n + o>(y);
       const auto udot = vector_of<o>(ydot + n);
-      const vector<T, of.parameters> p = p_.template cast<T>();
+      const vector<Number, of.parameters> p = p_.template cast<Number>();
       const auto r = vector_of<of.inputs>(inputs_at);
-      Eigen::Map<vector<T, n + o + m + l>> left(out);
+      Eigen::Map<vector<Number, n + o + m + l>> left(out);
       const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
       s = compiled::status_of(qdot);
-      left.template head<n>() = vector<T, n>(ydot) - qdot;
+      left.template head<n>() = vector<Number, n>(ydot) - qdot;
       left.template segment<o>(n) =
           out_of_line<function<System, quantity::unreduced_forces>>{}(t, x, p, r, udot);
       if constexpr (m != 0) {
         const auto [kept, jacobian] =
             out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t, x,
                                                                                                         p, r);
-        left.template segment<o>(n) += jacobian.transpose() * vector<T, m>(y + n + o);
+        left.template segment<o>(n) += jacobian.transpose() * vector<Number, m>(y + n + o);
         left.template segment<m>(n + o) = kept;
       }
       if constexpr (l != 0) {
         const auto [kept, jacobian] = out_of_line<
             function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
             t, x, p, r);
-        left.template head<n>() -= jacobian.transpose() * vector<T, l>(y + n + o + m);
+        left.template head<n>() -= jacobian.transpose() * vector<Number, l>(y + n + o + m);
         left.template tail<l>() = kept;
       }
     }

@@ -18,8 +18,9 @@ namespace kanexpr {
 /// Prescribed motions are inputs together with their derivatives (see `prescribe`).
 template <class System>
 class input_source {
-  template <class T>
-  static constexpr bool is_vector = std::derived_from<T, Eigen::EigenBase<T>>; // Eigen's can be called
+  template <class Given>
+  static constexpr bool is_vector =
+      std::derived_from<Given, Eigen::EigenBase<Given>>; // Eigen's can be called
 
 public:
   using state = kanexpr::state<System>;

@@ -30,11 +30,11 @@ inline std::string check_model(model& m) {
 }
 
 /// Some results of a model, interpreted together as their compiled function evaluates them.
-template <class T>
+template <class Number>
 class interpreted_results {
 public:
   interpreted_results(model& m, std::initializer_list<mechanics::quantity> wanted)
-      : function_(m.function<T>(entries(m, wanted, parts_))) {}
+      : function_(m.function<Number>(entries(m, wanted, parts_))) {}
 
   template <class... Arguments>
   status evaluate(const Arguments&... arguments) {
@@ -42,7 +42,7 @@ public:
     return function_.status();
   }
   /// Writes one of them by columns.
-  void tell(std::size_t which, T* out) const {
+  void tell(std::size_t which, Number* out) const {
     const part& p = parts_[which];
     for (int j = 0; j < p.columns; ++j)
       for (int i = 0; i < p.rows; ++i) *out++ = found_[p.first + i * p.columns + j];
@@ -66,18 +66,18 @@ private:
   }
 
   std::vector<part> parts_{};
-  runtime::interpreted<T> function_;
-  const T* found_ = nullptr;
+  runtime::interpreted<Number> function_;
+  const Number* found_ = nullptr;
 };
 
 /// A model that was derived while the program runs, with the parameters and options of a simulation. Only
 /// what the method asks for is derived.
 class interpreted_system final : public system {
   using quantity = mechanics::quantity;
-  template <class T>
-  using vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
-  template <class T>
-  using argument = Eigen::Map<const vector<T>>;
+  template <class Number>
+  using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+  template <class Number>
+  using argument = Eigen::Map<const vector<Number>>;
 
 public:
   interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
@@ -189,45 +189,46 @@ private:
                                                                               quantity::constraint_jacobian};
 
   /// F of the method with multipliers, of real numbers or of complex ones.
-  template <class T>
+  template <class Number>
   class multiplier_equations {
   public:
     multiplier_equations(model& m, const deriving::survey& of, const parameter_values<model>& p)
-        : p_(p.template cast<T>()), qdot_(m, {quantity::qdot}), forces_(m, {quantity::unreduced_forces}) {
+        : p_(p.template cast<Number>()), qdot_(m, {quantity::qdot}),
+          forces_(m, {quantity::unreduced_forces}) {
       if (of.constraints != 0) velocities_.emplace(m, velocities_and_derivatives);
       if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
     }
 
-    status residual(const deriving::survey& of, double time, const T* y, const T* ydot, const T* inputs_at,
-                    T* out) {
+    status residual(const deriving::survey& of, double time, const Number* y, const Number* ydot,
+                    const Number* inputs_at, Number* out) {
       const int n = of.coordinates, o = of.speeds, m = of.constraints, l = of.configuration_constraints;
-      const T t = lower::scalar_math<T>::from(time);
-      const argument<T> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
+      const Number t = lower::scalar_math<Number>::from(time);
+      const argument<Number> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
       const status s = qdot_.evaluate(t, x, p_, r);
       qdot_.tell(0, out);
-      Eigen::Map<vector<T>> left(out, n + o + m + l);
-      left.head(n) = argument<T>(ydot, n) - left.head(n);
+      Eigen::Map<vector<Number>> left(out, n + o + m + l);
+      left.head(n) = argument<Number>(ydot, n) - left.head(n);
       forces_.evaluate(t, x, p_, r, udot);
       forces_.tell(0, out + n);
       if (m != 0) {
-        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
+        Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
         velocities_->evaluate(t, x, p_, r);
         velocities_->tell(0, out + n + o), velocities_->tell(1, by_speeds.data());
-        left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<T>(y + n + o, m));
+        left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<Number>(y + n + o, m));
       }
       if (l != 0) {
-        Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
+        Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
         configuration_->evaluate(t, x, p_, r);
         configuration_->tell(0, out + n + o + m), configuration_->tell(1, by_coordinates.data());
-        left.head(n) -= by_coordinates.transpose().lazyProduct(argument<T>(y + n + o + m, l));
+        left.head(n) -= by_coordinates.transpose().lazyProduct(argument<Number>(y + n + o + m, l));
       }
       return s;
     }
 
   private:
-    vector<T> p_;
-    interpreted_results<T> qdot_, forces_;
-    std::optional<interpreted_results<T>> velocities_{}, configuration_{};
+    vector<Number> p_;
+    interpreted_results<Number> qdot_, forces_;
+    std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
   };
 
   status call(interpreted_results<double>& f, double t, const double* x, const double* r) const {

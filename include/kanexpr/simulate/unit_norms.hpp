@@ -32,9 +32,9 @@ public:
   }
 
   /// Their norms less 1, to first order, and the derivatives of these by all coordinates.
-  template <class T>
-  T residual(int k, const T* x) const {
-    T square = 0;
+  template <class Number>
+  Number residual(int k, const Number* x) const {
+    Number square = 0;
     for (const int place : places_of(k)) square += x[place] * x[place];
     return (square - 1.0) / 2.0;
   }

@@ -15,18 +15,18 @@ namespace compiled {
 
 /// The constraints of a system at given arguments, for the numerical methods that satisfy them. Where a
 /// constraint is solved for a coordinate of a quaternion they are taken at norm 1.
-template <class System, class P, class R, class T = double>
+template <class System, class Parameters, class Inputs, class Number = double>
 class constraints_at {
 public:
   static constexpr const deriving::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
-  using state = kanexpr::state<System, T>;
-  using coordinate_vector = Eigen::Matrix<T, known.configuration_constraints, 1>;
-  using square = Eigen::Matrix<T, known.configuration_constraints, known.configuration_constraints>;
-  using speed_vector = Eigen::Matrix<T, known.constraints, 1>;
+  using state = kanexpr::state<System, Number>;
+  using coordinate_vector = Eigen::Matrix<Number, known.configuration_constraints, 1>;
+  using square = Eigen::Matrix<Number, known.configuration_constraints, known.configuration_constraints>;
+  using speed_vector = Eigen::Matrix<Number, known.constraints, 1>;
 
-  constraints_at(T t, const P& p, const R& r) : t_(t), p_(p), r_(r) {}
+  constraints_at(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
 
   /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
   /// constraints shares, so that it is compiled once.
@@ -76,7 +76,7 @@ public:
       return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
   }
   /// What the norms of quaternions are off.
-  Eigen::Matrix<T, quaternions::count, 1> quaternion_residual(const state& x) const {
+  Eigen::Matrix<Number, quaternions::count, 1> quaternion_residual(const state& x) const {
     return quaternions::residual(x);
   }
   static mechanics::sentence quaternion_called(int k) { return quaternions::called(k); }
@@ -101,7 +101,7 @@ public:
   mechanics::sentence gap_before(const state& x) const {
     if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
     const bool is_of_list =
-        std::any_of(x.begin(), x.end(), [](T entry) { return gap_in(entry) >= gap::never_set; });
+        std::any_of(x.begin(), x.end(), [](Number entry) { return gap_in(entry) >= gap::never_set; });
     const mechanics::sentence found =
         is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::sentence{};
     return found ? found : gap_among<System>(p_, r_);
@@ -127,9 +127,9 @@ private:
     return found;
   }();
 
-  T t_;
-  const P& p_;
-  const R& r_;
+  Number t_;
+  const Parameters& p_;
+  const Inputs& r_;
 };
 
 } // namespace compiled
@@ -137,11 +137,11 @@ private:
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
 /// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is
 /// left as it was and the report says why. No memory is taken and nothing is thrown.
-template <class System, class T = double, class P = parameter_values<System, T>,
-          class R = input_values<System, T>>
-assembly assemble(state<System, T>& x, const P& p = {}, const R& r = {}, std::type_identity_t<T> t = 0,
-                  const assembly_options& options = {}) {
-  const compiled::constraints_at<System, P, R, T> constraints(t, p, r);
+template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
+          class Inputs = input_values<System, Number>>
+assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
+                  std::type_identity_t<Number> t = 0, const assembly_options& options = {}) {
+  const compiled::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
   assembly report = numeric::assemble(constraints, x, options);
   if (report) return report;
   if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
@@ -150,12 +150,12 @@ assembly assemble(state<System, T>& x, const P& p = {}, const R& r = {}, std::ty
 
 /// Whether a state satisfies the constraints to within `tolerance`, by default 1e-9, of floats 1e-5, beside
 /// the terms of which they are sums, and its quaternions have norm 1; if not, what is off and by how much.
-template <class System, class T = double, class P = parameter_values<System, T>,
-          class R = input_values<System, T>>
-consistency check_consistency(const state<System, T>& x, const P& p = {}, const R& r = {},
-                              std::type_identity_t<T> t = 0,
-                              double tolerance = sizeof(T) < sizeof(double) ? 1e-5 : 1e-9) {
-  const compiled::constraints_at<System, P, R, T> constraints(t, p, r);
+template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
+          class Inputs = input_values<System, Number>>
+consistency check_consistency(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
+                              std::type_identity_t<Number> t = 0,
+                              double tolerance = sizeof(Number) < sizeof(double) ? 1e-5 : 1e-9) {
+  const compiled::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
   consistency report = numeric::check_consistency(constraints, x, tolerance);
   if (report) return report;
   if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;

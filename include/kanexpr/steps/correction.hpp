@@ -25,9 +25,10 @@ class correction {
 public:
   static constexpr bool is_needed = newton_steps > 0 && (known.constraints > 0 || quaternions::count > 0);
 
-  template <class Time, class T, class P, class R>
-  static kanexpr::status apply(const Time& t, state<System, T>& x, const P& p, const R& r) {
-    return stepping::correct(at_inputs<P, R>{p, r}, newton_steps, t, x);
+  template <class Time, class Number, class Parameters, class Inputs>
+  static kanexpr::status apply(const Time& t, state<System, Number>& x, const Parameters& p,
+                               const Inputs& r) {
+    return stepping::correct(at_inputs<Parameters, Inputs>{p, r}, newton_steps, t, x);
   }
 
   /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
@@ -48,21 +49,21 @@ public:
 
 private:
   /// What the correction asks of a system, at inputs that hold.
-  template <class P, class R>
+  template <class Parameters, class Inputs>
   struct at_inputs {
-    const P& p;
-    const R& r;
+    const Parameters& p;
+    const Inputs& r;
 
-    template <quantity wanted, class Time, class T>
-    [[gnu::always_inline]] auto get(const Time& t, const state<System, T>& x) const {
+    template <quantity wanted, class Time, class Number>
+    [[gnu::always_inline]] auto get(const Time& t, const state<System, Number>& x) const {
       constexpr auto rows = mechanics::row_of(wanted).rows;
       if constexpr (known.count(rows) == 0)
-        return Eigen::Matrix<T, 0, 1>();
+        return Eigen::Matrix<Number, 0, 1>();
       else
         return out_of_line<function<System, wanted>>{}(t, x, p, r);
     }
-    template <class T>
-    [[gnu::always_inline]] kanexpr::status normalize(state<System, T>& x) const {
+    template <class Number>
+    [[gnu::always_inline]] kanexpr::status normalize(state<System, Number>& x) const {
       return quaternions::normalize(x, stepping::near_one);
     }
     static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }

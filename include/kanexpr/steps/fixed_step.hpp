@@ -22,39 +22,41 @@ namespace kanexpr {
 namespace compiled {
 
 /// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
-template <class R>
-inline constexpr bool inputs_hold = requires { R::SizeAtCompileTime; } || std::is_same_v<R, not_given>;
+template <class Inputs>
+inline constexpr bool inputs_hold =
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
 
 /// The inputs at an instant, from a vector or a function.
-template <class R, class Time, class X>
-[[gnu::always_inline]] inline decltype(auto) inputs_at(const R& r, const Time& t, const X& x) {
-  if constexpr (inputs_hold<R>)
+template <class Inputs, class Time, class State>
+[[gnu::always_inline]] inline decltype(auto) inputs_at(const Inputs& r, const Time& t, const State& x) {
+  if constexpr (inputs_hold<Inputs>)
     return (r);
   else
     return r(t, x);
 }
 
 /// The functions of a system with its parameters and inputs, as the methods of steps ask for them.
-template <class System, int corrections, class P, class R>
+template <class System, int corrections, class Parameters, class Inputs>
 struct compiled_equations {
   using correct = correction<System, corrections>;
-  const P& p;
-  R r; ///< a reference, or the inputs of an instant
+  const Parameters& p;
+  Inputs r; ///< a reference, or the inputs of an instant
 
-  template <mechanics::quantity wanted, class Time, class X>
-  [[gnu::always_inline]] auto get(const Time& t, const X& x) const {
+  template <mechanics::quantity wanted, class Time, class State>
+  [[gnu::always_inline]] auto get(const Time& t, const State& x) const {
     return function<System, wanted>{}(t, x, p, inputs_at(r, t, x));
   }
-  template <class Time, class X>
-  [[gnu::always_inline]] auto held(const Time& t, const X& x) const {
-    return compiled_equations<System, corrections, P, decltype(inputs_at(r, t, x))>{p, inputs_at(r, t, x)};
+  template <class Time, class State>
+  [[gnu::always_inline]] auto held(const Time& t, const State& x) const {
+    return compiled_equations<System, corrections, Parameters, decltype(inputs_at(r, t, x))>{
+        p, inputs_at(r, t, x)};
   }
-  template <class T>
-  [[gnu::always_inline]] static status finite(const T& value, std::string_view cause) {
-    return lower::scalar_math<T>::is_finite(value) ? status() : status(cause);
+  template <class Number>
+  [[gnu::always_inline]] static status finite(const Number& value, std::string_view cause) {
+    return lower::scalar_math<Number>::is_finite(value) ? status() : status(cause);
   }
-  template <class Time, class X>
-  [[gnu::always_inline]] status corrected(const Time& t, X& x) const {
+  template <class Time, class State>
+  [[gnu::always_inline]] status corrected(const Time& t, State& x) const {
     if constexpr (correct::is_needed)
       return correct::apply(t, x, p, inputs_at(r, t, x));
     else
@@ -63,11 +65,12 @@ struct compiled_equations {
 };
 
 /// A step by a method; where it cannot be made, t and x stay, and the status may name what was given wrongly.
-template <class Method, class System, int corrections, class Time, class T, class P, class R>
-[[gnu::always_inline]] inline status advanced(Time& t, state<System, T>& x, const Time& h, const P& p,
-                                              const R& r) {
-  const status s =
-      stepping::stepped<Method>(compiled_equations<System, corrections, P, const R&>{p, r}, t, x, h);
+template <class Method, class System, int corrections, class Time, class Number, class Parameters,
+          class Inputs>
+[[gnu::always_inline]] inline status advanced(Time& t, state<System, Number>& x, const Time& h,
+                                              const Parameters& p, const Inputs& r) {
+  const status s = stepping::stepped<Method>(
+      compiled_equations<System, corrections, Parameters, const Inputs&>{p, r}, t, x, h);
   if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
   t = static_cast<Time>(t + h);
   return s;
@@ -82,9 +85,10 @@ template <class System, int corrections = 1>
 struct semi_implicit_euler {
   using eom = equations_of_motion<System>;
 
-  template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
-  status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
-                    const R& r = {}) const {
+  template <class Time, class Number, class Parameters = compiled::not_given,
+            class Inputs = compiled::not_given>
+  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
+                    const Inputs& r = {}) const {
     return compiled::advanced<stepping::semi_implicit_euler, System, corrections>(t, x, h, p, r);
   }
 
@@ -102,9 +106,10 @@ struct runge_kutta_4 {
   using eom = equations_of_motion<System>;
   static constexpr int stages = stepping::runge_kutta_4::stages;
 
-  template <class Time, class T, class P = compiled::not_given, class R = compiled::not_given>
-  status operator()(Time& t, state<System, T>& x, std::type_identity_t<Time> h, const P& p = {},
-                    const R& r = {}) const {
+  template <class Time, class Number, class Parameters = compiled::not_given,
+            class Inputs = compiled::not_given>
+  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
+                    const Inputs& r = {}) const {
     return compiled::advanced<stepping::runge_kutta_4, System, corrections>(t, x, h, p, r);
   }
 

@@ -46,21 +46,22 @@ private:
     return slot < Code::tape.sizes.numbers && Code::tape.numbers[slot] == symbolic::exactly(number);
   }
 
-  template <class Matrix, class Right, int... i>
-  static void fill(Right& sum, const Matrix& left, const Right& right, std::integer_sequence<int, i...>) {
-    (fill_row<i>(sum, left, right, std::make_integer_sequence<int, inner>{}), ...);
+  template <class Matrix, class Right, int... index>
+  static void fill(Right& sum, const Matrix& left, const Right& right, std::integer_sequence<int, index...>) {
+    (fill_row<index>(sum, left, right, std::make_integer_sequence<int, inner>{}), ...);
   }
-  template <int i, class Matrix, class Right, int... k>
-  static void fill_row(Right& sum, const Matrix& left, const Right& right, std::integer_sequence<int, k...>) {
-    sum.row(i).setZero();
-    (add<i, k>(sum, left, right), ...);
+  template <int index, class Matrix, class Right, int... place>
+  static void fill_row(Right& sum, const Matrix& left, const Right& right,
+                       std::integer_sequence<int, place...>) {
+    sum.row(index).setZero();
+    (add<index, place>(sum, left, right), ...);
   }
-  template <int i, int k, class Matrix, class Right>
+  template <int index, int place, class Matrix, class Right>
   static void add(Right& sum, const Matrix& left, const Right& right) {
-    if constexpr (is(i, k, 1))
-      sum.row(i) += right.row(k);
-    else if constexpr (!is(i, k, 0))
-      sum.row(i) += left(i, k) * right.row(k);
+    if constexpr (is(index, place, 1))
+      sum.row(index) += right.row(place);
+    else if constexpr (!is(index, place, 0))
+      sum.row(index) += left(index, place) * right.row(place);
   }
 };
 

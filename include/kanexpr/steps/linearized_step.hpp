@@ -8,13 +8,13 @@ namespace kanexpr {
 
 /// The state after a step of fixed length, with its derivatives by the state before it and by the inputs,
 /// which hold during the step: A_d and B_d of the step itself.
-template <class System, class T>
+template <class System, class Number>
 struct linearized_state {
   static constexpr int size = equations_of_motion<System>::coordinates + equations_of_motion<System>::speeds;
 
-  kanexpr::state<System, T> state;
-  Eigen::Matrix<T, size, size> by_state;
-  Eigen::Matrix<T, size, compiled::survey_of<System>.inputs> by_inputs;
+  kanexpr::state<System, Number> state;
+  Eigen::Matrix<Number, size, size> by_state;
+  Eigen::Matrix<Number, size, compiled::survey_of<System>.inputs> by_inputs;
   kanexpr::status status{}; ///< where it fails, the rest means nothing
 };
 
@@ -22,17 +22,17 @@ namespace compiled {
 
 /// A state on its way through a step with its derivatives by the state before it and by the inputs, side by
 /// side.
-template <class System, class T>
+template <class System, class Number>
 struct varied_state {
-  static constexpr int size = linearized_state<System, T>::size, inputs = survey_of<System>.inputs;
-  using derivatives = Eigen::Matrix<T, size, size + inputs>;
+  static constexpr int size = linearized_state<System, Number>::size, inputs = survey_of<System>.inputs;
+  using derivatives = Eigen::Matrix<Number, size, size + inputs>;
 
-  state<System, T> x;
+  state<System, Number> x;
   derivatives by_all;
 
-  explicit varied_state(const state<System, T>& before) : x(before) {
+  explicit varied_state(const state<System, Number>& before) : x(before) {
     by_all.setZero();
-    for (int i = 0; i < size; ++i) by_all(i, i) = lower::scalar_math<T>::from(1);
+    for (int i = 0; i < size; ++i) by_all(i, i) = lower::scalar_math<Number>::from(1);
   }
 };
 
@@ -64,8 +64,9 @@ struct varied_correction {
   using varied = function<System, of, deriving::derivatives_of_result{of, by::state},
                           deriving::derivatives_of_result{of, by::inputs}>;
 
-  template <class Time, class T, class P, class R>
-  static status apply(const Time& t, varied_state<System, T>& next, const P& p, const R& r) {
+  template <class Time, class Number, class Parameters, class Inputs>
+  static status apply(const Time& t, varied_state<System, Number>& next, const Parameters& p,
+                      const Inputs& r) {
     if constexpr (!correct::is_needed) return {};
     if (const status s = normalize(next); !s) return s;
     if constexpr (known.configuration_constraints > 0)
@@ -118,14 +119,15 @@ private:
   }
   /// Adds a function of the state to what is dependent, from its place `first` on among all that is, or puts
   /// it there.
-  template <class Function, class Time, class T, class P, class R>
-  static status add(const Time& t, varied_state<System, T>& next, int first, const P& p, const R& r,
-                    bool to_what_is_there) {
-    using state_type = varied_state<System, T>;
+  template <class Function, class Time, class Number, class Parameters, class Inputs>
+  static status add(const Time& t, varied_state<System, Number>& next, int first, const Parameters& p,
+                    const Inputs& r, bool to_what_is_there) {
+    using state_type = varied_state<System, Number>;
     const auto [change, by_state, by_inputs] = out_of_line<Function>{}(t, next.x, p, r);
     if (const status s = status_of(change); !s) return s;
     constexpr int rows = std::remove_cvref_t<decltype(by_state)>::RowsAtCompileTime;
-    Eigen::Matrix<T, rows, state_type::size + state_type::inputs> by_all = by_state.lazyProduct(next.by_all);
+    Eigen::Matrix<Number, rows, state_type::size + state_type::inputs> by_all =
+        by_state.lazyProduct(next.by_all);
     by_all.template rightCols<state_type::inputs>() += by_inputs;
     for (int i = 0; i < rows; ++i) {
       const int to = correct::place(first + i);
@@ -141,16 +143,17 @@ private:
   }
 
   /// x/|x| of each quaternion, with (1 − x xᵀ/x²)/|x|.
-  template <class T>
-  static status normalize(varied_state<System, T>& next) {
+  template <class Number>
+  static status normalize(varied_state<System, Number>& next) {
     using quaternions = unit_quaternions<System>;
     if constexpr (quaternions::count == 0) return {};
-    const state<System, T> before = next.x;
+    const state<System, Number> before = next.x;
     if (const status s = quaternions::normalize(next.x, stepping::near_one); !s) return s;
     quaternions::each([&](int, const auto& places) {
-      T along_square = lower::scalar_math<T>::from(0);
-      for (const int place : places) along_square = T(along_square + T(before(place) * next.x(place)));
-      auto along = (next.by_all.row(0) * lower::scalar_math<T>::from(0)).eval(); // |x| of it
+      Number along_square = lower::scalar_math<Number>::from(0);
+      for (const int place : places)
+        along_square = Number(along_square + Number(before(place) * next.x(place)));
+      auto along = (next.by_all.row(0) * lower::scalar_math<Number>::from(0)).eval(); // |x| of it
       for (const int place : places) along += next.x(place) * next.by_all.row(place);
       for (const int place : places)
         next.by_all.row(place) = ((next.by_all.row(place) - next.x(place) * along) / along_square).eval();
@@ -160,15 +163,15 @@ private:
 };
 
 /// Ends a step, as `conclude` does.
-template <class System, int corrections, class Time, class T, class P, class R>
-linearized_state<System, T> concluded(const Time& after, varied_state<System, T>& next, const P& p,
-                                      const R& r) {
-  using result = linearized_state<System, T>;
+template <class System, int corrections, class Time, class Number, class Parameters, class Inputs>
+linearized_state<System, Number> concluded(const Time& after, varied_state<System, Number>& next,
+                                           const Parameters& p, const Inputs& r) {
+  using result = linearized_state<System, Number>;
   status s = varied_correction<System, corrections>::apply(after, next, p, r);
   for (int i = 0; s && i < result::size; ++i)
-    if (!lower::scalar_math<T>::is_finite(next.x(i))) s = status(stepping::state_not_finite);
+    if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(stepping::state_not_finite);
   return {next.x, next.by_all.template leftCols<result::size>(),
-          next.by_all.template rightCols<varied_state<System, T>::inputs>(), s};
+          next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
 }
 
 template <class Step>
@@ -191,18 +194,19 @@ struct varied_step<runge_kutta_4<System, corrections>> {
                  varied_correction<System, corrections>::cost());
   }
 
-  template <class T, class P, class R>
-  static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
-                                               const R& r) {
+  template <class Number, class Parameters, class Inputs>
+  static linearized_state<System, Number> attempted(const Number& t, const state<System, Number>& x,
+                                                    const Number& h, const Parameters& p, const Inputs& r) {
     using rates = rates_with_derivatives<System>;
-    using varied = varied_state<System, T>;
+    using varied = varied_state<System, Number>;
     constexpr int inputs = varied::inputs;
-    const T reach[]{T(0), T(h / T(2)), T(h / T(2)), h},
-        weight[]{T(h / T(6)), T(h / T(3)), T(h / T(3)), T(h / T(6))};
+    const Number reach[]{Number(0), Number(h / Number(2)), Number(h / Number(2)), h},
+        weight[]{Number(h / Number(6)), Number(h / Number(3)), Number(h / Number(3)), Number(h / Number(6))};
     varied at(x), next(x);
     const varied before(x);
     for (int stage = 0; stage < 4; ++stage) {
-      const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(T(t + reach[stage]), at.x, p, r);
+      const auto [rate, by_state, by_inputs] =
+          typename rates::evaluated{}(Number(t + reach[stage]), at.x, p, r);
       if (const status s = status_of(rate); !s) return {x, {}, {}, s};
       typename varied::derivatives by_all;
       if (stage == 0) {
@@ -218,7 +222,7 @@ struct varied_step<runge_kutta_4<System, corrections>> {
       stepping::advance(next.x, 0, next.x, weight[stage], rate);
       next.by_all += weight[stage] * by_all;
     }
-    return concluded<System, corrections>(T(t + h), next, p, r);
+    return concluded<System, corrections>(Number(t + h), next, p, r);
   }
 };
 
@@ -243,10 +247,10 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
                  varied_correction<System, corrections>::cost());
   }
 
-  template <class T, class P, class R>
-  static linearized_state<System, T> attempted(const T& t, const state<System, T>& x, const T& h, const P& p,
-                                               const R& r) {
-    using state_type = varied_state<System, T>;
+  template <class Number, class Parameters, class Inputs>
+  static linearized_state<System, Number> attempted(const Number& t, const state<System, Number>& x,
+                                                    const Number& h, const Parameters& p, const Inputs& r) {
+    using state_type = varied_state<System, Number>;
     state_type next(x);
     const auto [udot, u_by_state, u_by_inputs] = varied<quantity::udot>{}(t, x, p, r);
     if (const status s = status_of(udot); !s) return {x, {}, {}, s};
@@ -259,7 +263,7 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
     const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
-    return concluded<System, corrections>(T(t + h), next, p, r);
+    return concluded<System, corrections>(Number(t + h), next, p, r);
   }
 };
 
@@ -269,10 +273,12 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
 /// `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` Nothing is advanced.
 template <class Step>
 struct linearized {
-  template <class System, class T, class P = compiled::not_given, class R = compiled::not_given>
-  linearized_state<System, T> operator()(std::type_identity_t<T> t, const state<System, T>& x,
-                                         std::type_identity_t<T> h, const P& p = {}, const R& r = {}) const {
-    constexpr bool inputs_hold = compiled::inputs_hold<R>;
+  template <class System, class Number, class Parameters = compiled::not_given,
+            class Inputs = compiled::not_given>
+  linearized_state<System, Number> operator()(std::type_identity_t<Number> t, const state<System, Number>& x,
+                                              std::type_identity_t<Number> h, const Parameters& p = {},
+                                              const Inputs& r = {}) const {
+    constexpr bool inputs_hold = compiled::inputs_hold<Inputs>;
     static_assert(inputs_hold, "linearized<Step> takes the inputs that hold during the step, which the state "
                                "after it is differentiated by, and no function that gives them");
     if constexpr (inputs_hold)
@@ -289,11 +295,12 @@ struct linearized {
   }
 
 private:
-  template <class System, class T, class P, class R>
-  static linearized_state<System, T> stepped(const T& t, const state<System, T>& x, const T& h, const P& p,
-                                             const R& r) {
-    if (!lower::scalar_math<T>::is_finite(T(t + h))) return {x, {}, {}, status(stepping::step_not_finite)};
-    linearized_state<System, T> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
+  template <class System, class Number, class Parameters, class Inputs>
+  static linearized_state<System, Number> stepped(const Number& t, const state<System, Number>& x,
+                                                  const Number& h, const Parameters& p, const Inputs& r) {
+    if (!lower::scalar_math<Number>::is_finite(Number(t + h)))
+      return {x, {}, {}, status(stepping::step_not_finite)};
+    linearized_state<System, Number> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
     return next;
   }

@@ -29,17 +29,18 @@ inline constexpr std::string_view state_not_finite = "the state after the step i
 inline constexpr lower::norm_range near_one{0.5, 2};
 
 /// Sets the entries of `to` from `first` on to those of x + h ẋ.
-template <class X, class Rate>
-[[gnu::always_inline]] inline void advance(X& to, int first, const X& x, const typename X::Scalar& h,
-                                           const Rate& rate) {
-  using T = typename X::Scalar;
-  for (int i = 0; i < static_cast<int>(rate.size()); ++i) to(first + i) = T(x(first + i) + T(h * rate(i)));
+template <class State, class Rate>
+[[gnu::always_inline]] inline void advance(State& to, int first, const State& x,
+                                           const typename State::Scalar& h, const Rate& rate) {
+  using Number = typename State::Scalar;
+  for (int i = 0; i < static_cast<int>(rate.size()); ++i)
+    to(first + i) = Number(x(first + i) + Number(h * rate(i)));
 }
 
 /// Newton's method for the dependent coordinates, then the dependent speeds.
-template <class Equations, class Time, class X>
-[[gnu::always_inline]] inline status correct(const Equations& of, int newton_steps, const Time& t, X& x) {
-  using T = typename X::Scalar;
+template <class Equations, class Time, class State>
+[[gnu::always_inline]] inline status correct(const Equations& of, int newton_steps, const Time& t, State& x) {
+  using Number = typename State::Scalar;
   using mechanics::quantity;
   if (const status s = of.normalize(x); !s) return s;
   int first = 0;
@@ -47,7 +48,7 @@ template <class Equations, class Time, class X>
     const auto change = of.template get<quantity::configuration_step>(t, x);
     if (const status s = compiled::status_of(change); !s) return s;
     first = static_cast<int>(change.size());
-    for (int i = 0; i < first; ++i) x(of.dependent(i)) = T(x(of.dependent(i)) + change(i));
+    for (int i = 0; i < first; ++i) x(of.dependent(i)) = Number(x(of.dependent(i)) + change(i));
     if (of.quaternions_are_bound())
       if (const status s = of.normalize(x); !s) return s;
   }
@@ -58,11 +59,11 @@ template <class Equations, class Time, class X>
 
 /// u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds.
 struct semi_implicit_euler {
-  template <class Equations, class Time, class X>
-  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const X& x, const Time& h,
-                                               X& next) {
+  template <class Equations, class Time, class State>
+  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const State& x,
+                                               const Time& h, State& next) {
     using mechanics::quantity;
-    const typename X::Scalar length = lower::scalar_math<typename X::Scalar>::from(h);
+    const typename State::Scalar length = lower::scalar_math<typename State::Scalar>::from(h);
     const auto& held = of.held(t, x);
     const auto udot = held.template get<quantity::udot>(t, x);
     if (const status s = compiled::status_of(udot); !s) return s;
@@ -79,13 +80,13 @@ struct semi_implicit_euler {
 struct runge_kutta_4 {
   static constexpr int stages = 4;
 
-  template <class Equations, class Time, class X>
-  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const X& x, const Time& h,
-                                               X& next) {
-    using math = lower::scalar_math<typename X::Scalar>;
+  template <class Equations, class Time, class State>
+  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const State& x,
+                                               const Time& h, State& next) {
+    using math = lower::scalar_math<typename State::Scalar>;
     constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
     constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};
-    X at = x;
+    State at = x;
     for (int stage = 0; stage < stages; ++stage) {
       const Time when = static_cast<Time>(t + reach[stage] * h);
       const auto rate = of.template get<mechanics::quantity::rhs>(when, at);
@@ -98,11 +99,11 @@ struct runge_kutta_4 {
 };
 
 /// A step of x, which stays where the status is not good.
-template <class Method, class Equations, class Time, class X>
-[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, X& x, const Time& h) {
+template <class Method, class Equations, class Time, class State>
+[[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, State& x, const Time& h) {
   const Time after = static_cast<Time>(t + h);
   if (const status s = of.finite(after, step_not_finite); !s) return s;
-  X next = x;
+  State next = x;
   if (const status s = Method::advance(of, t, x, h, next); !s) return s;
   if (const status s = of.corrected(after, next); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i)

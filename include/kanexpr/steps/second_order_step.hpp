@@ -17,12 +17,12 @@ struct weighted_rates {
                        inputs = survey_of<System>.inputs, states = coordinates + speeds,
                        size = of_second_order::size;
 
-  template <class T>
-  using weights = typename of_second_order::template weights<T>;
-  template <class T>
-  using direction = typename of_second_order::template direction<T>;
-  template <class T>
-  using square = Eigen::Matrix<T, size, size>;
+  template <class Number>
+  using weights = typename of_second_order::template weights<Number>;
+  template <class Number>
+  using direction = typename of_second_order::template direction<Number>;
+  template <class Number>
+  using square = Eigen::Matrix<Number, size, size>;
 
   using gradient = function<System, quantity::weighted_gradient>;
   using hessian = function<System, quantity::weighted_hessian>;
@@ -59,24 +59,25 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
   static constexpr int stages = 4;
 
   /// Of h, where a stage is, and how far its rate goes into the end.
-  template <class T>
-  static constexpr void lengths(const T& h, T (&reach)[stages], T (&weight)[stages]) {
-    reach[0] = T(0), reach[1] = reach[2] = T(h / T(2)), reach[3] = h;
-    weight[0] = weight[3] = T(h / T(6)), weight[1] = weight[2] = T(h / T(3));
+  template <class Number>
+  static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
+    reach[0] = Number(0), reach[1] = reach[2] = Number(h / Number(2)), reach[3] = h;
+    weight[0] = weight[3] = Number(h / Number(6)), weight[1] = weight[2] = Number(h / Number(3));
   }
 
-  template <class T, class P, class R, class W>
-  static with_status<typename rates::template square<T>>
-  hessian(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w) {
+  template <class Number, class Parameters, class Inputs, class Weights>
+  static with_status<typename rates::template square<Number>>
+  hessian(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
+          const Inputs& r, const Weights& w) {
     using linear = rates_with_derivatives<System>;
-    using derivatives = typename varied_state<System, T>::derivatives;
-    with_status<typename rates::template square<T>> all;
-    T reach[stages], weight[stages];
+    using derivatives = typename varied_state<System, Number>::derivatives;
+    with_status<typename rates::template square<Number>> all;
+    Number reach[stages], weight[stages];
     lengths(h, reach, weight);
-    varied_state<System, T> before(x), at[stages]{before, before, before, before};
-    Eigen::Matrix<T, states, states> by_state[stages];
+    varied_state<System, Number> before(x), at[stages]{before, before, before, before};
+    Eigen::Matrix<Number, states, states> by_state[stages];
     for (int s = 0; s < stages; ++s) {
-      const auto [rate, by_x, by_r] = typename linear::evaluated{}(T(t + reach[s]), at[s].x, p, r);
+      const auto [rate, by_x, by_r] = typename linear::evaluated{}(Number(t + reach[s]), at[s].x, p, r);
       all.status = status_of(rate);
       if (!all.status) return all;
       by_state[s] = by_x;
@@ -87,11 +88,12 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
       at[s + 1].by_all = before.by_all + reach[s + 1] * by_all;
     }
     all.setZero();
-    typename rates::template weights<T> after = rates::template weights<T>::Zero(); // the adjoint of a stage
+    typename rates::template weights<Number> after =
+        rates::template weights<Number>::Zero(); // the adjoint of a stage
     for (int s = stages; s-- > 0;) {
-      typename rates::template weights<T> of_rate = weight[s] * w;
+      typename rates::template weights<Number> of_rate = weight[s] * w;
       if (s + 1 < stages) of_rate += reach[s + 1] * after;
-      const auto bent = typename rates::hessian{}(T(t + reach[s]), at[s].x, p, r, of_rate);
+      const auto bent = typename rates::hessian{}(Number(t + reach[s]), at[s].x, p, r, of_rate);
       all.status = status_of(bent);
       if (!all.status) return all;
       add_seen_from_start(all, bent, at[s].by_all);
@@ -100,18 +102,19 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
     return all;
   }
 
-  template <class T, class P, class R, class W, class V>
-  static with_status<typename rates::template direction<T>>
-  product(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w, const V& v) {
-    using weights = typename rates::template weights<T>;
-    using direction = typename rates::template direction<T>;
+  template <class Number, class Parameters, class Inputs, class Weights, class Direction>
+  static with_status<typename rates::template direction<Number>>
+  product(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
+          const Inputs& r, const Weights& w, const Direction& v) {
+    using weights = typename rates::template weights<Number>;
+    using direction = typename rates::template direction<Number>;
     with_status<direction> all;
-    T reach[stages], weight[stages];
+    Number reach[stages], weight[stages];
     lengths(h, reach, weight);
-    state<System, T> at[stages]{x, x, x, x};
+    state<System, Number> at[stages]{x, x, x, x};
     direction along[stages]{v, v, v, v};
     for (int s = 0; s + 1 < stages; ++s) {
-      const auto [rate, change] = typename rates::rates_along{}(T(t + reach[s]), at[s], p, r, along[s]);
+      const auto [rate, change] = typename rates::rates_along{}(Number(t + reach[s]), at[s], p, r, along[s]);
       all.status = status_of(rate);
       if (!all.status) return all;
       stepping::advance(at[s + 1], 0, x, reach[s + 1], rate);
@@ -122,7 +125,7 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
     for (int s = stages; s-- > 0;) {
       weights of_rate = weight[s] * w, change_of_rate = weights::Zero();
       if (s + 1 < stages) of_rate += reach[s + 1] * after, change_of_rate = reach[s + 1] * change_after;
-      const T when = T(t + reach[s]);
+      const Number when = Number(t + reach[s]);
       const auto [slope, bent] = typename rates::gradient_and_product{}(when, at[s], p, r, of_rate, along[s]);
       all.status = status_of(slope);
       if (!all.status) return all;
@@ -137,10 +140,10 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
 
 private:
   /// Zᵀ H Z with Z = [∂x/∂(x, r); 0 E] of a stage.
-  template <class T, class Bent>
-  static void add_seen_from_start(typename rates::template square<T>& all, const Bent& bent,
-                                  const typename varied_state<System, T>::derivatives& by_all) {
-    typename rates::template square<T> right = bent.template leftCols<states>().lazyProduct(by_all);
+  template <class Number, class Bent>
+  static void add_seen_from_start(typename rates::template square<Number>& all, const Bent& bent,
+                                  const typename varied_state<System, Number>::derivatives& by_all) {
+    typename rates::template square<Number> right = bent.template leftCols<states>().lazyProduct(by_all);
     right.template rightCols<inputs>() += bent.template rightCols<inputs>();
     all += by_all.transpose().lazyProduct(right.template topRows<states>());
     all.template bottomRows<inputs>() += right.template bottomRows<inputs>();
@@ -157,47 +160,50 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
                        inputs = rates::inputs, size = rates::size;
   using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state}>;
 
-  template <class T, class P, class R, class W>
-  static with_status<typename rates::template square<T>>
-  hessian(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w) {
+  template <class Number, class Parameters, class Inputs, class Weights>
+  static with_status<typename rates::template square<Number>>
+  hessian(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
+          const Inputs& r, const Weights& w) {
     using linear = rates_with_derivatives<System>;
-    with_status<typename rates::template square<T>> all;
+    with_status<typename rates::template square<Number>> all;
     const auto [rate, by_x, by_r] = typename linear::evaluated{}(t, x, p, r);
     all.status = status_of(rate);
     if (!all.status) return all;
-    state<System, T> moving = x;
+    state<System, Number> moving = x;
     stepping::advance(moving, n, x, h, rate.template tail<speeds>());
     const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
     all.status = of_speeds.status;
     if (!all.status) return all;
-    const typename rates::template weights<T> first =
-        stacked(Eigen::Matrix<T, n, 1>::Zero().eval(), (h * of_speeds).eval());
+    const typename rates::template weights<Number> first =
+        stacked(Eigen::Matrix<Number, n, 1>::Zero().eval(), (h * of_speeds).eval());
     const auto bent = typename rates::hessian{}(t, x, p, r, first);
     all.status = status_of(bent);
     if (!all.status) return all;
-    static_cast<typename rates::template square<T>&>(all) = bent;
+    static_cast<typename rates::template square<Number>&>(all) = bent;
     if constexpr (!rates::has_linear_kinematics) {
-      typename rates::template square<T> seen = rates::template square<T>::Identity(); // ∂(q, u⁺, r)
+      typename rates::template square<Number> seen =
+          rates::template square<Number>::Identity(); // ∂(q, u⁺, r)
       seen.template block<speeds, states>(n, 0) += h * by_x.template bottomRows<speeds>();
       seen.template block<speeds, inputs>(n, states) += h * by_r.template bottomRows<speeds>();
-      const auto turned = typename rates::hessian{}(t, moving, p, r, weights_of_coordinates<T>(h, w));
+      const auto turned = typename rates::hessian{}(t, moving, p, r, weights_of_coordinates<Number>(h, w));
       all.status = status_of(turned);
       if (!all.status) return all;
-      const typename rates::template square<T> right = turned.lazyProduct(seen);
+      const typename rates::template square<Number> right = turned.lazyProduct(seen);
       all += seen.transpose().lazyProduct(right);
     }
     return all;
   }
 
-  template <class T, class P, class R, class W, class V>
-  static with_status<typename rates::template direction<T>>
-  product(const T& t, const state<System, T>& x, const T& h, const P& p, const R& r, const W& w, const V& v) {
-    using direction = typename rates::template direction<T>;
+  template <class Number, class Parameters, class Inputs, class Weights, class Direction>
+  static with_status<typename rates::template direction<Number>>
+  product(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
+          const Inputs& r, const Weights& w, const Direction& v) {
+    using direction = typename rates::template direction<Number>;
     with_status<direction> all;
     const auto [rate, change] = typename rates::rates_along{}(t, x, p, r, v);
     all.status = status_of(rate);
     if (!all.status) return all;
-    state<System, T> moving = x;
+    state<System, Number> moving = x;
     stepping::advance(moving, n, x, h, rate.template tail<speeds>());
     const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
     all.status = of_speeds.status;
@@ -207,13 +213,13 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
       direction along = v;
       stepping::advance(along, n, v, h, change.template tail<speeds>());
       const auto found =
-          second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates<T>(h, w), along);
+          second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates<Number>(h, w), along);
       all.status = status_of(found);
       if (!all.status) return all;
       turned = found;
     }
-    const auto first = [&](const auto& of) -> typename rates::template weights<T> {
-      return stacked(Eigen::Matrix<T, n, 1>::Zero().eval(), (h * of).eval());
+    const auto first = [&](const auto& of) -> typename rates::template weights<Number> {
+      return stacked(Eigen::Matrix<Number, n, 1>::Zero().eval(), (h * of).eval());
     };
     const auto bent = second_order<System>::hessian_product(t, x, p, r, first(of_speeds), v);
     all.status = status_of(bent);
@@ -226,18 +232,19 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
 
 private:
   /// Of q̇: h λ_q.
-  template <class T, class W>
-  static typename rates::template weights<T> weights_of_coordinates(const T& h, const W& w) {
-    return stacked((h * w.template head<n>()).eval(), Eigen::Matrix<T, speeds, 1>::Zero().eval());
+  template <class Number, class Weights>
+  static typename rates::template weights<Number> weights_of_coordinates(const Number& h, const Weights& w) {
+    return stacked((h * w.template head<n>()).eval(), Eigen::Matrix<Number, speeds, 1>::Zero().eval());
   }
 
   /// Of u⁺: λ_u + h (∂q̇/∂u)ᵀ λ_q.
-  template <class T, class P, class R, class W>
-  static with_status<Eigen::Matrix<T, speeds, 1>>
-  weights_of_speeds(const T& t, const state<System, T>& at, const T& h, const P& p, const R& r, const W& w) {
+  template <class Number, class Parameters, class Inputs, class Weights>
+  static with_status<Eigen::Matrix<Number, speeds, 1>>
+  weights_of_speeds(const Number& t, const state<System, Number>& at, const Number& h, const Parameters& p,
+                    const Inputs& r, const Weights& w) {
     const auto by_state = kinematics{}(t, at, p, r);
-    const Eigen::Matrix<T, n, 1> scaled = h * w.template head<n>();
-    Eigen::Matrix<T, speeds, 1> of = w.template tail<speeds>();
+    const Eigen::Matrix<Number, n, 1> scaled = h * w.template head<n>();
+    Eigen::Matrix<Number, speeds, 1> of = w.template tail<speeds>();
     of += by_state.template rightCols<speeds>().transpose().lazyProduct(scaled);
     return {of, status_of(by_state)};
   }
@@ -267,9 +274,10 @@ struct second_order_step<Method<System, corrections>> {
   using step = compiled::step_of_second_order<Method<System, 0>>;
 
   /// ∂²(λᵀx⁺)/∂z², symmetric.
-  template <class T, class P, class R, class W>
-  static auto hessian(std::type_identity_t<T> t, const state<System, T>& x, std::type_identity_t<T> h,
-                      const P& p, const R& r, const W& w) {
+  template <class Number, class Parameters, class Inputs, class Weights>
+  static auto hessian(std::type_identity_t<Number> t, const state<System, Number>& x,
+                      std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
+                      const Weights& w) {
     auto found = step::hessian(t, x, h, p, r, w);
     for (int i = 0; i < found.rows(); ++i)
       for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // but for rounding
@@ -277,15 +285,16 @@ struct second_order_step<Method<System, corrections>> {
   }
 
   /// ∂²(λᵀx⁺)/∂z² v, without the matrix.
-  template <class T, class P, class R, class W, class V>
-  static auto hessian_product(std::type_identity_t<T> t, const state<System, T>& x, std::type_identity_t<T> h,
-                              const P& p, const R& r, const W& w, const V& v) {
+  template <class Number, class Parameters, class Inputs, class Weights, class Direction>
+  static auto hessian_product(std::type_identity_t<Number> t, const state<System, Number>& x,
+                              std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
+                              const Weights& w, const Direction& v) {
     return concluded(step::product(t, x, h, p, r, w, v), x, p, r);
   }
 
 private:
-  template <class Result, class X, class P, class R>
-  static Result concluded(Result found, const X& x, const P& p, const R& r) {
+  template <class Result, class State, class Parameters, class Inputs>
+  static Result concluded(Result found, const State& x, const Parameters& p, const Inputs& r) {
     using math = lower::scalar_math<typename Result::Scalar>;
     for (int i = 0; found.status && i < found.size(); ++i)
       if (!math::is_finite(found.coeff(i))) found.status = status(stepping::step_not_finite);

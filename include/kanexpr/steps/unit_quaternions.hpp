@@ -49,23 +49,23 @@ public:
   static constexpr mechanics::sentence called(int k) { return quaternion_called(known, k); }
 
   /// Gives each of them norm 1; the status names one whose norm is out of the range.
-  template <class X>
-  [[gnu::always_inline]] static kanexpr::status normalize(X& x, const lower::norm_range& from) {
+  template <class State>
+  [[gnu::always_inline]] static kanexpr::status normalize(State& x, const lower::norm_range& from) {
     return for_each(x, from, std::make_integer_sequence<int, count>{});
   }
 
   /// Their norms less 1, to first order.
-  template <class X>
-  static Eigen::Matrix<typename X::Scalar, count, 1> residual(const X& x) {
-    Eigen::Matrix<typename X::Scalar, count, 1> left;
+  template <class State>
+  static Eigen::Matrix<typename State::Scalar, count, 1> residual(const State& x) {
+    Eigen::Matrix<typename State::Scalar, count, 1> left;
     each([&](int k, const auto& places) { left(k) = (lower::squared_norm(x, places) - 1.0) / 2.0; });
     return left;
   }
 
   /// The derivatives of these by all coordinates.
-  template <class X>
-  static Eigen::Matrix<typename X::Scalar, count, known.coordinates> jacobian(const X& x) {
-    Eigen::Matrix<typename X::Scalar, count, known.coordinates> by_all;
+  template <class State>
+  static Eigen::Matrix<typename State::Scalar, count, known.coordinates> jacobian(const State& x) {
+    Eigen::Matrix<typename State::Scalar, count, known.coordinates> by_all;
     by_all.setZero();
     each([&](int k, const auto& places) {
       for (const int place : places) by_all(k, place) = x(place);
@@ -74,16 +74,16 @@ public:
   }
 
   /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
-  template <class Jacobian, class X>
-  static void leave_norms_out(Jacobian& by_all, const X& x) {
+  template <class Jacobian, class State>
+  static void leave_norms_out(Jacobian& by_all, const State& x) {
     each([&](int, const auto& places) { lower::leave_norm_out(by_all, x, places); });
   }
 
   /// Calls f with the number of each and the places of its coordinates.
   template <class Function>
   static constexpr void each(const Function& f) {
-    [&]<int... k>(std::integer_sequence<int, k...>) {
-      (f(k, places<k>), ...);
+    [&]<int... place>(std::integer_sequence<int, place...>) {
+      (f(place, places<place>), ...);
     }(std::make_integer_sequence<int, count>{});
   }
 
@@ -109,31 +109,31 @@ public:
   }
 
 private:
-  template <int k>
+  template <int place>
   static constexpr std::size_t size = [] {
     std::size_t entries = 0;
     for (int i = 0; i < known.coordinates; ++i)
-      if (known.quaternion_of[i] == k + 1) ++entries;
+      if (known.quaternion_of[i] == place + 1) ++entries;
     return entries;
   }();
-  template <int k>
+  template <int place>
   static constexpr auto places = [] {
-    std::array<int, size<k>> found{};
+    std::array<int, size<place>> found{};
     std::size_t next = 0;
     for (int i = 0; i < known.coordinates; ++i)
-      if (known.quaternion_of[i] == k + 1) found[next++] = i;
+      if (known.quaternion_of[i] == place + 1) found[next++] = i;
     return found;
   }();
 
-  template <int k>
-  static constexpr auto far_from_one = deriving::only_cause([] { return far_from_norm_1(known, k); });
+  template <int place>
+  static constexpr auto far_from_one = deriving::only_cause([] { return far_from_norm_1(known, place); });
 
-  template <class X, int... k>
-  [[gnu::always_inline]] static kanexpr::status for_each(X& x, const lower::norm_range& from,
-                                                         std::integer_sequence<int, k...>) {
+  template <class State, int... place>
+  [[gnu::always_inline]] static kanexpr::status for_each(State& x, const lower::norm_range& from,
+                                                         std::integer_sequence<int, place...>) {
     kanexpr::status s;
-    static_cast<void>(
-        (... && (lower::normalize(x, places<k>, from) || (s = kanexpr::status(far_from_one<k>[0]), false))));
+    static_cast<void>((... && (lower::normalize(x, places<place>, from) ||
+                               (s = kanexpr::status(far_from_one<place>[0]), false))));
     return s;
   }
 };

@@ -108,10 +108,10 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
   const scalar wide(precision::double_precision);
   const auto single = [&](float x) { return of.number(static_cast<double>(x)); };
   const auto in_both = [&](auto known) {
-    return std::pair(detail::polynomial(known.S, of), detail::polynomial(known.C, of));
+    return std::pair(detail::polynomial(known.of_sine, of), detail::polynomial(known.of_cosine, of));
   };
-  const auto [S, C] = of.is_single ? in_both(circular<float>()) : in_both(circular<double>());
-  const std::string with_rest = filled(detail::sum_with_rest, {{"S", S}, {"one", of.number(1)}});
+  const auto [of_sine, of_cosine] = of.is_single ? in_both(circular<float>()) : in_both(circular<double>());
+  const std::string with_rest = filled(detail::sum_with_rest, {{"S", of_sine}, {"one", of.number(1)}});
   const std::string reduction =
       of.is_single
           ? filled(detail::reduction_of_float, {{"quadrants", single(circular<float>::quadrants)},
@@ -120,10 +120,10 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
                                                 {"wide_integers", wide.number(circular<double>::integers)}})
           : filled(detail::reduction_of_double, {{"quadrants", wide.number(circular<double>::quadrants)},
                                                  {"integers", wide.number(circular<double>::integers)}});
-  const std::string sum =
-      of.is_single
-          ? filled(detail::sum_of_float, {{"S", S}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
-          : with_rest;
+  const std::string sum = of.is_single
+                              ? filled(detail::sum_of_float,
+                                       {{"S", of_sine}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
+                              : with_rest;
   return filled(detail::sine_and_cosine, {{"name", name},
                                           {"number", of.type()},
                                           {"bits", of.bits()},
@@ -132,7 +132,7 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
                                           {"cos", of.function("cos")},
                                           {"farthest", of.number(numeric::farthest_angle)},
                                           {"half", of.number(0.5)},
-                                          {"C", C},
+                                          {"C", of_cosine},
                                           {"reduction", reduction},
                                           {"sum", sum}});
 }

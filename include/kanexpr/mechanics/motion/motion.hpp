@@ -8,11 +8,11 @@
 namespace kanexpr::mechanics {
 
 /// A result that is formed once.
-template <class T>
+template <class Value>
 struct remembered {
   bool known = false;
-  T value{};
-  constexpr const T& keep(const T& formed) {
+  Value value{};
+  constexpr const Value& keep(const Value& formed) {
     known = true;
     return value = formed;
   }

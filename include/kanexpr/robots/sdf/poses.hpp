@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 /// Poses of libsdformat, which have quaternions, as those of robots, which have right angles.
 namespace kanexpr::robots::sdf_files {
 
@@ -31,3 +33,5 @@ inline pose pose_of(const ignition::math::Pose3d& p, double tolerance) {
 }
 
 } // namespace kanexpr::robots::sdf_files
+
+#include <kanexpr/base/letters_back.hpp>

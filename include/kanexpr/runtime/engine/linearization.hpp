@@ -12,6 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr::runtime {
 
 class linearization::at_point {
@@ -170,3 +172,5 @@ KANEXPR_ENGINE std::vector<std::string> linearization::states() { return at_->st
 KANEXPR_ENGINE std::vector<std::string> linearization::inputs() { return at_->inputs(); }
 
 } // namespace kanexpr::runtime
+
+#include <kanexpr/base/letters_back.hpp>

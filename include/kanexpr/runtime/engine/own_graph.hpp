@@ -15,21 +15,21 @@ class each_expression {
 public:
   explicit each_expression(const Use& use) : use_(use) {}
 
-  template <class T>
-  void operator()(T& part) const {
-    if constexpr (std::is_scalar_v<T>)
+  template <class Number>
+  void operator()(Number& part) const {
+    if constexpr (std::is_scalar_v<Number>)
       return;
-    else if constexpr (requires { T::each_member(part, *this); })
-      T::each_member(part, *this);
+    else if constexpr (requires { Number::each_member(part, *this); })
+      Number::each_member(part, *this);
     else
       for_each_member(part, *this);
   }
-  template <class T>
-  void operator()(symbolic::sequence<T>& parts) const {
-    for (T& each : parts) (*this)(each);
+  template <class Number>
+  void operator()(symbolic::sequence<Number>& parts) const {
+    for (Number& each : parts) (*this)(each);
   }
-  template <class T>
-  void operator()(std::optional<T>& part) const {
+  template <class Number>
+  void operator()(std::optional<Number>& part) const {
     if (part) (*this)(*part);
   }
   void operator()(symbolic::expression& e) const { use_(e); }

@@ -10,10 +10,10 @@ namespace kanexpr::symbolic::algebra {
 /// which arguments of functions are built, `argument(fraction)`, the same without its sign, and
 /// `function(op, a, b, fraction)`, which may give the functions that it knows a value by their arguments; the
 /// others are taken as symbols.
-template <class C, class Form>
+template <class Coefficient, class Form>
 class fraction_reader {
 public:
-  using fraction = algebra::fraction<C>;
+  using fraction = algebra::fraction<Coefficient>;
 
   fraction_reader(graph& g, budget& left) : g_(g), left_(left), arithmetic_(left) {}
 
@@ -25,7 +25,7 @@ public:
         [this](int id, const fraction& a, const fraction& b) { return value(id, a, b); });
   }
 
-  fraction_arithmetic<C>& arithmetic() { return arithmetic_; }
+  fraction_arithmetic<Coefficient>& arithmetic() { return arithmetic_; }
 
 protected:
   graph& owner() { return g_; }
@@ -40,13 +40,13 @@ private:
     if (op == operation::divide) return divided(a, b);
     Form& form = static_cast<Form&>(*this);
     if (is_atomic(op)) {
-      const polynomial<C> p = atom<C>({g_, id});
+      const polynomial<Coefficient> p = atom<Coefficient>({g_, id});
       if (op != operation::symbol && !p.is_constant()) form.meets_opaque(id);
       return {p, {}};
     }
     if (const auto known = form.function(op, a)) return divided({known->first, {}}, {known->second, {}});
     const unsigned_argument x = form.argument(a), y = form.argument(b);
-    const polynomial<C> f = function_of<C>(op, x, y);
+    const polynomial<Coefficient> f = function_of<Coefficient>(op, x, y);
     if (f.is_constant()) return {f, {}};
     const int base = f.terms.front().factors.front().base;
     form.meets_opaque(base);
@@ -64,7 +64,7 @@ private:
 
   graph& g_;
   budget& left_;
-  fraction_arithmetic<C> arithmetic_;
+  fraction_arithmetic<Coefficient> arithmetic_;
 };
 
 } // namespace kanexpr::symbolic::algebra

@@ -10,16 +10,16 @@ namespace kanexpr::symbolic::algebra {
 using real_polynomial = polynomial<rational>;
 
 /// A node as a polynomial: itself to the first power, or what it is without its sign.
-template <class C>
-polynomial<C> atom(expression e) {
+template <class Coefficient>
+polynomial<Coefficient> atom(expression e) {
   const graph& g = e.owner();
   const node& n = g[e.node()];
-  if (n.op == operation::negate) return -atom<C>(expression(e.owner(), n.a));
+  if (n.op == operation::negate) return -atom<Coefficient>(expression(e.owner(), n.a));
   if (n.op == operation::constant) {
     const number& value = g.number_at(e.node());
-    if (value.exact() || elementary::detail::is_finite(value.real)) return C(exact_value(value));
+    if (value.exact() || elementary::detail::is_finite(value.real)) return Coefficient(exact_value(value));
   }
-  return {{{e.node(), 1}}, C(1)};
+  return {{{e.node(), 1}}, Coefficient(1)};
 }
 
 /// Π base^exponent over those with exponents of one sign, which is 1 or -1.
@@ -88,15 +88,15 @@ struct unsigned_argument {
 };
 
 /// A function of two arguments or one, with its sign in front.
-template <class C>
-polynomial<C> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
+template <class Coefficient>
+polynomial<Coefficient> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
   graph& g = x.magnitude.owner();
   const parity symmetry = is_function(op) ? properties_of(op).symmetry : parity::none;
   if (symmetry == parity::none) {
     const expression first = x.value();
-    return atom<C>({g, build(g, op, first.node(), is_binary(op) ? y.value().node() : 0)});
+    return atom<Coefficient>({g, build(g, op, first.node(), is_binary(op) ? y.value().node() : 0)});
   }
-  const polynomial<C> f = atom<C>(apply(op, x.magnitude));
+  const polynomial<Coefficient> f = atom<Coefficient>(apply(op, x.magnitude));
   return symmetry == parity::odd && x.negative ? -f : f;
 }
 

@@ -33,26 +33,26 @@ struct scalar_function;
 
 template <>
 struct scalar_function<operation::sqrt> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::sqrt;
     return sqrt(x);
   }
-  template <class T>
-  static constexpr T slope(const T&, const T& f) {
+  template <class Number>
+  static constexpr Number slope(const Number&, const Number& f) {
     return 1 / (2 * f);
   }
 };
 
 template <>
 struct scalar_function<operation::sin> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::sin;
     return sin(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::cos;
     return cos(x);
   }
@@ -60,13 +60,13 @@ struct scalar_function<operation::sin> {
 
 template <>
 struct scalar_function<operation::cos> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::cos;
     return cos(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::sin;
     return -sin(x);
   }
@@ -74,26 +74,26 @@ struct scalar_function<operation::cos> {
 
 template <>
 struct scalar_function<operation::tan> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::tan;
     return tan(x);
   }
-  template <class T>
-  static constexpr T slope(const T&, const T& f) {
+  template <class Number>
+  static constexpr Number slope(const Number&, const Number& f) {
     return f * f + 1;
   }
 };
 
 template <>
 struct scalar_function<operation::asin> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::asin;
     return asin(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::sqrt;
     return 1 / sqrt(1 - x * x);
   }
@@ -101,13 +101,13 @@ struct scalar_function<operation::asin> {
 
 template <>
 struct scalar_function<operation::acos> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::acos;
     return acos(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::sqrt;
     return -(1 / sqrt(1 - x * x));
   }
@@ -115,52 +115,52 @@ struct scalar_function<operation::acos> {
 
 template <>
 struct scalar_function<operation::atan> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::atan;
     return atan(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     return 1 / (x * x + 1);
   }
 };
 
 template <>
 struct scalar_function<operation::exp> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::exp;
     return exp(x);
   }
-  template <class T>
-  static constexpr T slope(const T&, const T& f) {
+  template <class Number>
+  static constexpr Number slope(const Number&, const Number& f) {
     return f;
   }
 };
 
 template <>
 struct scalar_function<operation::log> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::log;
     return log(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     return 1 / x;
   }
 };
 
 template <>
 struct scalar_function<operation::sinh> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::sinh;
     return sinh(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::cosh;
     return cosh(x);
   }
@@ -168,13 +168,13 @@ struct scalar_function<operation::sinh> {
 
 template <>
 struct scalar_function<operation::cosh> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::cosh;
     return cosh(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::sinh;
     return sinh(x);
   }
@@ -182,26 +182,26 @@ struct scalar_function<operation::cosh> {
 
 template <>
 struct scalar_function<operation::tanh> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::tanh;
     return tanh(x);
   }
-  template <class T>
-  static constexpr T slope(const T&, const T& f) {
+  template <class Number>
+  static constexpr Number slope(const Number&, const Number& f) {
     return 1 - f * f;
   }
 };
 
 template <>
 struct scalar_function<operation::abs> {
-  template <class T>
-  static T of(const T& x) {
+  template <class Number>
+  static Number of(const Number& x) {
     using std::abs;
     return abs(x);
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     using elementary::sign;
     return sign(x);
   }
@@ -209,17 +209,17 @@ struct scalar_function<operation::abs> {
 
 template <>
 struct scalar_function<operation::sign> {
-  template <class T>
-  static T of(const T& x) {
-    if constexpr (numeric::selected_by_masks<T>)
-      return numeric::where_number(x, static_cast<T>((T(0) < x) - (x < T(0))));
-    else if constexpr (std::is_arithmetic_v<T>)
-      return numeric::is_number(x) ? static_cast<T>((T(0) < x) - (x < T(0))) : x;
+  template <class Number>
+  static Number of(const Number& x) {
+    if constexpr (numeric::selected_by_masks<Number>)
+      return numeric::where_number(x, static_cast<Number>((Number(0) < x) - (x < Number(0))));
+    else if constexpr (std::is_arithmetic_v<Number>)
+      return numeric::is_number(x) ? static_cast<Number>((Number(0) < x) - (x < Number(0))) : x;
     else
-      return T((T(0) < x) - (x < T(0)));
+      return Number((Number(0) < x) - (x < Number(0)));
   }
-  template <class T>
-  static constexpr T slope(const T& x, const T&) {
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
     return x - x;
   }
 };
@@ -265,8 +265,8 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
 }
 
 /// The derivative of a function of one argument at x, where it is f.
-template <class T>
-constexpr T slope_of(operation op, const T& x, const T& f) {
+template <class Number>
+constexpr Number slope_of(operation op, const Number& x, const Number& f) {
   return with_function(op, [&]<operation function>() { return scalar_function<function>::slope(x, f); });
 }
 

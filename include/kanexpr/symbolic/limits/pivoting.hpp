@@ -11,10 +11,10 @@ namespace kanexpr::symbolic::taylor {
 ///
 /// `worth(x)` is what a pivot is worth, an optional of anything that can be compared: nothing where it cannot
 /// be divided by.
-template <class T, class Worth>
-bool eliminate(std::vector<T>& a, std::vector<T>& x, Worth worth) {
+template <class Number, class Worth>
+bool eliminate(std::vector<Number>& a, std::vector<Number>& x, Worth worth) {
   const std::size_t order = x.size();
-  const auto at = [&](std::size_t i, std::size_t j) -> T& { return a[i * order + j]; };
+  const auto at = [&](std::size_t i, std::size_t j) -> Number& { return a[i * order + j]; };
   for (std::size_t k = 0; k < order; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < order; ++i)
@@ -23,7 +23,7 @@ bool eliminate(std::vector<T>& a, std::vector<T>& x, Worth worth) {
     for (std::size_t j = k; j < order && pivot != k; ++j) std::swap(at(k, j), at(pivot, j));
     if (pivot != k) std::swap(x[k], x[pivot]);
     for (std::size_t i = k + 1; i < order; ++i) {
-      const T multiplier = at(i, k) / at(k, k);
+      const Number multiplier = at(i, k) / at(k, k);
       for (std::size_t j = k + 1; j < order; ++j) at(i, j) = at(i, j) - multiplier * at(k, j);
       x[i] = x[i] - multiplier * x[k];
     }

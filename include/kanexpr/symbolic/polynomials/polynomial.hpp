@@ -36,23 +36,23 @@ struct polynomial {
 };
 
 /// p c m.
-template <class C>
-polynomial<C> scaled(polynomial<C> p, const C& c, const monomial& m = {}) {
-  for (term<C>& t : p.terms) {
+template <class Coefficient>
+polynomial<Coefficient> scaled(polynomial<Coefficient> p, const Coefficient& c, const monomial& m = {}) {
+  for (term<Coefficient>& t : p.terms) {
     t.coefficient = t.coefficient * c;
     if (!m.empty()) t.factors = times(t.factors, m);
   }
   return p;
 }
 
-template <class C>
-polynomial<C> operator-(const polynomial<C>& p) {
-  return scaled(p, C(-1));
+template <class Coefficient>
+polynomial<Coefficient> operator-(const polynomial<Coefficient>& p) {
+  return scaled(p, Coefficient(-1));
 }
 
-template <class C>
-polynomial<C> operator+(const polynomial<C>& p, const polynomial<C>& q) {
-  polynomial<C> sum;
+template <class Coefficient>
+polynomial<Coefficient> operator+(const polynomial<Coefficient>& p, const polynomial<Coefficient>& q) {
+  polynomial<Coefficient> sum;
   sum.terms.reserve(p.size() + q.size());
   auto x = p.terms.begin(), y = q.terms.begin();
   while (x != p.terms.end() && y != q.terms.end()) {
@@ -70,61 +70,63 @@ polynomial<C> operator+(const polynomial<C>& p, const polynomial<C>& q) {
   return sum;
 }
 
-template <class C>
-polynomial<C> operator-(const polynomial<C>& p, const polynomial<C>& q) {
+template <class Coefficient>
+polynomial<Coefficient> operator-(const polynomial<Coefficient>& p, const polynomial<Coefficient>& q) {
   return p + -q;
 }
 
 /// Terms in any order, with repetitions, as a polynomial.
-template <class C>
+template <class Coefficient>
 class term_sum {
 public:
-  void add(const monomial& m, const C& c) {
+  void add(const monomial& m, const Coefficient& c) {
     const auto [place, is_new] = coefficients_.try_emplace(m, c);
     if (!is_new) place->second += c;
   }
   std::size_t size() const { return coefficients_.size(); }
 
-  polynomial<C> sorted() const {
-    polynomial<C> sum;
+  polynomial<Coefficient> sorted() const {
+    polynomial<Coefficient> sum;
     for (const auto& [m, c] : coefficients_)
       if (!c.is_zero()) sum.terms.push_back({m, c});
-    std::ranges::sort(sum.terms, descending(), &term<C>::factors);
+    std::ranges::sort(sum.terms, descending(), &term<Coefficient>::factors);
     return sum;
   }
 
 private:
-  std::unordered_map<monomial, C, monomial_hash> coefficients_{};
+  std::unordered_map<monomial, Coefficient, monomial_hash> coefficients_{};
 };
 
-template <class C>
-bool has_large_exponent(const polynomial<C>& p) {
-  for (const term<C>& t : p.terms)
+template <class Coefficient>
+bool has_large_exponent(const polynomial<Coefficient>& p) {
+  for (const term<Coefficient>& t : p.terms)
     for (const factor& f : t.factors)
       if (f.exponent > largest_exponent || f.exponent < -largest_exponent) return true;
   return false;
 }
 
 /// What a product with such coefficients takes, that of small ones being 1.
-template <class C>
-std::size_t effort(const polynomial<C>& p) {
+template <class Coefficient>
+std::size_t effort(const polynomial<Coefficient>& p) {
   std::size_t most = 0;
-  for (const term<C>& t : p.terms) most = (std::max)(most, bits_of(t.coefficient));
+  for (const term<Coefficient>& t : p.terms) most = (std::max)(most, bits_of(t.coefficient));
   return 1 + (most / 128) * (most / 128);
 }
 
 /// Zero where the budget does not suffice.
-template <class C>
-polynomial<C> product(const polynomial<C>& p, const polynomial<C>& q, budget& left) {
+template <class Coefficient>
+polynomial<Coefficient> product(const polynomial<Coefficient>& p, const polynomial<Coefficient>& q,
+                                budget& left) {
   if (p.size() > q.size()) return product(q, p, left);
   if (p.is_zero() || !left.spend(p.size() * q.size() * (effort(p) + effort(q)) / 2)) return {};
-  polynomial<C> result;
+  polynomial<Coefficient> result;
   if (p.size() == 1) {
     result = scaled(q, p.terms.front().coefficient, p.terms.front().factors);
   } else {
-    term_sum<C> sum;
-    for (const term<C>& x : p.terms) {
-      for (const term<C>& y : q.terms) sum.add(times(x.factors, y.factors), x.coefficient * y.coefficient);
+    term_sum<Coefficient> sum;
+    for (const term<Coefficient>& x : p.terms) {
+      for (const term<Coefficient>& y : q.terms)
+        sum.add(times(x.factors, y.factors), x.coefficient * y.coefficient);
       if (!left.allows(sum.size())) return {};
     }
     result = sum.sorted();
@@ -133,9 +135,9 @@ polynomial<C> product(const polynomial<C>& p, const polynomial<C>& q, budget& le
   return result;
 }
 
-template <class C>
-polynomial<C> raised(const polynomial<C>& p, std::int64_t exponent, budget& left) {
-  polynomial<C> result(C(1)), square = p;
+template <class Coefficient>
+polynomial<Coefficient> raised(const polynomial<Coefficient>& p, std::int64_t exponent, budget& left) {
+  polynomial<Coefficient> result(Coefficient(1)), square = p;
   for (; exponent > 0 && !left.failed(); exponent /= 2) {
     if (exponent % 2 != 0) result = product(result, square, left);
     if (exponent > 1) square = product(square, square, left);

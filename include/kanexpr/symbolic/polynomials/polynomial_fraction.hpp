@@ -5,51 +5,51 @@
 namespace kanexpr::symbolic::algebra {
 
 /// A polynomial over a product of powers of others, which are known by their places in a list.
-template <class C>
+template <class Coefficient>
 struct fraction {
-  polynomial<C> above{};
+  polynomial<Coefficient> above{};
   std::map<std::size_t, std::int64_t> below{}; ///< positive exponents
 };
 
 /// Arithmetic of fractions. What is below stays in factors, and each is taken out of what is above as often
 /// as it divides that.
-template <class C>
+template <class Coefficient>
 class fraction_arithmetic {
 public:
   explicit fraction_arithmetic(budget& left) : left_(left) {}
 
-  const polynomial<C>& divisor(std::size_t place) const { return divisors_[place]; }
+  const polynomial<Coefficient>& divisor(std::size_t place) const { return divisors_[place]; }
 
   /// The square of a node, wherever it occurs.
-  void set_square(int root, const fraction<C>& square) { squares_[root] = square; }
+  void set_square(int root, const fraction<Coefficient>& square) { squares_[root] = square; }
 
-  fraction<C> sum(const fraction<C>& a, const fraction<C>& b) {
+  fraction<Coefficient> sum(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
     if (a.below == b.below) return simplified({a.above + b.above, a.below});
-    fraction<C> all;
-    for (const fraction<C>* each : {&a, &b})
+    fraction<Coefficient> all;
+    for (const fraction<Coefficient>* each : {&a, &b})
       for (const auto& [place, exponent] : each->below)
         all.below[place] = (std::max)(all.below[place], exponent);
-    fraction<C> result = without_squares(brought_to(a, all) + brought_to(b, all));
+    fraction<Coefficient> result = without_squares(brought_to(a, all) + brought_to(b, all));
     for (const auto& [place, exponent] : all.below) result.below[place] += exponent;
     return simplified(std::move(result));
   }
 
-  fraction<C> negative(const fraction<C>& a) { return {-a.above, a.below}; }
+  fraction<Coefficient> negative(const fraction<Coefficient>& a) { return {-a.above, a.below}; }
 
-  fraction<C> product(const fraction<C>& a, const fraction<C>& b) {
-    fraction<C> result = without_squares(algebra::product(a.above, b.above, left_));
-    for (const fraction<C>* each : {&a, &b})
+  fraction<Coefficient> product(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
+    fraction<Coefficient> result = without_squares(algebra::product(a.above, b.above, left_));
+    for (const fraction<Coefficient>* each : {&a, &b})
       for (const auto& [place, exponent] : each->below) result.below[place] += exponent;
     return simplified(std::move(result));
   }
 
   /// The caller has made sure that b is not zero.
-  fraction<C> quotient(const fraction<C>& a, const fraction<C>& b) {
-    const fraction<C> below = divided_by(b.above);
+  fraction<Coefficient> quotient(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
+    const fraction<Coefficient> below = divided_by(b.above);
     std::map<std::size_t, std::int64_t> exponents = a.below;
     for (const auto& [place, exponent] : below.below) exponents[place] += exponent;
     for (const auto& [place, exponent] : b.below) exponents[place] -= exponent;
-    fraction<C> result = without_squares(algebra::product(a.above, below.above, left_));
+    fraction<Coefficient> result = without_squares(algebra::product(a.above, below.above, left_));
     for (const auto& [place, exponent] : exponents) {
       if (exponent > 0) result.below[place] += exponent;
       if (exponent < 0) result = product(result, {raised(divisors_[place], -exponent, left_), {}});
@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  polynomial<C> brought_to(const fraction<C>& a, const fraction<C>& common) {
-    polynomial<C> above = a.above;
+  polynomial<Coefficient> brought_to(const fraction<Coefficient>& a, const fraction<Coefficient>& common) {
+    polynomial<Coefficient> above = a.above;
     for (const auto& [place, exponent] : common.below) {
       const auto own = a.below.find(place);
       const std::int64_t missing = exponent - (own == a.below.end() ? 0 : own->second);
@@ -68,7 +68,7 @@ private:
     return above;
   }
 
-  fraction<C> simplified(fraction<C> a) {
+  fraction<Coefficient> simplified(fraction<Coefficient> a) {
     if (a.above.is_zero()) a.below.clear();
     for (auto& [place, exponent] : a.below)
       while (exponent > 0 && !left_.failed()) {
@@ -83,19 +83,20 @@ private:
 
   /// 1/p: of numbers and powers of nodes as they are, of the rest as a divisor, in the factors that are
   /// known.
-  fraction<C> divided_by(const polynomial<C>& p) {
+  fraction<Coefficient> divided_by(const polynomial<Coefficient>& p) {
     const monomial shared = common_monomial(p);
     rational scale = holds_decimals(p) ? 1 : common_number(p);
     if (is_negative(p.terms.front().coefficient)) scale = -scale;
-    fraction<C> result{{over({}, shared), C(1) / C(scale)}, {}};
-    polynomial<C> rest = scaled(p, C(1) / C(scale), over({}, shared));
+    fraction<Coefficient> result{{over({}, shared), Coefficient(1) / Coefficient(scale)}, {}};
+    polynomial<Coefficient> rest = scaled(p, Coefficient(1) / Coefficient(scale), over({}, shared));
     for (std::size_t i = 0; i < divisors_.size() && !rest.is_constant(); ++i)
       while (const auto quotient = exact_quotient(rest, divisors_[i], left_)) {
         rest = *quotient;
         ++result.below[i];
       }
     if (rest.is_constant()) {
-      if (!rest.is_zero()) result.above = scaled(result.above, C(1) / rest.terms.front().coefficient);
+      if (!rest.is_zero())
+        result.above = scaled(result.above, Coefficient(1) / rest.terms.front().coefficient);
       return result;
     }
     ++result.below[divisors_.size()];
@@ -104,26 +105,26 @@ private:
   }
 
   /// Only first powers of square roots are left.
-  fraction<C> without_squares(const polynomial<C>& p) {
+  fraction<Coefficient> without_squares(const polynomial<Coefficient>& p) {
     const int root = squared_root(p);
     if (root == none) return {p, {}};
-    std::map<std::int64_t, term_sum<C>> by_square;
-    for (const term<C>& t : p.terms) {
+    std::map<std::int64_t, term_sum<Coefficient>> by_square;
+    for (const term<Coefficient>& t : p.terms) {
       const std::int64_t exponent = exponent_of(t.factors, root), rest = exponent & 1;
       const monomial others = without(t.factors, root);
       by_square[(exponent - rest) / 2].add(rest == 0 ? others : times(others, {{root, 1}}), t.coefficient);
     }
-    fraction<C> all;
+    fraction<Coefficient> all;
     for (const auto& [exponent, terms] : by_square) {
-      const fraction<C> part = without_squares(terms.sorted());
+      const fraction<Coefficient> part = without_squares(terms.sorted());
       all = sum(all, product(part, square_raised(root, exponent)));
     }
     return all;
   }
 
-  fraction<C> square_raised(int root, std::int64_t exponent) {
-    const fraction<C> one{C(1), {}};
-    fraction<C> result = one, power = squares_.find(root)->second;
+  fraction<Coefficient> square_raised(int root, std::int64_t exponent) {
+    const fraction<Coefficient> one{Coefficient(1), {}};
+    fraction<Coefficient> result = one, power = squares_.find(root)->second;
     if (exponent < 0) power = quotient(one, power);
     for (std::int64_t rest = std::abs(exponent); rest > 0 && !left_.failed(); rest /= 2) {
       if (rest % 2 != 0) result = product(result, power);
@@ -132,9 +133,9 @@ private:
     return result;
   }
 
-  int squared_root(const polynomial<C>& p) const {
+  int squared_root(const polynomial<Coefficient>& p) const {
     if (squares_.empty()) return none;
-    for (const term<C>& t : p.terms)
+    for (const term<Coefficient>& t : p.terms)
       for (const factor& f : t.factors)
         if ((f.exponent > 1 || f.exponent < 0) && squares_.contains(f.base)) return f.base;
     return none;
@@ -143,8 +144,8 @@ private:
   static constexpr int none = -1;
 
   budget& left_;
-  std::vector<polynomial<C>> divisors_{};
-  std::map<int, fraction<C>> squares_{};
+  std::vector<polynomial<Coefficient>> divisors_{};
+  std::map<int, fraction<Coefficient>> squares_{};
 };
 
 } // namespace kanexpr::symbolic::algebra

@@ -16,11 +16,11 @@ struct exponent_range {
 };
 
 /// By base; what is in some terms only has an exponent of zero in the others.
-template <class C>
-std::map<int, exponent_range> exponent_ranges(const polynomial<C>& p) {
+template <class Coefficient>
+std::map<int, exponent_range> exponent_ranges(const polynomial<Coefficient>& p) {
   std::map<int, exponent_range> ranges;
   std::map<int, std::size_t> occurrences;
-  for (const term<C>& t : p.terms)
+  for (const term<Coefficient>& t : p.terms)
     for (const factor& f : t.factors) {
       const auto place = ranges.try_emplace(f.base, exponent_range{f.exponent, f.exponent}).first;
       place->second.least = (std::min)(place->second.least, f.exponent);
@@ -37,8 +37,8 @@ std::map<int, exponent_range> exponent_ranges(const polynomial<C>& p) {
 
 /// The largest monomial of nodes that divides all terms; exponentials are left alone, so that what is real
 /// stays so.
-template <class C>
-monomial common_monomial(const polynomial<C>& p) {
+template <class Coefficient>
+monomial common_monomial(const polynomial<Coefficient>& p) {
   monomial common;
   for (const auto& [base, range] : exponent_ranges(p))
     if (base >= 0 && range.least != 0) common.push_back({base, range.least});
@@ -46,24 +46,24 @@ monomial common_monomial(const polynomial<C>& p) {
 }
 
 /// The positive number that leaves whole coefficients without a common divisor.
-template <class C>
-rational common_number(const polynomial<C>& p) {
+template <class Coefficient>
+rational common_number(const polynomial<Coefficient>& p) {
   rational common = 0;
-  for (const term<C>& t : p.terms) common = common_measure(common, measure_of(t.coefficient));
+  for (const term<Coefficient>& t : p.terms) common = common_measure(common, measure_of(t.coefficient));
   return common;
 }
 
-template <class C>
-bool holds_decimals(const polynomial<C>& p) {
-  return std::ranges::any_of(p.terms, [](const term<C>& t) { return is_decimal(t.coefficient); });
+template <class Coefficient>
+bool holds_decimals(const polynomial<Coefficient>& p) {
+  return std::ranges::any_of(p.terms, [](const term<Coefficient>& t) { return is_decimal(t.coefficient); });
 }
 
 /// The coefficients of a polynomial by the monomials in some of its bases.
-template <class C>
-std::map<monomial, polynomial<C>, descending> coefficients(const polynomial<C>& p,
-                                                           const std::function<bool(int)>& is_taken_out) {
-  std::map<monomial, polynomial<C>, descending> parts;
-  for (const term<C>& t : p.terms) {
+template <class Coefficient>
+std::map<monomial, polynomial<Coefficient>, descending>
+coefficients(const polynomial<Coefficient>& p, const std::function<bool(int)>& is_taken_out) {
+  std::map<monomial, polynomial<Coefficient>, descending> parts;
+  for (const term<Coefficient>& t : p.terms) {
     monomial out, in;
     for (const factor& f : t.factors) (is_taken_out(f.base) ? out : in).push_back(f);
     parts[out].terms.push_back({in, t.coefficient}); // the order of the rest is that of the whole
@@ -72,8 +72,9 @@ std::map<monomial, polynomial<C>, descending> coefficients(const polynomial<C>& 
 }
 
 /// p/d where d divides p; nothing where it does not, or the budget does not suffice.
-template <class C>
-std::optional<polynomial<C>> exact_quotient(const polynomial<C>& p, const polynomial<C>& d, budget& left) {
+template <class Coefficient>
+std::optional<polynomial<Coefficient>> exact_quotient(const polynomial<Coefficient>& p,
+                                                      const polynomial<Coefficient>& d, budget& left) {
   std::map<int, exponent_range> bounds = exponent_ranges(p);
   for (const auto& [base, range] : exponent_ranges(d)) {
     exponent_range& bound = bounds[base];
@@ -89,16 +90,16 @@ std::optional<polynomial<C>> exact_quotient(const polynomial<C>& p, const polyno
   if (p.is_zero()) return p;
   if (!is_within(over(p.terms.back().factors, d.terms.back().factors))) return std::nullopt;
 
-  std::map<monomial, C, descending> rest;
-  for (const term<C>& t : p.terms) rest.emplace(t.factors, t.coefficient);
-  polynomial<C> quotient;
+  std::map<monomial, Coefficient, descending> rest;
+  for (const term<Coefficient>& t : p.terms) rest.emplace(t.factors, t.coefficient);
+  polynomial<Coefficient> quotient;
   while (!rest.empty()) {
     const auto& [leading, coefficient] = *rest.begin();
     const monomial step = over(leading, d.terms.front().factors);
     if (!is_within(step) || !left.spend(d.size()) || !left.allows(rest.size())) return std::nullopt;
-    const C weight = coefficient / d.terms.front().coefficient;
-    for (const term<C>& t : d.terms) {
-      const auto place = rest.try_emplace(times(step, t.factors), C(0)).first;
+    const Coefficient weight = coefficient / d.terms.front().coefficient;
+    for (const term<Coefficient>& t : d.terms) {
+      const auto place = rest.try_emplace(times(step, t.factors), Coefficient(0)).first;
       place->second += -(weight * t.coefficient);
       if (place->second.is_zero()) rest.erase(place);
     }

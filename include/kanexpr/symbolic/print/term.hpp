@@ -155,9 +155,9 @@ private:
     return order != 0 ? order : b.exponent <=> a.exponent;
   }
 
-  template <class T>
-  std::strong_ordering compare_all(const std::vector<T>& a, const std::vector<T>& b,
-                                   std::strong_ordering (term_reader::*order)(const T&, const T&)) {
+  template <class Part>
+  std::strong_ordering compare_all(const std::vector<Part>& a, const std::vector<Part>& b,
+                                   std::strong_ordering (term_reader::*order)(const Part&, const Part&)) {
     for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
       if (const auto found = (this->*order)(a[i], b[i]); found != 0) return found;
     return a.size() <=> b.size();

@@ -78,8 +78,8 @@ public:
   }
 
   /// Rows are put together of their values, in the order of the columns.
-  template <class T>
-  void put(T value) {
+  template <class Value>
+  void put(Value value) {
     waiting_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   void put(std::span<const double> values) {

@@ -1,0 +1,12 @@
+// Brings back what letters_aside.hpp took aside.
+#pragma pop_macro("A")
+#pragma pop_macro("B")
+#pragma pop_macro("C")
+#pragma pop_macro("D")
+#pragma pop_macro("K")
+#pragma pop_macro("M")
+#pragma pop_macro("P")
+#pragma pop_macro("W")
+#pragma pop_macro("X")
+#pragma pop_macro("Y")
+#pragma pop_macro("Z")
