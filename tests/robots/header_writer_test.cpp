@@ -77,6 +77,21 @@ TEST(header_writer, writes_parameters_and_their_values) {
   EXPECT_THAT(header, HasSubstr("gravity<-g * N::z>"));
 }
 
+TEST(header_writer, writes_the_gravity_of_the_robot) {
+  robot r = robot_of("arm.urdf");
+  EXPECT_THAT(header_of(r), HasSubstr("gravity<-9.81 * N::z>"));
+  EXPECT_THAT(header_of(r, {.gravity = 3.7}), HasSubstr("gravity<-3.7 * N::z>"));
+  r.gravity = vector3{0, 0, -1.62};
+  EXPECT_THAT(header_of(r), HasSubstr("gravity<-1.62 * N::z>"));
+  r.gravity = vector3{3, 0, -4};
+  EXPECT_THAT(header_of(r), HasSubstr("gravity<3 * N::x - 4 * N::z>"));
+  EXPECT_THAT(header_of(r, {.bind = binding::parameters}),
+              HasSubstr("gravity<g * (0.6 * N::x - 0.8 * N::z)>"));
+  EXPECT_THAT(header_of(r, {.bind = binding::parameters}), HasSubstr("  p[g] = 5;"));
+  r.gravity = vector3{};
+  EXPECT_THAT(header_of(r), HasSubstr("gravity<-0 * N::z>"));
+}
+
 TEST(header_writer, writes_names_that_are_identifiers) {
   const std::string header = header_of(robot_in(
       "<link name='System'/><link name='3 *//\\'/><link name='\xc3\xa9'/>"

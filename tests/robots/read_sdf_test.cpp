@@ -175,6 +175,77 @@ TEST(read_sdf, knows_how_a_robot_stands) {
   EXPECT_EQ(r.joints.back().origin.turn, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
 }
 
+const std::string arm_of_two = link_at("a", "0 0 1 0 0 0", "__model__") +
+                               link_at("b", "0 0 2 0 0 0", "__model__") +
+                               joint_of("j", "revolute", "a", "b", axis("0 1 0"));
+
+read_robot in_world(const std::string& model, const std::string& more = {}) {
+  return read_sdf_text("<sdf version='1.9'><world name='w'>" + more + "<model name='m'>" + model +
+                       "</model></world></sdf>");
+}
+
+TEST(read_sdf, knows_where_a_model_is_in_the_world) {
+  const read_robot read =
+      read_sdf_text("<sdf version='1.9'><world name='w'><frame name='wall'><pose>0 0 5 1.5707963267948966 0 "
+                    "0</pose></frame>"
+                    "<model name='m' placement_frame='b'><pose relative_to='wall'>1 2 3 0 0 0</pose>" +
+                    arm_of_two + joint_of("k", "fixed", "world", "a", "") + "</model></world></sdf>");
+  ASSERT_TRUE(read) << read.cause();
+  const articulation a = articulation_of(read.robot);
+  ASSERT_EQ(a.bodies.size(), 2u);
+  EXPECT_EQ(a.bodies[1].origin.turn, (rotation{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.bodies[1].origin.at[i], (vector3{1, -3, 7})[i], 1e-12);
+}
+
+TEST(read_sdf, knows_the_gravity_of_the_world) {
+  EXPECT_FALSE(in_model(arm_of_two).robot.gravity);
+  EXPECT_EQ(in_world(arm_of_two).robot.gravity, (vector3{0, 0, -9.8})); // what SDF takes it for
+  EXPECT_EQ(in_world(arm_of_two, "<gravity>0.1 0 -1.62</gravity>").robot.gravity, (vector3{0.1, 0, -1.62}));
+}
+
+TEST(read_sdf, knows_links_on_which_gravity_does_not_act) {
+  const auto light = [](std::string model, const std::string& name) {
+    const std::string link = "<link name='" + name + "'>";
+    return model.insert(model.find(link) + link.size(), "<gravity>false</gravity>");
+  };
+  const std::string one = light(arm_of_two, "b");
+  EXPECT_THAT(
+      in_world(one).notes,
+      ElementsAre("line 2: link b is one on which gravity does not act; here it does, as on the other "
+                  "links"));
+  const read_robot none = in_world(light(one, "a"));
+  EXPECT_THAT(none.notes, IsEmpty());
+  EXPECT_EQ(none.robot.gravity, vector3{});
+}
+
+TEST(read_sdf, notes_what_is_left_out) {
+  const auto link_with = [](const std::string& more) { return "<link name='a'>" + more + "</link>"; };
+  const std::string ball =
+      "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
+  const auto notes_of = [&](const std::string& model) { return in_model(model).notes; };
+  EXPECT_THAT(notes_of(link_with("<inertial><inertia/></inertial>")),
+              ElementsAre("line 2: link a has no mass, which SDF takes for 1 kg"));
+  EXPECT_THAT(notes_of(link_with("<inertial><mass>2</mass></inertial>")),
+              ElementsAre("line 2: link a has no inertia, which SDF takes for 1 kg m^2 about each axis"));
+  EXPECT_THAT(notes_of(link_with(ball + "<pose>0 0 0 0 0 90</pose>")),
+              ElementsAre("line 2: <pose>0 0 0 0 0 90</pose> of link a is more than a whole turn; angles are "
+                          "taken as radians"));
+  EXPECT_THAT(notes_of(link_with(ball + "<pose degrees='true'>0 0 0 0 0 90</pose>")), IsEmpty());
+  EXPECT_THAT(notes_of(link_with(ball + "<velocity_decay><linear>0.1</linear><angular>0</angular>"
+                                        "</velocity_decay>\n<kinematic>true</kinematic>")),
+              ElementsAre("line 2: <linear>0.1</linear> of velocity_decay is left out",
+                          "line 3: <kinematic>true</kinematic> of link a is left out"));
+  EXPECT_THAT(notes_of(link_with(ball) + "\n<plugin name='sea' filename='sea.so'/>"),
+              ElementsAre("line 3: plugin sea is left out"));
+  EXPECT_THAT(notes_of(link_with(ball + "\n<dampping x='1'/>")),
+              ElementsAre("line 3: libsdformat says: XML Element[dampping], child of element[link], not "
+                          "defined in SDF; it is left out"));
+  EXPECT_EQ(
+      in_model(link_with(ball) + "<model name='inner'><static>1</static>" + link_with(ball) + "</model>")
+          .cause(),
+      "line 2: the model inner is static");
+}
+
 TEST(read_sdf, reads_models_in_models) {
   const read_robot read =
       in_model(link_at("a", "0 0 1 0 0 0", "__model__") + "<model name='hand'><pose>0 0 3 0 0 0</pose>" +

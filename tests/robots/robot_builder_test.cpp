@@ -113,6 +113,35 @@ TEST(robot_builder, feels_what_is_at_joints) {
   EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
 }
 
+// A robot that hangs on a wall, by the inputs that hold it still.
+TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
+  robot r = robot_of("arm.urdf");
+  Eigen::VectorXd x(6);
+  x << 0.3, -0.4, 0.9, 0, 0, 0;
+  const auto held = [&](const model_options& options) -> Eigen::Vector3d {
+    const robot_builder built(r, options);
+    EXPECT_EQ(built.cause(), "");
+    model m = derive(built);
+    auto f = m.function(m.get(quantity::gravity_compensation));
+    Eigen::VectorXd p(static_cast<Eigen::Index>(built.values().size()));
+    for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = built.values()[static_cast<std::size_t>(i)].second;
+    return f(x, p);
+  };
+  const Eigen::Vector3d upright = held({}), on_moon = held({.gravity = 1.62});
+  EXPECT_TRUE(on_moon.isApprox(upright * (1.62 / 9.81), 1e-12));
+  const auto along = [&](const vector3& to, const model_options& options = {}) {
+    r.gravity = to;
+    return held(options);
+  };
+  EXPECT_TRUE(along({0, 0, -1.62}).isApprox(on_moon, 1e-12));
+  EXPECT_TRUE(along({1, 2, -3}).isApprox(along({1, 0, 0}) + along({0, 2, 0}) + along({0, 0, -3}), 1e-12));
+  EXPECT_TRUE(along({1, 2, -3}, {.bind = binding::parameters}).isApprox(along({1, 2, -3}), 1e-12));
+  EXPECT_TRUE(along({1, 2, -3}, {.gravity = 9.81}).isApprox(upright, 1e-12));
+  EXPECT_TRUE(along({}).isZero(0));
+  r.gravity = vector3{0, 0, std::nan("")};
+  EXPECT_EQ(robot_builder(r).cause(), "the gravity of the robot is not finite");
+}
+
 // The cart carries along what floats off it, along the axis of the rail.
 TEST(robot_builder, floats_off_a_slide) {
   const read_robot read = read_urdf_text(

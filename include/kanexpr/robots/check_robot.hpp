@@ -134,6 +134,7 @@ inline found_root root_of(const robot& r) {
 /// The first mistake in a robot; empty: there is none.
 inline std::string check_robot(const robot& r) {
   if (r.links.empty()) return "the robot has no links";
+  if (r.gravity && !detail::is_finite(*r.gravity)) return "the gravity of the robot is not finite";
   for (const link& l : r.links)
     if (std::string wrong = detail::wrong_with(l); !wrong.empty()) return wrong;
   for (const joint& j : r.joints)

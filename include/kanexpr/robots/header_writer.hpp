@@ -3,6 +3,7 @@
 #include <kanexpr/robots/header_text.hpp>
 #include <kanexpr/robots/plan.hpp>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ public:
       write_folded(b);
       out_ += '\n';
     }
-    loads_.insert(loads_.begin(), "gravity<-" + text::factor(value("g", options_.gravity)) + " * N::z>");
+    loads_.insert(loads_.begin(), "gravity<" + gravity() + ">");
     return head(called, from) + symbols() +
            "/// The ground, its axes and its origin.\nstruct N : inertial_ground<N> {};\n\n" + out_ +
            system() + limits() + at_rest() + values() + "\n} // namespace " + called + "\n";
@@ -51,6 +52,14 @@ private:
   }
   const moving_body& parent_of(const moving_body& b) const {
     return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
+  }
+
+  std::string gravity() {
+    const vector3 g = gravity_of(robot_, options_), to = direction_of_gravity(g);
+    const std::string size = value("g", std::hypot(g[0], g[1], g[2]));
+    if (to == vector3{0, 0, -1}) return "-" + size + " * N::z";
+    return options_.bind == binding::numbers ? text::along("N", g)
+                                             : size + " * " + text::factor(text::along("N", to));
   }
 
   std::string value(const std::string& called, double of_file) {

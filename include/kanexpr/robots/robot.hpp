@@ -93,6 +93,7 @@ struct robot {
   std::vector<link> links{};
   std::vector<joint> joints{};
   int root = -1;
+  std::optional<vector3> gravity{}; ///< the acceleration of free fall, in the axes of the root
 };
 
 } // namespace kanexpr::robots

@@ -3,6 +3,7 @@
 #include <kanexpr/robots/plan.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -221,6 +222,12 @@ private:
     rigid_body(called, origins_.back(), axes, number(0), inertia(axes, 0, 0, own));
   }
 
+  void fall(const vector3& g) {
+    const bool numbers = options_.bind == binding::numbers;
+    const vector to = along_numbers(inertial_frame(), numbers ? g : direction_of_gravity(g));
+    gravity(numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to);
+  }
+
   void place_folded() {
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
       const placed_link& here = plan_.what.links[l];
@@ -260,7 +267,7 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
     if (b.joint >= 0) add_rotor(b);
   }
   place_folded();
-  gravity(along(inertial_frame(), 0, 0, -value("g", options_.gravity)));
+  fall(gravity_of(robot_, options_));
 }
 
 } // namespace kanexpr::robots

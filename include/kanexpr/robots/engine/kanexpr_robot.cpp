@@ -93,7 +93,8 @@ int main(int count, char** arguments) {
          "parameters with these values")
       ->check(CLI::IsMember({"numbers", "parameters"}))
       ->option_text("numbers|parameters");
-  app.add_option("--gravity", r.model.gravity, "against the z axis of the root, in m/s^2; 9.81 without this")
+  app.add_option("--gravity", r.model.gravity,
+                 "against the z axis of the root, in m/s^2; without this that of an SDF world, or 9.81")
       ->option_text("NUMBER");
   app.add_flag("--as-written", r.as_written, "angles as they are written: 1.5708 is no right angle");
   app.add_flag("--no-mimic", r.without_mimic, "joints that follow others move by themselves");

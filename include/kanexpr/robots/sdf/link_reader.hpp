@@ -68,14 +68,23 @@ private:
     read.mass = mass.Mass();
     read.center = pose_of(l.Inertial().Pose(), from_.tolerance());
     read.inertia = {mass.Ixx(), mass.Iyy(), mass.Izz(), mass.Ixy(), mass.Iyz(), mass.Ixz()};
-    if (!l.Element() || !l.Element()->HasElement("inertial"))
-      from_.note(line_of(l),
-                 whose + " has no inertial, which SDF takes for 1 kg and 1 kg m^2 about each axis");
+    note_defaults(l, whose);
     const inertial_remarks remarks = remarks_on(read, whose);
     if (!remarks.mistake.empty()) return from_.fail(line_of(l), remarks.mistake);
     if (!remarks.note.empty()) from_.note(line_of(l), remarks.note);
     into.inertial = read;
     return true;
+  }
+
+  void note_defaults(const sdf::Link& l, const std::string& whose) {
+    const sdf::ElementPtr given =
+        l.Element() && l.Element()->HasElement("inertial") ? l.Element()->GetElement("inertial") : nullptr;
+    if (!given)
+      return from_.note(line_of(l),
+                        whose + " has no inertial, which SDF takes for 1 kg and 1 kg m^2 about each axis");
+    if (!given->HasElement("mass")) from_.note(line_of(l), whose + " has no mass, which SDF takes for 1 kg");
+    if (!given->HasElement("inertia"))
+      from_.note(line_of(l), whose + " has no inertia, which SDF takes for 1 kg m^2 about each axis");
   }
 
   template <class Seen>

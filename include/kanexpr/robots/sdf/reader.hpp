@@ -3,34 +3,19 @@
 #include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/reading_options.hpp>
 #include <kanexpr/robots/sdf/joint_reader.hpp>
+#include <kanexpr/robots/sdf/left_out.hpp>
+#include <kanexpr/robots/sdf/messages.hpp>
 
-#include <sdf/Console.hh>
 #include <sdf/Error.hh>
 #include <sdf/Model.hh>
+#include <sdf/ParserConfig.hh>
 #include <sdf/Root.hh>
 #include <sdf/World.hh>
 
 #include <algorithm>
 #include <exception>
-#include <ostream>
 
 namespace kanexpr::robots::sdf_files {
-
-/// Keeps what libsdformat would print to itself. (What is no SDF at all, it hands to urdfdom, which prints a
-/// line.)
-class silence {
-public:
-  silence() : messages_(sdf::Console::Instance()->GetMsgStream()), to_(messages_.GetStream()) {
-    messages_.SetStream(nullptr);
-  }
-  ~silence() { messages_.SetStream(to_); }
-  silence(const silence&) = delete;
-  silence& operator=(const silence&) = delete;
-
-private:
-  sdf::Console::ConsoleStream& messages_;
-  std::ostream* to_;
-};
 
 /// Goes through the one model of a file.
 class reader {
@@ -43,20 +28,25 @@ public:
     if (!root) return from_.fail(1, "there is no element, so this is no robot");
     if (std::string_view(root->Name()) != "sdf")
       return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <sdf>");
-    const silence quiet;
+    const messages said;
+    sdf::ParserConfig strict;
+    strict.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
     sdf::Root file;
     try {
-      if (!is_sound(file.LoadSdfString(text, sdf::ParserConfig()))) return false;
+      if (!is_sound(file.LoadSdfString(text, strict))) return false;
     } catch (const std::exception& e) { // as of a number in a version
       return from_.fail(std::string("libsdformat gives up: ") + shown(e.what()));
     }
     const sdf::Model* const model = model_of(file);
     if (!model) return false;
     robot.name = model->Name();
-    if (model->Static()) return from_.fail(line_of(*model), "the model " + shown(robot.name) + " is static");
-    const Pose3d stands = model->RawPose();
+    said.note_in(from_);
+    left_out(from_).note_in(file.Element());
+    if (file.WorldCount() == 1) robot.gravity = vector_of(file.WorldByIndex(0)->Gravity());
+    Pose3d stands;
+    if (!model->SemanticPose().Resolve(stands).empty()) stands = model->RawPose();
     return read_links(*model, "", stands) && read_joints(*model, "") &&
-           (!options_.mimic || joints_.read_mimics()) && is_robot(*model);
+           (!options_.mimic || joints_.read_mimics()) && is_robot(*model) && (take_weights(), true);
   }
 
   robots::robot robot{};
@@ -87,6 +77,7 @@ private:
   }
 
   bool read_links(const sdf::Model& m, const std::string& scope, const Pose3d& stands) {
+    if (m.Static()) return from_.fail(line_of(m), "the model " + shown(m.Name()) + " is static");
     for (std::uint64_t i = 0; i < m.LinkCount(); ++i) {
       const sdf::Link& l = *m.LinkByIndex(i);
       Pose3d at;
@@ -97,6 +88,9 @@ private:
       if (!link_reader(from_).read(l, called, read)) return false;
       links_.places.emplace(called, static_cast<int>(robot.links.size()));
       links_.poses.push_back(stands * at);
+      if (l.Element() && !l.Element()->Get<bool>("gravity", true).first)
+        weightless_.emplace_back(called, line_of(l));
+      ++weighed_;
       robot.links.push_back(std::move(read));
     }
     for (std::uint64_t i = 0; i < m.ModelCount(); ++i) {
@@ -141,8 +135,20 @@ private:
     return wrong.empty() || from_.fail(line_of(m), wrong);
   }
 
+  /// Gravity acts on all links or on none.
+  void take_weights() {
+    if (weightless_.size() == weighed_)
+      robot.gravity = vector3{};
+    else
+      for (const auto& [link, line] : weightless_)
+        from_.note(line, "link " + shown(link) +
+                             " is one on which gravity does not act; here it does, as on the other links");
+  }
+
   urdf::document& from_;
   reading_options options_;
+  std::vector<std::pair<std::string, int>> weightless_{}; ///< links and their lines
+  std::size_t weighed_ = 0;                               ///< links that may have a weight
   placed_links links_{};
   joint_reader joints_{from_, links_, robot};
 };

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <kanexpr/robots/urdf/document.hpp>
+
+#include <sdf/Element.hh>
+#include <sdf/Param.hh>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kanexpr::robots::sdf_files {
+
+/// Notes what a file says of the motion that no robot has, and angles that may be degrees.
+class left_out {
+public:
+  explicit left_out(urdf::document& from) : from_(from) {}
+
+  /// In an element and in all that lie in it.
+  void note_in(const sdf::ElementPtr& e) {
+    if (e->GetExplicitlySetInFile()) note(*e);
+    for (sdf::ElementPtr each = e->GetFirstElement(); each; each = each->GetNextElement()) note_in(each);
+  }
+
+private:
+  void note(sdf::Element& e) {
+    if (e.GetName() == "plugin") return say(e, "plugin " + shown(name_of(e)) + " is left out");
+    if (!e.GetValue()) return;
+    const std::string text = e.GetValue()->GetAsString();
+    const std::string what =
+        "<" + e.GetName() + ">" + shown(text) + "</" + e.GetName() + "> of " + owner_of(e);
+    if (e.GetName() == "pose") {
+      if (!is_in_degrees(e) && is_more_than_a_turn(text))
+        say(e, what + " is more than a whole turn; angles are taken as radians");
+    } else if (changes_motion(e) && !is_nothing(text)) {
+      say(e, what + " is left out");
+    }
+  }
+  void say(sdf::Element& e, const std::string& what) { from_.note(e.LineNumber().value_or(1), what); }
+
+  static std::string name_of(sdf::Element& e) {
+    return e.HasAttribute("name") ? e.GetAttribute("name")->GetAsString() : "";
+  }
+  static std::string owner_of(sdf::Element& e) {
+    const sdf::ElementPtr in = e.GetParent();
+    if (!in) return {};
+    const std::string name = name_of(*in);
+    return in->GetName() + (name.empty() ? "" : " " + shown(name));
+  }
+
+  static bool changes_motion(sdf::Element& e) {
+    constexpr std::pair<std::string_view, std::string_view> words[]{{"link", "kinematic"},
+                                                                    {"velocity_decay", "linear"},
+                                                                    {"velocity_decay", "angular"},
+                                                                    {"wind", "linear_velocity"}};
+    const sdf::ElementPtr in = e.GetParent();
+    return in && std::ranges::find(words, std::pair<std::string_view, std::string_view>(
+                                              in->GetName(), e.GetName())) != std::end(words);
+  }
+  static bool is_nothing(std::string_view text) {
+    for (std::string_view word = urdf::next_word(text); !word.empty(); word = urdf::next_word(text))
+      if (word != "false" && urdf::number_in(word) != 0.0) return false;
+    return true;
+  }
+
+  static bool is_in_degrees(sdf::Element& e) {
+    return e.HasAttribute("degrees") && e.Get<bool>("degrees", false).first;
+  }
+  static bool is_more_than_a_turn(std::string_view pose) {
+    constexpr double turn = 2 * std::numbers::pi + 1e-3;
+    for (int i = 0; i < 3; ++i) urdf::next_word(pose);
+    for (std::string_view word = urdf::next_word(pose); !word.empty(); word = urdf::next_word(pose))
+      if (std::abs(urdf::number_in(word).value_or(0)) > turn) return true;
+    return false;
+  }
+
+  urdf::document& from_;
+};
+
+} // namespace kanexpr::robots::sdf_files
