@@ -146,8 +146,8 @@ struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Grou
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: a velocity constraint with Wheel holds a radius or length of 0, which is what 1/2 is in C++;
-// expect: write 0.5 or rational<1, 2>
+// expect: a velocity constraint with Wheel holds the number 0, which is what 1/2 is in C++; write 0.5
+// expect: or rational<1, 2>, and 0.0 for a zero that is meant
 namespace n22 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, 1 / 2>>> {};

@@ -432,3 +432,27 @@ struct Link : pin<Link, Arm, up> {}; // and nothing hangs on it
 struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace n59
+
+// expect: the mass of Link holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n60 {
+struct Link : pin<Link, Ground, axis<Ground::z>, body<1 / 2>> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n60
+
+// expect: the angle of frame Link_home holds the number 0, which is what 1/2 is in C++; write 0.5 or
+// expect: rational<1, 2>, and 0.0 for a zero that is meant
+namespace n61 {
+struct Link : pin<Link, Ground, axis<Ground::z>, home<1 / 2, Ground::z>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n61
+
+// expect: the offset of point Link holds the number 0, which is what 1/2 is in C++; write 0.5 or
+// expect: rational<1, 2>, and 0.0 for a zero that is meant
+namespace n62 {
+struct Link : screw<Link, Ground, axis<Ground::z>, pitch<1 / 2>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n62

@@ -1,7 +1,7 @@
 // expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
 #include "pendulum.hpp"
 
-struct B : body_fixed<B, N, "xxz", q, 0, 0> {};
+struct B : body_fixed<B, N, "xxz", q, 0.0, 0.0> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<A, 0, m * l * l, m * l * l>> {};
 
 struct System : pendulum_with<Rod> {};

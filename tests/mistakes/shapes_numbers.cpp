@@ -51,9 +51,9 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the potential energy is zero; 1/2 of whole numbers is 0 in C++
+// expect: the potential energy is zero
 namespace n8 {
-struct System : loaded<potential_energy<1 / 2>> {};
+struct System : loaded<potential_energy<1 / 2.0 - 0.5>> {};
 void f() { use<System>(); }
 } // namespace n8
 
@@ -104,3 +104,97 @@ namespace n15 {
 struct System : told<loads<weight>, values<l == m>> {};
 void f() { use<System>(); }
 } // namespace n15
+
+// expect: the potential energy holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1,
+// expect: 2>, and 0.0 for a zero that is meant
+namespace n16 {
+struct System : loaded<potential_energy<1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the stiffness of the torsional spring with q holds the number 0, which is what 1/2 is in C++;
+// expect: write 0.5 or rational<1, 2>, and 0.0 for a zero that is meant
+namespace n17 {
+struct System : loaded<torsional_spring<q, 1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: the angle at rest of the torsional spring with q holds the number 0, which is what 1/2 is in
+// expect: C++; write 0.5 or rational<1, 2>, and 0.0 for a zero that is meant
+namespace n18 {
+struct System : loaded<torsional_spring<q, k, 1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: the natural length of the spring between P and O holds the number 0, which is what 1/2 is in
+// expect: C++; write 0.5 or rational<1, 2>, and 0.0 for a zero that is meant
+namespace n19 {
+struct System : loaded<spring<P, O, k, 1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the damping of the damper between P and O holds the number 0, which is what 1/2 is in C++;
+// expect: write 0.5 or rational<1, 2>, and 0.0 for a zero that is meant
+namespace n20 {
+struct System : loaded<damper<P, O, 1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n20
+
+// expect: the torque on A holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n21 {
+struct System : loaded<torque<A, clamp(T, -1 / 2, 1 / 2) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: the torque on A holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n22 {
+struct System : loaded<torque<A, tabulated<0, 1 / 2, 1, 1 / 3>(q) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: the torque on A holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n23 {
+struct System : loaded<torque<A, sin(q + 1 / 2) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: the torque on A holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n24 {
+struct System : loaded<torque<A, atan2(q, 1 / 2) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: the value of parameter k holds the number 0, which is what 1/2 is in C++; write 0.5 or
+// expect: rational<1, 2>, and 0.0 for a zero that is meant
+namespace n25 {
+struct System : told<loads<weight>, values<k == 1 / 2>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: the mass of Bead holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n26 {
+struct Bead : particle<Bead, P, 1 / 2> {};
+struct System : pendulum_with<Bead> {};
+void f() { use<System>(); }
+} // namespace n26
+
+// expect: the angle of frame B holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1,
+// expect: 2>, and 0.0 for a zero that is meant
+namespace n27 {
+struct B : rotated<B, A, 1 / 2, A::z> {};
+struct System : loaded<torque<B, T * N::z>> {};
+void f() { use<System>(); }
+} // namespace n27
+
+// expect: the angle of frame B holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1,
+// expect: 2>, and 0.0 for a zero that is meant
+namespace n28 {
+struct B : body_fixed<B, A, "zyx", 1.5, 1 / 2, 0.0> {};
+struct System : loaded<torque<B, T * N::z>> {};
+void f() { use<System>(); }
+} // namespace n28

@@ -29,6 +29,7 @@ const code_table& table_for() {
   static_cast<void>(can_call_externals<code, typename State::Scalar, true, wanted...>());
   deriving::tell_in_code<surveyed<System>>();
   deriving::tell_in_code<code>();
+  link_as_one_system<System>();
   return table_of<System, wanted...>;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/one_system_of_a_name.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/derive/cut.hpp>
@@ -224,6 +225,7 @@ private:
       deriving::tell_in_code<code>();
       return no_results<Number>();
     } else {
+      compiled::link_as_one_system<System>();
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       Number t = lower::scalar_math<Number>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
@@ -246,6 +248,7 @@ private:
       deriving::tell_in_code<code>();
       return no_results<Number>();
     } else {
+      compiled::link_as_one_system<System>();
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       assert_size(w, state_size), assert_size(v, state_size + input_count);
       Number t = lower::scalar_math<Number>::from(0);

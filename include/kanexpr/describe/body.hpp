@@ -15,14 +15,6 @@ constexpr void give_inertia(body_record& r) {
     r.instead_of_inertia = type_name<Inertia>();
 }
 
-template <class Written>
-constexpr bool is_whole_zero(const Written& x) {
-  if constexpr (plain_number<Written> && std::integral<Written>)
-    return x == Written{};
-  else
-    return false;
-}
-
 } // namespace describe
 
 /// Inertia about the mass centre from its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
@@ -36,7 +28,7 @@ struct inertia : describe::inertia_words {
       r.fits =
           describe::arguments_of("inertia<Frame, Ixx, Iyy, Izz, Ixy, Iyz, Izx>", sizeof...(scalars), 3, 6);
     r.has_whole_zeros = (describe::is_whole_zero(scalars) && ...);
-    for (int i = 0; i < 6; ++i) r.inertia[i] = describe::given_phrases<scalars...>[i];
+    for (int i = 0; i < 6; ++i) r.inertia[i] = describe::given_phrases_with_zeros<scalars...>[i];
   }
 };
 

@@ -34,13 +34,35 @@ constexpr auto composed(symbolic::composition f, const Operands&... x) {
   return all;
 }
 
+/// An operand which may be the whole number 0 where others beside it are not.
+template <class Operand>
+constexpr auto operand_beside(bool all_are_zero, const Operand& x) {
+  if constexpr (plain_number<Operand>)
+    return all_are_zero ? number(x) : constant(x);
+  else
+    return x;
+}
+
+template <class... Operands>
+constexpr auto composed_with_zeros(symbolic::composition f, const Operands&... x) {
+  return composed(f, operand_beside(false, x)...);
+}
+
 /// What tabulated<...> and periodic<...> are, to be called with an expression.
 template <symbolic::composition is, auto... points>
 struct table_word {
   template <written Operand>
   constexpr auto operator()(const Operand& x) const {
-    return composed(is, x, points...);
+    return composed(is, x, operand_beside(has_no_values, points)...);
   }
+
+private:
+  static constexpr bool has_no_values = [] {
+    const bool zero[]{false, is_whole_zero(points)...};
+    bool all = true;
+    for (std::size_t i = 2; i < sizeof(zero); i += 2) all = all && zero[i];
+    return all;
+  }();
 };
 
 } // namespace describe
@@ -49,32 +71,33 @@ struct table_word {
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto hypot(const Operands&... x) {
-  return describe::composed(symbolic::composition::hypot, x...);
+  return describe::composed_with_zeros(symbolic::composition::hypot, x...);
 }
 
 /// `if_positive(condition, a, b)`: a where the condition is positive, else b.
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto if_positive(const Operands&... x) {
-  return describe::composed(symbolic::composition::if_positive, x...);
+  return describe::composed_with_zeros(symbolic::composition::if_positive, x...);
 }
 
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto(min)(const Operands&... x) {
-  return describe::composed(symbolic::composition::min, x...);
+  return describe::composed_with_zeros(symbolic::composition::min, x...);
 }
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto(max)(const Operands&... x) {
-  return describe::composed(symbolic::composition::max, x...);
+  return describe::composed_with_zeros(symbolic::composition::max, x...);
 }
 
 /// `clamp(x, least, most)`
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto clamp(const Operands&... x) {
-  return describe::composed(symbolic::composition::clamp, x...);
+  const bool is_of_zeros = ((!describe::plain_number<Operands> || describe::is_whole_zero(x)) && ...);
+  return describe::composed(symbolic::composition::clamp, describe::operand_beside(is_of_zeros, x)...);
 }
 
 /// `smooth_abs(x, width)`: x tanh(x/width)
@@ -93,7 +116,7 @@ constexpr auto softplus(const Operands&... x) {
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto smooth_step(const Operands&... x) {
-  return describe::composed(symbolic::composition::smooth_step, x...);
+  return describe::composed_with_zeros(symbolic::composition::smooth_step, x...);
 }
 
 /// A monotone cubic through points, constant beyond them: `tabulated<x0, y0, x1, y1, x2, y2>(q)`.

@@ -102,12 +102,34 @@ constexpr token misused(misuse what) {
   return t;
 }
 
-/// What is done with a number. To C++ 1/2 is the whole number 0, which nobody writes here on purpose.
+/// To C++ 1/2 is the whole number 0, which nobody writes here on purpose.
+template <class Written>
+constexpr bool is_whole_zero(Written value) {
+  if constexpr (plain_number<Written> && std::integral<Written>)
+    return value == Written{};
+  else
+    return false;
+}
+
+/// A number where a model gives one.
+template <plain_number Number>
+constexpr scalar<1> number(Number value) {
+  if (is_whole_zero(value)) return {{misused(misuse::zero)}};
+  return constant(value);
+}
+
+/// The side of an equation, where 0 is what it says; a value that is given by one is not.
+template <plain_number Number>
+constexpr scalar<1> side(Number value) {
+  scalar<1> x = constant(value);
+  x.tokens[0].index = is_whole_zero(value) ? whole_zero : 0;
+  return x;
+}
+
+/// What is done with a number.
 template <plain_number Number, class Step>
 constexpr token done_with(Number value, Step what, misuse of_nothing) {
-  if constexpr (std::integral<Number>)
-    if (value == Number{}) return misused(of_nothing);
-  return with(what);
+  return is_whole_zero(value) ? misused(of_nothing) : with(what);
 }
 
 } // namespace describe
@@ -154,19 +176,19 @@ constexpr equation<left_size + right_size + 1> operator==(const scalar<left_size
 
 template <int size, describe::plain_number Number>
 constexpr auto operator+(const scalar<size>& x, Number y) {
-  return x + describe::constant(y);
+  return x + describe::number(y);
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator+(Number x, const scalar<size>& y) {
-  return describe::constant(x) + y;
+  return describe::number(x) + y;
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator-(const scalar<size>& x, Number y) {
-  return x - describe::constant(y);
+  return x - describe::number(y);
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator-(Number x, const scalar<size>& y) {
-  return describe::constant(x) - y;
+  return describe::number(x) - y;
 }
 template <int size, describe::plain_number Number>
 constexpr scalar<size + 2> operator*(const scalar<size>& x, Number y) {
@@ -192,11 +214,11 @@ constexpr scalar<size + 2> operator/(Number x, const scalar<size>& y) {
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator==(const scalar<size>& x, Number y) {
-  return x == describe::constant(y);
+  return x == describe::side(y);
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator==(Number x, const scalar<size>& y) {
-  return describe::constant(x) == y;
+  return describe::side(x) == y;
 }
 
 /// An exact fraction, where a plain number would be a double: `rational<1, 3>*m`.

@@ -154,7 +154,7 @@ struct quaternion : describe::axes<Self> {
     r.given_as = "the quaternion of frame ";
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
-    for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
+    for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases_with_zeros<parameters...>[i];
     return r;
   }
 };
@@ -188,7 +188,7 @@ struct direction_cosines : describe::axes<Self> {
     r.parent = &describe::frame_of<Parent>;
     r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines by rows>",
                                     sizeof...(cosines), 9);
-    for (int i = 0; i < 9; ++i) r.given[i] = describe::given_phrases<cosines...>[i];
+    for (int i = 0; i < 9; ++i) r.given[i] = describe::given_phrases_with_zeros<cosines...>[i];
     return r;
   }
 };

@@ -154,11 +154,11 @@ constexpr auto atan2(const scalar<left_size>& y, const scalar<right_size>& x) {
 }
 template <int size, describe::plain_number Number>
 constexpr auto atan2(const scalar<size>& y, Number x) {
-  return atan2(y, describe::constant(x));
+  return atan2(y, describe::number(x));
 }
 template <int size, describe::plain_number Number>
 constexpr auto atan2(Number y, const scalar<size>& x) {
-  return atan2(describe::constant(y), x);
+  return atan2(describe::number(y), x);
 }
 template <class Left, class Right>
   requires describe::no_function<Left, Right>
@@ -178,7 +178,7 @@ constexpr scalar<size + 2> pow(const scalar<size>& x, Number exponent) {
 }
 template <int size, describe::plain_number Number>
 constexpr auto pow(Number x, const scalar<size>& exponent) {
-  return pow(describe::constant(x), exponent);
+  return pow(describe::number(x), exponent);
 }
 template <class Left, class Right>
   requires describe::no_function<Left, Right>

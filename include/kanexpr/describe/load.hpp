@@ -32,7 +32,7 @@ namespace describe {
 
 template <class Point, auto... coefficient>
 inline constexpr phrase drag_on[]{
-    phrase_of<-(coefficient* magnitude(velocity_of<Point>)) * velocity_of<Point>>..., phrase_of<0>};
+    phrase_of<-(coefficient* magnitude(velocity_of<Point>)) * velocity_of<Point>>..., no_phrase};
 
 } // namespace describe
 

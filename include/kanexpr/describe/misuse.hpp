@@ -34,7 +34,7 @@ enum class misuse : unsigned char {
   own_coupling,
   parallel,
   negative_length,
-  whole_zero_length,
+  zero,
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
@@ -68,8 +68,10 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::parallel:
     return " keeps a direction parallel to something other than an axis of a frame: parallel<A::z, B::z>";
   case misuse::negative_length: return " holds a radius or length below zero";
-  case misuse::whole_zero_length:
-    return " holds a radius or length of 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>";
+  case misuse::zero:
+    return " holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>, and 0.0 for a "
+           "zero "
+           "that is meant";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";

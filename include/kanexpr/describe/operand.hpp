@@ -31,7 +31,7 @@ constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
   else
-    return constant(x);
+    return number(x);
 }
 
 template <class Operand>

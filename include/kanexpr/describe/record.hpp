@@ -16,6 +16,11 @@ struct phrase {
   shape kind = shape::nothing;
   const token* tokens = nullptr;
   int size = 0;
+
+  constexpr bool is_whole_zero() const {
+    return size == 1 && tokens[0].what == token_kind::misused &&
+           tokens[0].index == static_cast<int>(misuse::zero);
+  }
 };
 
 template <int size>
@@ -38,6 +43,13 @@ constexpr shape shape_of(const equation<size>&) {
 template <class Written>
 constexpr auto with_numbers_as_scalars(const Written& value) {
   if constexpr (plain_number<Written>)
+    return number(value);
+  else
+    return value;
+}
+template <class Written>
+constexpr auto with_any_numbers_as_scalars(const Written& value) {
+  if constexpr (plain_number<Written>)
     return constant(value);
   else
     return value;
@@ -59,11 +71,24 @@ struct stored {
 template <auto value>
 inline constexpr phrase phrase_of = stored<value>::words;
 
+inline constexpr phrase no_phrase = phrase_of<constant(0)>;
+
 /// The phrases for the expressions that a word is given, and behind them zeros for those that it is not.
 template <auto... values>
-inline constexpr phrase given_phrases[sizeof...(values) + 9]{
-    phrase_of<values>..., phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>,
-    phrase_of<0>,         phrase_of<0>, phrase_of<0>, phrase_of<0>, phrase_of<0>};
+inline constexpr phrase given_phrases[sizeof...(values) + 9]{phrase_of<values>...,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase,
+                                                             no_phrase};
+
+/// The same of values among which 0 is common, and which are checked in another way.
+template <auto... values>
+inline constexpr auto& given_phrases_with_zeros = given_phrases<with_any_numbers_as_scalars(values)...>;
 
 /// A list of records in static storage.
 template <class Record>

@@ -15,6 +15,9 @@ struct external_record;
 /// Stands for "not prescribed" in place of the order of a derivative.
 inline constexpr int unprescribed = -1;
 
+/// The `index` of a number that is the whole number 0.
+inline constexpr int whole_zero = 1;
+
 struct symbol_record {
   symbolic::symbol_kind kind;
   symbolic::name called; ///< theta'' for the second derivative of a prescribed theta

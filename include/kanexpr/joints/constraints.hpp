@@ -52,11 +52,8 @@ inline constexpr auto up_the_wheel = up - dot(up, unit_along(axis)) * unit_along
 /// A radius or the length of a rod as an expression.
 template <auto given>
 constexpr auto length_of() {
-  if constexpr (plain_number<decltype(given)>) {
+  if constexpr (plain_number<decltype(given)>)
     if (given < 0) return scalar<1>{{misused(misuse::negative_length)}};
-    if (std::integral<decltype(given)> && !(given > 0))
-      return scalar<1>{{misused(misuse::whole_zero_length)}};
-  }
   return operand(given);
 }
 

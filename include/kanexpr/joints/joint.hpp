@@ -87,7 +87,7 @@ constexpr void turn_about(frame_record& r, const phrase& angle, const phrase& ax
 
 template <class Joint>
 constexpr void not_turned(frame_record& r) {
-  turn_about(r, phrase_of<0>, phrase_of<basis(Joint::home_frame(), 2)>);
+  turn_about(r, no_phrase, phrase_of<basis(Joint::home_frame(), 2)>);
 }
 
 template <class Joint, std::size_t index>

@@ -118,7 +118,10 @@ struct home {
   static constexpr void turn(describe::frame_record& r) {
     r.orientation =
         count == 2 ? describe::orientation_word::rotated : describe::orientation_word::direction_cosines;
-    for (std::size_t i = 0; i < (count == 2 ? 1 : 9); ++i) r.given[i] = describe::given_phrases<given...>[i];
+    if constexpr (count == 2)
+      r.given[0] = describe::given_phrases<given...>[0];
+    else
+      for (std::size_t i = 0; i < 9; ++i) r.given[i] = describe::given_phrases_with_zeros<given...>[i];
     r.axis = describe::given_phrases<given...>[1];
     r.given_as = count == 2 ? "the angle of frame " : "a direction cosine of frame ";
   }

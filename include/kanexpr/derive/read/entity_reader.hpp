@@ -196,8 +196,11 @@ private:
     using describe::orientation_word;
     const symbolic::name called(r.called);
     sequence<expression> given;
-    for (const phrase& p : r.given)
-      if (p.kind != shape::nothing) given.push(phrases_.scalar_of(p, {r.given_as, r.called}, r.called));
+    for (const phrase& p : r.given) {
+      if (p.kind == shape::nothing) continue;
+      const bool is_left_out = r.reference != nullptr && p.is_whole_zero();
+      given.push(is_left_out ? m_.zero() : phrases_.scalar_of(p, {r.given_as, r.called}, r.called));
+    }
     if (reading_.mistake) return mechanism::inertial;
     switch (r.orientation) {
     case orientation_word::inertial: return mechanics::add_inertial_frame(m_, called);

@@ -78,8 +78,7 @@ private:
       const sentence whom = name_of(r);
       const expression energy = phrases_.scalar_of(r.value, {"", whom.view()}, whom.view());
       if (reading_.mistake) return;
-      if (energy.is_zero() && !symbols_.holds_bound(r.value))
-        return reading_.fail({whom.view(), " is zero; 1/2 of whole numbers is 0 in C++"});
+      if (energy.is_zero() && !symbols_.holds_bound(r.value)) return reading_.fail({whom.view(), " is zero"});
       reading_.into.loads.potential_energies.push({energy});
       break;
     }

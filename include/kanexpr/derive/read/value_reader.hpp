@@ -33,6 +33,11 @@ public:
       if (right.tokens[i].symbol != nullptr)
         return reading_.fail({"the value of parameter ", s->called.view(), " is not a number: it holds ",
                               right.tokens[i].symbol->called.view()});
+    for (int i = 0; i < right.size; ++i)
+      if (right.tokens[i].what == describe::token_kind::number &&
+          right.tokens[i].index == describe::whole_zero)
+        return reading_.fail(
+            {"the value of parameter ", s->called.view(), describe::what_is_wrong(describe::misuse::zero)});
     const value number = phrases_.evaluate_part("the value of parameter ", right, s->called.view());
     if (!reading_.mistake && (number.kind != shape::scalar || !number.scalar.is_constant()))
       reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});
