@@ -19,7 +19,7 @@ sum bare_steps(std::size_t count) {
     state<System> x = start_of(all, i);
     double t = 0;
     for (int k = 0; k < steps; ++k)
-      if (const status s = runge_kutta_4<System>{}(t, x, step, p, r); !s) give_up(std::string(s.cause()));
+      if (const status s = runge_kutta_4<System>{}(t, x, step, p, r); !s) give_up(s.cause());
     found += x[q1];
   }
   return found;

@@ -20,8 +20,7 @@ int main(int count, char** words) {
   trajectory<Driven> path;
   double most = 0;
   for (int k = 1; k <= 1200; ++k) {
-    if (const status s = riding.go_on(); !s)
-      return std::fprintf(stderr, "%s\n", std::string(s.cause()).c_str()), 1;
+    if (const status s = riding.go_on(); !s) return std::fprintf(stderr, "%s\n", s.cause().c_str()), 1;
     path.add({riding.t, riding.x, riding.r});
     most = std::max(most, std::abs(riding.x[q2]));
     if (k % 200 != 0) continue;
@@ -41,7 +40,7 @@ int main(int count, char** words) {
     if (const status s =
             runge_kutta_4<Driven>{}(t, free, period, parameter_values<Driven>(), input_values<Driven>(0, 0));
         !s)
-      return std::fprintf(stderr, "%s\n", std::string(s.cause()).c_str()), 1;
+      return std::fprintf(stderr, "%s\n", s.cause().c_str()), 1;
   std::printf("without a torque it falls at 3 m/s within %.1f s\n", t);
   return files.leave<picture_of<Driven>>(path) ? 0 : 1;
 }

@@ -20,8 +20,7 @@ int main(int count, char** words) {
   trajectory<cart> path(parameters_in<double>());
   Eigen::Vector4d squares = Eigen::Vector4d::Zero();
   for (int k = 0; k < 200 * 8; ++k) {
-    if (const status s = moving.go_on(); !s)
-      return std::fprintf(stderr, "%s\n", std::string(s.cause()).c_str()), 1;
+    if (const status s = moving.go_on(); !s) return std::fprintf(stderr, "%s\n", s.cause().c_str()), 1;
     path.add({moving.t, moving.x, moving.control.force});
     if (moving.t > 1) squares += (moving.control.estimate.x - moving.x).cwiseAbs2() / (200 * 7);
   }

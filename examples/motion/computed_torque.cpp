@@ -21,8 +21,7 @@ int main(int count, char** words) {
   loop<double> moving(start);
   trajectory<System> path;
   for (int k = 1; k <= 2500; ++k) {
-    if (const status s = moving.go_on(); !s)
-      return std::fprintf(stderr, "%s\n", std::string(s.cause()).c_str()), 1;
+    if (const status s = moving.go_on(); !s) return std::fprintf(stderr, "%s\n", s.cause().c_str()), 1;
     path.add({moving.t, moving.x, moving.r});
     if (k % 250 == 0)
       std::printf("after %4.2f s: %.6f rad off; by the gains %.6f\n", moving.t,

@@ -67,7 +67,7 @@ int main(int count, char** words) {
     const auto begin = std::chrono::steady_clock::now();
     const sample<System> now{t, x, torques(t, x, p)};
     if (const status s = runge_kutta_4<System>{}(t, x, period, p, now.r); !s)
-      return std::fprintf(stderr, "%s\n", std::string(s.cause()).c_str()), 1;
+      return std::fprintf(stderr, "%s\n", s.cause().c_str()), 1;
     longest = std::max(longest, seconds_since(begin));
     path.add(now);
   }

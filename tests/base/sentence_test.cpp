@@ -1,9 +1,15 @@
+#include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/ensemble/ensemble_results.hpp>
+#include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/simulate/csv.hpp>
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace {
 
@@ -19,6 +25,15 @@ TEST(sentence, is_nothing_or_says_something) {
   out << told;
   EXPECT_EQ(out.str(), told.view());
 }
+
+// Whatever went wrong, a function of the user takes the cause as one type, which outlives what has it.
+template <class... Told>
+constexpr bool have_causes_of_one_type =
+    (std::is_same_v<decltype(std::declval<Told>().cause()), std::string> && ...);
+static_assert(have_causes_of_one_type<sentence, kanexpr::status, kanexpr::outcome, kanexpr::assembly,
+                                      kanexpr::consistency, kanexpr::table, kanexpr::table::column,
+                                      kanexpr::csv_writer, kanexpr::ensemble_results, kanexpr::animation>);
+static_assert(kanexpr::status("it is singular").view() == "it is singular");
 
 TEST(sentence, leaves_out_the_middle_of_long_names) {
   const std::string one = "A" + std::string(200, 'x') + "1", other = "A" + std::string(200, 'x') + "2";

@@ -32,7 +32,7 @@ constexpr std::string_view not_stabilizable = "the system is not stabilizable, a
                                               "its inputs do not reach a motion that does not decay";
 
 template <class Regulator>
-std::string_view cause(const Regulator& none) {
+std::string cause(const Regulator& none) {
   EXPECT_FALSE(none);
   EXPECT_FALSE(none.K.allFinite());
   EXPECT_FALSE(none.P.allFinite());

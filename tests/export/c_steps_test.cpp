@@ -43,7 +43,7 @@ int steps_made(const Written& written, const char* const causes[], const Step& s
     const status compiled = step(t, x, h, p, r);
     EXPECT_EQ(bits == 0, static_cast<bool>(compiled)) << compiled.cause();
     if (bits != 0) {
-      EXPECT_EQ(causes[std::countr_zero(bits)], std::string(compiled.cause()));
+      EXPECT_EQ(causes[std::countr_zero(bits)], compiled.cause());
       continue;
     }
     ++made;

@@ -24,4 +24,23 @@ TEST(operating_point, is_linearized) {
   EXPECT_NEAR(A(1, 1), -0.1 / (2 * 0.5 * 0.5), 1e-15);
 }
 
+// A spring that grows stiffer: what holds at an instant is linearized there.
+struct Stiffening
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, c>,
+                  inputs<T>, bodies<Bob>, loads<torque<A, (T - c * time_variable() * q) * N::z>>> {};
+
+TEST(operating_point, is_linearized_at_its_time) {
+  const kanexpr::operating_point<Stiffening> held({{q, 0.3}}, {{m, 2}, {l, 0.5}, {c, 0.1}},
+                                                  {.held = {q}, .t = 1.7});
+  ASSERT_TRUE(held) << held.cause();
+  EXPECT_EQ(held.t, 1.7);
+  EXPECT_NEAR(held.r[T], 0.1 * 1.7 * 0.3, 1e-15);
+  EXPECT_NEAR(kanexpr::equations_of_motion<Stiffening>::udot(held.t, held.x, held.p, held.r)(0), 0, 1e-14);
+  auto model = kanexpr::derive<Stiffening>();
+  auto linear = model.linearize(held);
+  EXPECT_THAT(linear.failures(), IsEmpty());
+  const Eigen::MatrixXd A = model.function(linear.explicit_form().A)(Eigen::Vector2d::Zero());
+  EXPECT_NEAR(A(1, 0), -0.1 * 1.7 / (2 * 0.5 * 0.5), 1e-14);
+}
+
 } // namespace

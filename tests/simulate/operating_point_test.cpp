@@ -9,6 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <type_traits>
+#include <utility>
 
 namespace {
 
@@ -16,6 +19,8 @@ using namespace simple_pendulum;
 using eom = kanexpr::equations_of_motion<System>;
 using operating_point = kanexpr::operating_point<System>;
 using testing::StartsWith;
+
+static_assert(std::is_same_v<decltype(std::declval<operating_point>().cause()), std::string>);
 
 constexpr double pi = std::numbers::pi;
 

@@ -71,7 +71,7 @@ private:
     const VectorXd rest = -product(inverse_of_square, expected_.linear.bias);
     const double conditioning = 1 + inverse_of_square.norm() * j.norm();
     if (!(conditioning < most_conditioning)) return;
-    found.expect(static_cast<bool>(told), "refused a regular state: " + std::string(told.cause()));
+    found.expect(static_cast<bool>(told), "refused a regular state: " + told.cause());
     if (!told) return; // numbers mean nothing
     found.compare("dependency", in_old_units(built.found(quantity::dependency), dependent, forces), a,
                   conditioning);

@@ -167,7 +167,7 @@ TEST(assemble, does_not_blame_an_input_that_no_constraint_holds) {
   EXPECT_TRUE(kanexpr::check_consistency<four_bars::System>(b.x, b.p));
   b.x[four_bar::q1] += 0.1;
   const auto off = kanexpr::check_consistency<four_bars::System>(b.x, b.p);
-  EXPECT_TRUE(std::string(off.cause()).starts_with("configuration constraint ")) << off.cause();
+  EXPECT_TRUE(off.cause().starts_with("configuration constraint ")) << off.cause();
 }
 
 TEST(fixed_step, takes_no_memory_with_constraints) {

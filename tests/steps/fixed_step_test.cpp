@@ -222,7 +222,7 @@ std::string refused(Step step, double h, const pendulum::parameters& p, const In
   EXPECT_FALSE(s);
   EXPECT_TRUE(x == before || !before.allFinite());
   EXPECT_TRUE(now == start || std::isnan(start));
-  return std::string(s.cause());
+  return s.cause();
 }
 
 TEST(fixed_step, names_what_is_not_finite) {

@@ -37,7 +37,7 @@ struct animation {
 
   explicit operator bool() const { return failure.empty(); }
   /// Why there is none, as a sentence; empty: there is.
-  const std::string& cause() const { return failure; }
+  std::string cause() const { return failure; }
 
   const shape* find(std::string_view name) const {
     for (const shape& s : shapes)

@@ -44,7 +44,7 @@ private:
     double t = 0;
     scene_.sample(sample, t, x_.data(), r_.data());
     const status s = evaluate(t, column(film_.numbers, sample));
-    if (!s) made_.failure = std::string(s.cause()) + at_time(t);
+    if (!s) made_.failure = s.cause() + at_time(t);
     for (const double entry : x_)
       if (!std::isfinite(entry))
         made_.failure = "the state holds something that is not a number" + at_time(t);

@@ -13,7 +13,7 @@ public:
 
   explicit operator bool() const { return cause_.empty(); }
   /// Why it was not done, as a sentence; empty: it was.
-  const std::string& cause() const { return cause_; }
+  std::string cause() const { return cause_; }
 
 private:
   std::string cause_{};

@@ -3,6 +3,7 @@
 #include <kanexpr/base/name.hpp>
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -21,8 +22,8 @@ struct sentence {
 
   constexpr explicit operator bool() const { return length != 0; }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
-  /// The same, as a status has it.
-  constexpr std::string_view cause() const { return view(); }
+  /// The same, as all that may go wrong has it.
+  constexpr std::string cause() const { return std::string(view()); }
 
 private:
   constexpr void append(std::string_view text);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -18,7 +19,9 @@ public:
   constexpr explicit operator bool() const { return cause_.empty(); }
 
   /// What could not be solved, as a sentence; empty: nothing.
-  constexpr std::string_view cause() const { return cause_; }
+  constexpr std::string cause() const { return std::string(cause_); }
+  /// The same where there is no heap.
+  constexpr std::string_view view() const { return cause_; }
 
 private:
   std::string_view cause_{};
@@ -26,8 +29,8 @@ private:
 
 /// The cause; nothing where there is none.
 template <class Stream>
-auto operator<<(Stream& to, const status& told) -> decltype(to << told.cause()) {
-  return to << told.cause();
+auto operator<<(Stream& to, const status& told) -> decltype(to << told.view()) {
+  return to << told.view();
 }
 
 namespace mechanics {

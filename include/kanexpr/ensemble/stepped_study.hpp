@@ -128,7 +128,7 @@ private:
         return done.fail(std::string(mistake.view()));
       if constexpr (known.constraints + known.configuration_constraints + known.quaternions > 0)
         if (const assembly built = assemble<System>(x, p, r, told_.start); !built)
-          return done.fail(std::string(built.cause()));
+          return done.fail(built.cause());
       of.x.set(place, rounded<state<System, Number>>(x));
       of.p.set(place, rounded<parameter_values<System, Number>>(p));
       of.r.set(place, rounded<input_values<System, Number>>(r));
@@ -165,7 +165,7 @@ private:
     const auto leave = [&](std::size_t lane, const status& why) {
       if (lane >= count || !is_sound(done[lane])) return;
       done[lane].stand_at(time(all), all.state_in(lane));
-      done[lane].fail(std::string(why.cause()));
+      done[lane].fail(why.cause());
     };
     look(all, of, count, done, 0);
     for (int made = 0; made < told_.steps && all.living() > 0;) {

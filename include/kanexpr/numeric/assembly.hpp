@@ -20,7 +20,7 @@ struct assembly {
 
   explicit operator bool() const { return assembled; }
   /// Why it was not assembled, as a sentence; empty: it was.
-  std::string_view cause() const { return failure.view(); }
+  std::string cause() const { return failure.cause(); }
 };
 
 /// Whether a state satisfies the constraints.
@@ -31,7 +31,7 @@ struct consistency {
 
   explicit operator bool() const { return !failure; }
   /// Which constraint is off and by how much, as a sentence; empty: none.
-  std::string_view cause() const { return failure.view(); }
+  std::string cause() const { return failure.cause(); }
 };
 
 using assembly_options = numeric::newton_options;
@@ -63,7 +63,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   assembly report;
   State placed = x;
   if (const status unit = c.normalize_quaternions(placed); !unit) {
-    report.failure = mechanics::sentence({unit.cause()});
+    report.failure = mechanics::sentence({unit.view()});
     return report;
   }
   vector q(c.coordinates());
@@ -92,7 +92,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   at(q);
   c.normalize_quaternions(placed);
   if (const status solved = c.solve_speeds(placed); !solved) {
-    report.failure = mechanics::sentence({solved.cause()});
+    report.failure = mechanics::sentence({solved.view()});
     return report;
   }
   report.velocity_residual = largest(c.velocity_residual(placed));

@@ -17,7 +17,7 @@ public:
       : robot_(r), options_(options), plan_(plan_of(r, options)) {}
 
   /// Why there is no header; empty: there is one.
-  const std::string& cause() const { return plan_.mistake; }
+  std::string cause() const { return plan_.mistake; }
 
   /// Which names of the file are others in C++: "Finger_a is finger a, …".
   std::string renamed() const { return text::list(plan_.renamed); }

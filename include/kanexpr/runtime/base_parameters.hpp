@@ -23,7 +23,7 @@ struct base_parameters {
   mechanics::sentence failure{};       ///< why they were not found
 
   explicit operator bool() const { return !failure; }
-  std::string_view cause() const { return failure.view(); }
+  std::string cause() const { return failure.cause(); }
 
   /// Y_base, of any Y.
   template <class Regressor>

@@ -26,7 +26,7 @@ public:
     if (!norms_.are_bound())
       if (const status s = norms_.normalize(x, {0.99, 1.01}); !s) {
         assembly failed;
-        failed.failure = mechanics::sentence({s.cause()});
+        failed.failure = mechanics::sentence({s.view()});
         return failed;
       }
     constraints_of<System> constraints(of_, norms_, t, r);

@@ -44,7 +44,7 @@ public:
   bool finish();
 
   explicit operator bool() const { return static_cast<bool>(done_); }
-  const std::string& cause() const { return done_.cause(); }
+  std::string cause() const { return done_.cause(); }
 
 private:
   csv_writer(std::ostream& out, std::size_t rows, std::size_t columns, std::string called);

@@ -97,7 +97,7 @@ private:
     const auto constraints = own_manifold(around_.system());
     if (!constraints) return true;
     const assembly built = constraints->assemble(t, x, around_.r());
-    if (!built) return fail_here(std::string(built.cause()));
+    if (!built) return fail_here(built.cause());
     return around_.take(t, x) == answer::given || fail_here("");
   }
 

@@ -39,6 +39,7 @@ struct operating_point_options {
 template <class System>
 class operating_point {
 public:
+  double t = 0; ///< the time of it
   kanexpr::state<System> x;
   parameter_values<System> p;
   input_values<System> r;
@@ -51,7 +52,7 @@ public:
   explicit operating_point(const guessed_state<System>& guess,
                            const given_parameters<System>& parameters = {},
                            const operating_point_options<System>& options = {})
-      : x(guess.values), p(parameters.values), r(options.inputs.values) {
+      : t(options.t), x(guess.values), p(parameters.values), r(options.inputs.values) {
     for (const mechanics::sentence* mistake : {&guess.mistake, &parameters.mistake, &options.inputs.mistake})
       if (cause_.empty()) cause_ = mistake->view();
     if (cause_.empty()) cause_ = mistake_in(options);
@@ -60,13 +61,14 @@ public:
 
   explicit operator bool() const { return cause_.empty(); }
   /// Why there is none, as a sentence; empty: it is one. What x, p and r hold then is where the search ended.
-  const std::string& cause() const { return cause_; }
+  std::string cause() const { return cause_; }
   /// What each equation leaves.
   const std::vector<residual>& residuals() const { return residuals_; }
 
   /// For `linearize` of a system that is derived while the program runs.
   operator linearization_point() const {
     linearization_point point;
+    point.set(time_variable(), t);
     const Eigen::VectorXd values = all();
     for (int i = 0; i < known.symbols(); ++i) point.set(known.names[i].view(), values(i));
     return point;
@@ -146,11 +148,11 @@ private:
       const auto [left, rates] =
           out_of_line<function<System, quantity::constraint_residual, quantity::rhs>>{}(t, x_at, p_at, r_at);
       put(left), put(rates);
-      return rates.status.cause();
+      return rates.status.view();
     } else {
       const auto rates = out_of_line<function<System, quantity::rhs>>{}(t, x_at, p_at, r_at);
       put(rates);
-      return rates.status.cause();
+      return rates.status.view();
     }
   }
 

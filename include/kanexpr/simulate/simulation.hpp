@@ -21,7 +21,7 @@ struct [[nodiscard]] simulation {
   std::string failure{};          ///< what went wrong, as a sentence; empty: nothing
 
   explicit operator bool() const { return failure.empty(); }
-  const std::string& cause() const { return failure; }
+  std::string cause() const { return failure; }
 };
 
 } // namespace kanexpr

@@ -75,7 +75,7 @@ public:
     last_refusal_ = std::move(why);
     return answer::not_here;
   }
-  answer refuse(const status& s) { return refuse(std::string(s.cause())); }
+  answer refuse(const status& s) { return refuse(s.cause()); }
   /// The reason of the last refusal since `forget`.
   const std::string& last_refusal() const { return last_refusal_; }
   void forget() { last_refusal_.clear(); }

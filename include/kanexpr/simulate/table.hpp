@@ -23,7 +23,7 @@ public:
     explicit column(outcome missing) : found_(std::move(missing)) {}
 
     explicit operator bool() const { return static_cast<bool>(found_); }
-    const std::string& cause() const { return found_.cause(); }
+    std::string cause() const { return found_.cause(); }
 
   private:
     outcome found_{};
@@ -34,7 +34,7 @@ public:
   explicit table(outcome failed) : read_(std::move(failed)) {}
 
   explicit operator bool() const { return static_cast<bool>(read_); }
-  const std::string& cause() const { return read_.cause(); }
+  std::string cause() const { return read_.cause(); }
 
   outcome add(std::string name, std::vector<double> values);
 

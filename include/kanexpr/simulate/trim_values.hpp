@@ -29,7 +29,7 @@ public:
     const status kept = constraints_ ? constraints_->evaluate(t, at, p, r, all) : status();
     const status moved =
         rates_->evaluate(t, at, p, r, all + known.configuration_constraints + known.constraints);
-    return (moved ? kept : moved).cause();
+    return (moved ? kept : moved).view();
   }
 
 private:

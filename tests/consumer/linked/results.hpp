@@ -38,7 +38,7 @@ void print_failure() {
   typename eom::state at;
   const typename eom::parameters p{{models::l, 0.7}};
   const auto rates = eom::udot(at, p);
-  std::printf("%s\n", rates.status ? "solved" : std::string(rates.status.cause()).c_str());
+  std::printf("%s\n", rates.status ? "solved" : rates.status.cause().c_str());
 }
 
 } // namespace results

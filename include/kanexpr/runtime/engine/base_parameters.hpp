@@ -59,7 +59,7 @@ private:
     }
     const bool is_finite = y_(t_, x_, p_, r_, a_).allFinite();
     for (const auto* each : {&dependency_, &bias_, &y_})
-      if (!each->status()) cause_ = mechanics::sentence({each->status().cause()});
+      if (!each->status()) cause_ = mechanics::sentence({each->status().view()});
     return is_finite && y_.status() && (speeds.dependent.empty() || (dependency_.status() && bias_.status()));
   }
 
