@@ -87,4 +87,37 @@ TEST(reactions, change_no_motion) {
   EXPECT_LT((plain - freed).norm(), 1e-13 * plain.norm());
 }
 
+// What sits on a cart in axes of the ground, which stand still in it, is fixed in the cart.
+namespace told_from_the_ground {
+struct Box : weld<Box, Cart, at<0.7 * Ground::x + 0.1 * Cart::y, 0.2 * own::x>, load> {};
+struct Drawer : prismatic<Drawer, Cart, axis<Ground::x - Ground::y>, at<0.2 * Ground::z>, load> {};
+struct Lid_at : offset<Lid_at, Cart, 0.4 * Ground::y - 0.3 * Rail::x> {};
+struct Lid : pin<Lid, frame_and_point<Cart, Lid_at>, axis<Ground::z>, load> {};
+struct System : kane_system<inertial<Ground>, joints<Rail, Cart, Box, Drawer, Lid>, loads<weight>> {};
+struct Box_seat : offset<Box_seat, Box, 0.2 * Box::x> {};
+struct Cart_seat : offset<Cart_seat, Cart, 0.4 * Cart::x - 0.1 * Cart::y> {};
+} // namespace told_from_the_ground
+
+TEST(sliding_parent, carries_what_is_told_in_axes_of_the_ground) {
+  using namespace told_from_the_ground;
+  const state<System> x = moving<System>();
+  const parameter_values<System> p;
+  expect_newton_and_euler<System, Box, Box_seat>(Vector3d::Zero(), x, p);
+  expect_newton_and_euler<System, Cart, Cart_seat, Box, Drawer, Lid>(Vector3d::Zero(), x, p);
+}
+
+// A seat that moves on an arm, as it is told in axes of the ground, against which the arm turns.
+namespace seat_moves {
+struct Arm : pin<Arm, Ground, axis<own::z>, seat, load> {};
+struct Link : pin<Link, Arm, axis<Arm::x>, at<0.3 * Ground::x + 0.1 * Arm::y, 0.2 * own::x>, load> {};
+struct System : kane_system<inertial<Ground>, joints<Arm, Link>, loads<weight>> {};
+struct Link_seat : offset<Link_seat, Link, 0.2 * Link::x> {};
+} // namespace seat_moves
+
+TEST(reactions, are_those_of_a_seat_that_moves_on_its_parent) {
+  using namespace seat_moves;
+  expect_newton_and_euler<System, Link, Link_seat>(Vector3d::Zero(), moving<System>(),
+                                                   parameter_values<System>());
+}
+
 } // namespace

@@ -153,3 +153,24 @@ struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, 1 / 2>>> {};
 void f() { use<System>(); }
 } // namespace n22
+
+// expect: the velocity of point P is given in Ground, past joint Cart, whose reactions are asked for; give it
+// expect: in Cart
+namespace n23 {
+struct Cart : prismatic<Cart, Ground, axis<own::x>, mass> {};
+struct P : offset<P, Cart, s * Ground::y>, velocity<Ground, u_of<Cart> * Ground::x + v * Ground::y> {};
+struct Bob : particle<Bob, P, m> {};
+struct System : jointed<joints<Cart>, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, bodies<Bob>,
+                        reactions<Cart>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: the angular velocity of frame A is given in Ground, past joint Arm, whose reactions are asked for;
+// expect: give it in Arm
+namespace n24 {
+struct A : rotated<A, Arm, q, Arm::z>, angular_velocity<Ground, (u + u_of<Arm>)*Arm::z> {};
+struct Rotor : rigid_body<Rotor, Ground, A, m, inertia<A, 1, 1, 1>> {};
+struct System : jointed<joints<Arm>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Rotor>,
+                        reactions<Arm>> {};
+void f() { use<System>(); }
+} // namespace n24

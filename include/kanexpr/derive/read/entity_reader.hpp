@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/derive/read/freed_joints.hpp>
 #include <kanexpr/derive/read/phrase_reader.hpp>
 #include <kanexpr/describe/frame.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/model/turned_with.hpp>
 
 namespace kanexpr::deriving {
 
@@ -13,7 +15,7 @@ namespace kanexpr::deriving {
 class entity_reader {
 public:
   constexpr entity_reader(reading& all, phrase_reader& phrases)
-      : reading_(all), m_(all.into.mechanism), phrases_(phrases) {}
+      : reading_(all), m_(all.into.mechanism), phrases_(phrases), freed_(all) {}
 
   /// Reads the entities that a phrase mentions.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
@@ -60,7 +62,7 @@ public:
     const int describing_before = reading_.describing;
     reading_.describing = none;
     open_frames_.push(r);
-    const frame_record& told = *freed(r);
+    const frame_record& told = *freed_.told_of(r);
     const int parent = told.parent != nullptr ? frame(told.parent, told.called) : none;
     if (reading_.mistake) return mechanism::inertial;
     const int place = add_frame(told, parent);
@@ -72,6 +74,7 @@ public:
       const int reference = frame(told.reference, told.called);
       const mechanics::vector w = phrases_.vector_of(
           told.angular_velocity, {"the angular velocity of frame ", told.called}, told.called);
+      freed_.check_is_held(told);
       if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, told.turns_apart);
     }
     reading_.describing = describing_before;
@@ -85,7 +88,7 @@ public:
       reading_.fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
     check_point(*r, whom);
     if (reading_.mistake) return 0;
-    const point_record& told = *freed(r);
+    const point_record& told = *freed_.told_of(r);
     mechanics::point p;
     p.called = symbolic::name(told.called);
     if (told.parent != nullptr) {
@@ -93,6 +96,9 @@ public:
       p.parent = point(told.parent, told.called);
       open_points_.pop();
       p.offset = phrases_.vector_of(told.offset, {"the offset of point ", told.called}, told.called);
+      const frame_record* const on = freed_.frame_below(told);
+      if (on != nullptr && !reading_.mistake)
+        p.offset = mechanics::turned_with(m_, p.offset, frame(on, told.called));
     } else if (frame(told.origin_of, told.called) != mechanism::inertial) {
       reading_.fail(
           {"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
@@ -103,6 +109,7 @@ public:
       const mechanics::vector v =
           phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
       p.moves_apart = told.moves_apart;
+      if (reference == mechanism::inertial && !told.from_parent) freed_.check_is_held(told);
       if (told.from_parent)
         mechanics::declare_velocity_from_parent(p, reference, v);
       else
@@ -114,18 +121,6 @@ public:
   }
 
 private:
-  /// A frame of a joint whose reactions are wanted moves as all frames do, and with auxiliary speeds.
-  constexpr const frame_record* freed(const frame_record* r) const {
-    for (int i = 0; i < reading_.from.reactions.size; ++i)
-      if (reading_.from.reactions[i].frame == r) return reading_.from.reactions[i].freed_frame;
-    return r;
-  }
-  constexpr const point_record* freed(const point_record* r) const {
-    for (int i = 0; i < reading_.from.reactions.size; ++i)
-      if (reading_.from.reactions[i].point == r) return reading_.from.reactions[i].freed_point;
-    return r;
-  }
-
   constexpr bool is_listed(const frame_record& of_joint) const {
     for (int i = 0; i < reading_.from.joints.size; ++i)
       if (reading_.from.joints[i].frame == &of_joint) return true;
@@ -240,6 +235,7 @@ private:
   reading& reading_;
   mechanism& m_;
   phrase_reader& phrases_;
+  freed_joints freed_;
   sequence<const frame_record*> frames_{};
   sequence<int> places_of_frames_{}; ///< a sequence of turns has frames of its own in between
   sequence<const point_record*> points_{};

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <kanexpr/derive/read/reading.hpp>
+
+namespace kanexpr::deriving {
+
+/// Whether an entity is given from another one, by way of its parents, or is that.
+template <class Record>
+constexpr bool is_given_from(const Record& given, const Record* other) {
+  const Record* r = &given;
+  while (r != other && r != nullptr) r = r->parent;
+  return r == other;
+}
+
+/// The joints of a system whose reactions are wanted: auxiliary speeds move their frames and points, and what
+/// hangs on these.
+class freed_joints {
+public:
+  constexpr explicit freed_joints(reading& all) : reading_(all) {}
+
+  /// A frame of such a joint moves as all frames do, and with auxiliary speeds.
+  constexpr const frame_record* told_of(const frame_record* r) const {
+    for (int i = 0; i < size(); ++i)
+      if (freed(i).frame == r) return freed(i).freed_frame;
+    return r;
+  }
+  constexpr const point_record* told_of(const point_record* r) const {
+    for (int i = 0; i < size(); ++i)
+      if (freed(i).point == r) return freed(i).freed_point;
+    return r;
+  }
+
+  /// Of the joint that a point hangs on: auxiliary speeds turn this frame and all that is fixed in it, in
+  /// whatever axes it was given. Without such joints none.
+  constexpr const frame_record* frame_below(const point_record& r) const {
+    if (size() == 0) return nullptr;
+    const describe::listing<describe::joint_record>& joints = reading_.from.joints;
+    for (const point_record* p = r.parent; p != nullptr; p = p->parent)
+      for (int i = 0; i < joints.size; ++i)
+        if (joints[i].point == p) return joints[i].frame;
+    return nullptr;
+  }
+
+  /// A motion that is measured from behind such a joint would leave out its auxiliary speeds.
+  constexpr void check_is_held(const frame_record& r) const {
+    for (int i = 0; i < size(); ++i)
+      if (is_given_from(*r.parent, freed(i).frame) && !is_given_from(*r.reference, freed(i).frame))
+        fail_past(freed(i), "the angular velocity of frame ", r.called, *r.reference);
+  }
+  /// Of a velocity in the inertial frame.
+  constexpr void check_is_held(const point_record& r) const {
+    for (int i = 0; i < size(); ++i)
+      if (is_given_from(*r.parent, freed(i).point))
+        fail_past(freed(i), "the velocity of point ", r.called, *r.reference);
+  }
+
+private:
+  constexpr int size() const { return reading_.from.reactions.size; }
+  constexpr const describe::reaction_record& freed(int i) const { return reading_.from.reactions[i]; }
+
+  constexpr void fail_past(const describe::reaction_record& joint, std::string_view what,
+                           std::string_view called, const frame_record& reference) const {
+    reading_.fail({what, called, " is given in ", reference.called, ", past joint ", joint.called,
+                   ", whose reactions are asked for; give it in ", joint.called});
+  }
+
+  reading& reading_;
+};
+
+} // namespace kanexpr::deriving

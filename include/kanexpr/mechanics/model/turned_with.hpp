@@ -1,0 +1,33 @@
+#pragma once
+
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Whether a frame is oriented by way of another one, or is that.
+constexpr bool hangs_on(const mechanism& m, int frame, int other) {
+  while (frame != other && frame != none) frame = m.frames[frame].parent;
+  return frame == other;
+}
+
+/// Whether the axes of one frame stand still in those of another, whatever the coordinates are.
+constexpr bool stands_still_in(const mechanism& m, int frame, int other) {
+  for (int i = 0; i < 3; ++i)
+    if (!is_fixed(express(m, unit(*m.g, i), frame, other))) return false;
+  return true;
+}
+
+/// A vector in whose parts axes that stand still in a frame without being its own give way to those of the
+/// frame: then it turns with the frame also where auxiliary speeds turn that.
+constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
+  vector out;
+  for (const vector::part& p : v.parts)
+    if (!hangs_on(m, p.frame, frame) && stands_still_in(m, p.frame, frame))
+      out.add(frame, express(m, p.value, p.frame, frame));
+    else
+      out.add(p.frame, p.value);
+  return out;
+}
+
+} // namespace kanexpr::mechanics
