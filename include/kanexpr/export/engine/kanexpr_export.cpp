@@ -163,6 +163,17 @@ int write_model(const request& r) {
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
+/// Which option does not go with the file, as a sentence; empty: all do.
+std::string misplaced(const CLI::App& given, const request& r) {
+  for (const char* option : {"--system", "--include"})
+    if (r.is_robot() && given.count(option) != 0)
+      return std::string(option) + " is for headers, and " + r.file + " is the file of a robot";
+  for (const char* option : {"--base", "--values"})
+    if (!r.is_robot() && given.count(option) != 0)
+      return std::string(option) + " is for robots, and " + r.file + " is a header";
+  return {};
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -218,6 +229,7 @@ int main(int count, char** arguments) {
       ->option_text("numbers|parameters");
   app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file of a robot");
   CLI11_PARSE(app, count, arguments);
+  if (const std::string wrong = misplaced(app, r); !wrong.empty()) return refuse(wrong);
   if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
   return r.is_robot() ? write_robot(r) : write_model(r);
 }
