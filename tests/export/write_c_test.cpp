@@ -208,6 +208,25 @@ TEST(WriteC, TakesWhatABuilderBuilt) {
   EXPECT_THAT(code, HasSubstr("  const double exp_ = p[1];\n")) << "no function of math.h";
 }
 
+TEST(WriteC, CallsNothingWhatAHeaderDefines) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), hoist = b.input("H"), other = b.input("HPP");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto P = b.offset("P", b.origin("O"), b.along(N, q, 0, 0));
+  b.particle("Load", P, b.parameter("errno"));
+  b.force(P, b.along(N, hoist + other, 0, 0));
+  const folder to;
+  ASSERT_TRUE(write_c(b, to.path, "crane", {.with_cpp = true}));
+  const std::string header = to.text_of("crane.h"), names = to.text_of("crane.hpp");
+  EXPECT_THAT(header, HasSubstr("  crane_H = 0,\n  crane_HPP = 1,\n"));
+  for (const std::string& file : {header, names})
+    for (const char* taken : {"#define crane_H\n", "#define crane_HPP\n"})
+      EXPECT_THAT(file, testing::Not(HasSubstr(taken)));
+  EXPECT_THAT(names, HasSubstr("  double errno_ = "));
+  EXPECT_THAT(to.text_of("crane.c"), HasSubstr("const double errno_ = p[0];"));
+}
+
 /// A pendulum with terms of its force formed one after another, from the first or from the last, as compilers
 /// do with operands.
 std::string code_of_pendulum(const folder& to, bool from_the_first) {

@@ -25,13 +25,13 @@ public:
     std::string text =
         filled(R"(/* @title@
 @changed@ */
-#ifndef @NAME@_H
-#define @NAME@_H
+#ifndef kanexpr_wrote_@name@_h
+#define kanexpr_wrote_@name@_h
 
 #if defined(__CUDACC__)
-#define @NAME@_FUNCTION __host__ __device__
+#define @name@_FUNCTION __host__ __device__
 #else
-#define @NAME@_FUNCTION
+#define @name@_FUNCTION
 #endif
 
 #ifdef __cplusplus
@@ -40,7 +40,7 @@ extern "C" {
 
 /* Places in the state x, the coordinates and then the speeds; in the parameters p; in the inputs r. */
 @places@)",
-               {{"title", title()}, {"changed", told_of_names()}, {"NAME", name()}, {"places", places()}});
+               {{"title", title()}, {"changed", told_of_names()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
     return text;

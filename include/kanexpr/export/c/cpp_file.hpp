@@ -25,8 +25,8 @@ public:
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
     std::string all = filled(R"(// Equations of motion of @name@, from @name@.c, with names.
-#ifndef @name@_HPP
-#define @name@_HPP
+#ifndef kanexpr_wrote_@name@_hpp
+#define kanexpr_wrote_@name@_hpp
 
 @own_header@
 

@@ -42,6 +42,7 @@ public:
           "static_cast",  "static_assert", "thread_local", "co_await",   "co_return",    "co_yield",
           "typeof_unqual"})
       reserve(word);
+    reserve_all(macros_of_the_library);
   }
 
   /// And what no function of a module of Python may be called.

@@ -19,10 +19,9 @@ struct system_in_c {
 /// All symbols and functions share one list of names: `NAME_` stands before each of them.
 inline system_in_c in_c(exported_system s) {
   identifiers taken;
-  for (const char* own :
-       {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION", "INLINE", "H",
-        "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size", "sine_and_cosine", "choose",
-        "sign", "is_singular", "is_infinite", "is_not_above"})
+  for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
+                          "INLINE", "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size",
+                          "sine_and_cosine", "choose", "sign", "is_singular", "is_infinite", "is_not_above"})
     taken.reserve(own);
   identifiers functions = taken;
   functions.reserve_words_of_python();

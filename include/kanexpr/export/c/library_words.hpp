@@ -29,6 +29,18 @@ fpclassify isgreater isgreaterequal isless islessequal islessgreater isunordered
 issignaling issubnormal iszero double_t float_t lgamma_r lgammaf_r lgammal_r
 )";
 
+/// Macros that the other headers of C replace by values wherever they stand.
+inline constexpr std::string_view macros_of_the_library = R"(
+errno stdin stdout stderr EOF WEOF NULL BUFSIZ FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_CUR SEEK_END
+SEEK_SET EXIT_FAILURE EXIT_SUCCESS RAND_MAX MB_CUR_MAX MB_LEN_MAX CLOCKS_PER_SEC TIME_UTC CHAR_BIT CHAR_MAX
+CHAR_MIN SCHAR_MAX SCHAR_MIN UCHAR_MAX SHRT_MAX SHRT_MIN USHRT_MAX INT_MAX INT_MIN UINT_MAX LONG_MAX
+LONG_MIN ULONG_MAX LLONG_MAX LLONG_MIN ULLONG_MAX SIZE_MAX PTRDIFF_MAX PTRDIFF_MIN INTMAX_MAX INTMAX_MIN
+UINTMAX_MAX FLT_RADIX FLT_ROUNDS FLT_EPSILON FLT_MAX FLT_MIN FLT_DIG FLT_MANT_DIG FLT_MAX_EXP FLT_MIN_EXP
+DBL_EPSILON DBL_MAX DBL_MIN DBL_DIG DBL_MANT_DIG DBL_MAX_EXP DBL_MIN_EXP LDBL_EPSILON LDBL_MAX LDBL_MIN
+LDBL_DIG DECIMAL_DIG FLT_EVAL_METHOD EDOM ERANGE EILSEQ LC_ALL LC_COLLATE LC_CTYPE LC_MONETARY LC_NUMERIC
+LC_TIME SIGABRT SIGFPE SIGILL SIGINT SIGSEGV SIGTERM SIG_DFL SIG_ERR SIG_IGN
+)";
+
 /// What else the libraries of C and of POSIX have: a function of such a name is not what compilers take it
 /// for, or takes the place of that of the library in a program.
 inline constexpr std::string_view words_of_the_library = R"(
