@@ -2,8 +2,8 @@
 #include "robots/files.hpp"
 
 #include <arm_robot.hpp>
+#include <floating.hpp>
 #include <gripper_robot.hpp>
-#include <walker_robot.hpp>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ void agrees(const std::string& robot, const parameter_values<System>& p) {
 
 TEST(compiled_robots, agree_with_pinocchio) {
   agrees<arm_robot::System>("arm.fixed", {});
-  agrees<walker_robot::System>("walker.floating", {});
+  agrees<::floating::System>("walker.floating", {});
   agrees<gripper_robot::System>("gripper.fixed", gripper_robot::values());
 }
 
@@ -59,7 +59,7 @@ TEST(compiled_robots, can_be_asked_for_their_links) {
   EXPECT_NEAR(v.z(), 0, 1e-15);
   EXPECT_GT(v.norm(), 0.1);
   EXPECT_EQ(arm_robot::limits::effort[1], 60);
-  EXPECT_EQ(walker_robot::at_rest()[walker_robot::e0], 1);
+  EXPECT_EQ(::floating::at_rest()[::floating::e0], 1);
 }
 
 } // namespace

@@ -11,6 +11,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -75,6 +78,36 @@ TEST(header_writer, writes_parameters_and_their_values) {
   EXPECT_THAT(header, HasSubstr("constexpr parameter<\"ixx_Shoulder\"> ixx_Shoulder;"));
   EXPECT_THAT(header, HasSubstr("  p[m_Shoulder] = 3.7;"));
   EXPECT_THAT(header, HasSubstr("gravity<-g * N::z>"));
+}
+
+/// Words of the library that stand in code, with arguments or with axes.
+std::set<std::string> words_in(const std::string& header) {
+  static const std::regex word("(^|[ <(-])([a-z_]+)(<|::[xyz]|\\(u_)");
+  std::set<std::string> all;
+  std::istringstream in(header);
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with("//") && !line.starts_with("#"))
+      for (std::sregex_iterator at(line.begin(), line.end(), word), end; at != end; ++at)
+        all.insert((*at)[2]);
+  return all;
+}
+
+// A namespace hides the word of the library that has its name.
+TEST(header_writer, writes_robots_that_are_called_as_words_of_the_library) {
+  std::set<std::string> words;
+  for (const char* file : {"arm.urdf", "carts.urdf", "gripper.urdf", "walker.urdf"})
+    for (const base_kind base : {base_kind::fixed, base_kind::floating}) {
+      robot r = robot_of(file);
+      for (joint& j : r.joints) j.friction = j.damping = j.rotor_inertia = 1;
+      const model_options options{.base = base, .friction = true};
+      for (const std::string& each : words_in(header_writer(r, options).write("arm", ""))) words.insert(each);
+    }
+  EXPECT_GT(words.size(), 25u);
+  for (const std::string& each : words)
+    EXPECT_THAT(
+        header_writer(robot_of("arm.urdf"), {}).write(each, ""),
+        HasSubstr("namespace " + each + " {\n\nusing namespace kanexpr;\nusing kanexpr::" + each + ";\n"));
+  EXPECT_THAT(header_of(robot_of("arm.urdf")), Not(HasSubstr("using kanexpr::")));
 }
 
 TEST(header_writer, writes_the_gravity_of_the_robot) {

@@ -2,7 +2,9 @@
 
 #include <kanexpr/robots/pose.hpp>
 
+#include <algorithm>
 #include <charconv>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -87,6 +89,14 @@ inline std::string wrapped(const std::string& before, const std::vector<std::str
     used += each.size();
   }
   return text;
+}
+
+/// The beginning of a namespace with the words of the library; with one of its own name, which the name of
+/// the namespace hides, by itself.
+inline std::string opened(const std::string& called, std::initializer_list<std::string_view> words) {
+  const bool hides = std::ranges::find(words, called) != words.end();
+  return "namespace " + called + " {\n\nusing namespace kanexpr;\n" +
+         (hides ? "using kanexpr::" + called + ";\n" : "") + "\n";
 }
 
 /// What a file says, in a comment: nothing that ends the line or goes on behind it.

@@ -239,8 +239,42 @@ private:
            std::to_string(joints) + (joints == 1 ? " joint" : " joints") + " that move" +
            (joints == 1 ? "s" : "") + " by coordinates of their own, a " +
            (options_.base == base_kind::floating ? "floating" : "fixed") +
-           " base.\n/// Written by kanexpr-robot.\n" + names() + "namespace " + called +
-           " {\n\nusing namespace kanexpr;\n\n";
+           " base.\n/// Written by kanexpr-robot.\n" + names() +
+           text::opened(called, {"at",
+                                 "axis",
+                                 "bodies",
+                                 "body",
+                                 "by",
+                                 "coordinate",
+                                 "effective_inertia",
+                                 "floating",
+                                 "force_between",
+                                 "gravity",
+                                 "home",
+                                 "inertia",
+                                 "inertial",
+                                 "inertial_ground",
+                                 "input",
+                                 "inputs",
+                                 "joint_friction",
+                                 "joints",
+                                 "kane_system",
+                                 "loads",
+                                 "motor",
+                                 "own",
+                                 "parameter",
+                                 "parameter_values",
+                                 "parameters",
+                                 "pin",
+                                 "planar",
+                                 "prismatic",
+                                 "rigid_body",
+                                 "rotated",
+                                 "sign",
+                                 "speed",
+                                 "state",
+                                 "torque_between",
+                                 "weld"});
   }
 
   std::string names() const {

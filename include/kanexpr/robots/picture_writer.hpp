@@ -26,10 +26,13 @@ public:
     for (std::size_t l = 0; l < robot_.links.size(); ++l) draw(l);
     if (words_.empty()) draw_joints();
     const std::string include = std::string("#") + "include "; // of the header, not of this file
-    std::string told = "#pragma once\n\n" + include + "<" + called + ".hpp>\n\n" + include +
-                       "<kanexpr/animate/animated.hpp>\n\n" + "namespace " + called + " {\n\n" + out_ +
-                       "\n/// What is seen of the robot" +
-                       (shown_meshes_ == 0 ? "" : ", with meshes in files") + ".\n";
+    std::string told =
+        "#pragma once\n\n" + include + "<" + called + ".hpp>\n\n" + include +
+        "<kanexpr/animate/animated.hpp>\n\n" +
+        text::opened(called, {"box", "colour", "cylinder", "direction_cosines", "files_in", "ground", "mesh",
+                              "offset", "rod", "seen_from", "show", "sphere", "up"}) +
+        out_ + "\n/// What is seen of the robot" + (shown_meshes_ == 0 ? "" : ", with meshes in files") +
+        ".\n";
     std::vector<std::string> all{"System", "up<N::z>", "seen_from<N::x - 1.2 * N::y + 0.6 * N::z>"};
     if (options_.base == base_kind::fixed) all.push_back("ground<>");
     if (shown_meshes_ != 0) all.push_back("files_in<" + literal(files_.folder()) + ">");
