@@ -81,8 +81,8 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
 
 constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
   for (int i = 0; i < joints.size; ++i)
-    if (joints[i].body != nullptr || joints[i].calls_itself.empty())
-      return true; // what is no joint is told later
+    if (joints[i].body != nullptr || joints[i].calls_itself.empty() || !joints[i].mistake.empty())
+      return true; // what is no joint, or a mistaken one, is told later
   return false;
 }
 

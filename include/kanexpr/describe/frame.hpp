@@ -66,6 +66,7 @@ inline constexpr frame_record frame_under_another_name = [] {
 /// is another frame: the axes would be that one's.
 template <class Frame, bool is_another = requires { sizeof(Frame); }>
 struct axes : orientation_words {
+  static constexpr bool are_of_another = is_another;
   static constexpr const frame_record* described =
       is_another ? &frame_under_another_name<Frame> : &frame_of<Frame>;
   static constexpr vector<1> x = basis(described, 0);

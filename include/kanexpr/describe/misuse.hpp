@@ -35,6 +35,18 @@ enum class misuse : unsigned char {
   parallel,
   negative_length,
   zero,
+  no_joint,
+  no_such_coordinate,
+  no_such_speed,
+  gear_arguments,
+  belt_arguments,
+  rack_arguments,
+  rod_arguments,
+  coincident_arguments,
+  parallel_arguments,
+  same_axes_arguments,
+  rolling_arguments,
+  touch_arguments,
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
@@ -72,6 +84,24 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>, and 0.0 for a "
            "zero "
            "that is meant";
+  case misuse::no_joint: return " asks q_of or u_of for a symbol of something that is not a joint";
+  case misuse::no_such_coordinate: return " asks q_of for a coordinate that the joint does not have";
+  case misuse::no_such_speed: return " asks u_of for a speed that the joint does not have";
+  case misuse::gear_arguments: return " has too few or too many arguments; write gear<Joint, Other, ratio>";
+  case misuse::belt_arguments:
+    return " has too few or too many arguments; write belt<Joint, Other, radius, other radius>";
+  case misuse::rack_arguments:
+    return " has too few or too many arguments; write rack_and_pinion<Rack, Pinion, radius>";
+  case misuse::rod_arguments:
+    return " has too few or too many arguments; write rod_of_length<Point, Other, length>";
+  case misuse::coincident_arguments: return " lacks a point; write coincident<Point, Other, directions>";
+  case misuse::parallel_arguments:
+    return " has too few or too many arguments; write parallel<direction, axis of a frame>";
+  case misuse::same_axes_arguments: return " lacks a frame; write same_axes<Frame, Other>";
+  case misuse::rolling_arguments:
+    return " has too few or too many arguments; write rolls_on<Wheel, Ground, axis, radius>";
+  case misuse::touch_arguments:
+    return " has too few or too many arguments; write touches<Wheel, Ground, axis, radius>";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";

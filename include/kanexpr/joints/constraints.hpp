@@ -9,21 +9,48 @@ namespace kanexpr {
 
 namespace describe {
 
+/// In the place of an argument that was left out.
+struct left_out {};
+
+/// What stands for a constraint that is written with a mistake.
+template <class Named>
+constexpr equation<1> mistaken(misuse what) {
+  return {{misused_with<Named>(what)}};
+}
+
 /// An equation between what two joints with one axis have turned or gone.
 template <class First, class Second>
 constexpr auto coupled(const auto& of_first, const auto& of_second) {
   if constexpr (effort_of_joint<First>() == joint_effort::none ||
                 effort_of_joint<Second>() == joint_effort::none) {
-    token named = misused(misuse::coupling);
-    if constexpr (requires { First::child_frame(); }) named.frame = First::child_frame();
-    return equation<1>{{named}};
+    return mistaken<First>(misuse::coupling);
   } else if constexpr (std::same_as<First, Second>) {
-    token named = misused(misuse::own_coupling);
-    named.frame = First::child_frame();
-    return equation<1>{{named}};
+    return mistaken<First>(misuse::own_coupling);
   } else {
     return of_first * First::template q<0> == of_second * Second::template q<0>;
   }
+}
+
+template <class First, class Second, auto... ratio>
+constexpr auto geared() {
+  if constexpr (sizeof...(ratio) == 1)
+    return coupled<First, Second>(constant(1), ratio...);
+  else
+    return mistaken<First>(misuse::gear_arguments);
+}
+template <class First, class Second, auto... radii>
+constexpr auto coupled_by_belt() {
+  if constexpr (sizeof...(radii) == 2)
+    return coupled<First, Second>(radii...);
+  else
+    return mistaken<First>(misuse::belt_arguments);
+}
+template <class Rack, class Pinion, auto... radius>
+constexpr auto racked() {
+  if constexpr (sizeof...(radius) == 1)
+    return coupled<Rack, Pinion>(constant(1), radius...);
+  else
+    return mistaken<Rack>(misuse::rack_arguments);
 }
 
 /// A direction that has no part along the other two axes of a frame.
@@ -34,10 +61,17 @@ constexpr auto kept_parallel() {
     if constexpr (t.what == token_kind::basis && t.frame != nullptr)
       return zero_along<direction, basis(t.frame, (t.index + 1) % 3), basis(t.frame, (t.index + 2) % 3)>;
     else
-      return equation<1>{{misused(misuse::parallel)}};
+      return mistaken<left_out>(misuse::parallel);
   } else {
-    return equation<1>{{misused(misuse::parallel)}};
+    return mistaken<left_out>(misuse::parallel);
   }
+}
+template <auto... direction_and_axis>
+constexpr auto parallel_ones() {
+  if constexpr (sizeof...(direction_and_axis) == 2)
+    return kept_parallel<direction_and_axis...>();
+  else
+    return mistaken<left_out>(misuse::parallel_arguments);
 }
 
 constexpr vector<1> velocity_at(const point_record* point) { return motion_of(token_kind::velocity, point); }
@@ -66,7 +100,7 @@ constexpr auto to_contact() {
     return -length_of<radius>() * normalized(up_the_wheel<axis, up>) - length_of<one_of<0, tube...>()>() * up;
 }
 
-template <auto axis, auto up, auto radius, auto... tube>
+template <auto up, auto axis, auto radius, auto... tube>
 constexpr auto height_of_center() {
   if constexpr (sizeof...(tube) == 0)
     return length_of<radius>() * magnitude(up_the_wheel<axis, up>);
@@ -88,10 +122,16 @@ constexpr auto position_between() {
          motion_of(token_kind::position, parts_of<From>::point());
 }
 
+/// An axis of a frame, or of what has one.
+template <class Frame>
+constexpr vector<1> axis_of(int index) {
+  return basis(parts_of<Frame>::frame(), index);
+}
+
 /// The velocity of the point of `Wheel` that touches `Ground`, as that sees it.
 template <class Wheel, class Ground, auto axis, auto... radii>
 constexpr auto slip_on() {
-  constexpr auto to_ground = to_contact<axis, Ground::z, radii...>();
+  constexpr auto to_ground = to_contact<axis, axis_of<Ground>(2), radii...>();
   constexpr auto of_wheel = velocity_of_place<Wheel>() + cross(turning_of_place<Wheel>(), to_ground);
   if constexpr (parts_of<Ground>::frame()->is_inertial() && parts_of<Ground>::point()->is_origin())
     return of_wheel;
@@ -100,58 +140,103 @@ constexpr auto slip_on() {
            cross(turning_of_place<Ground>(), position_between<Wheel, Ground>() + to_ground);
 }
 
+template <class Point, class Other, auto... length>
+constexpr auto held_apart() {
+  if constexpr (sizeof...(length) == 1)
+    return dot(position_of<Point, Other>, position_of<Point, Other>) ==
+           length_of<length...>() * length_of<length...>();
+  else
+    return mistaken<Point>(misuse::rod_arguments);
+}
+
+template <class Point, class Other, auto... directions>
+constexpr auto held_together() {
+  if constexpr (std::same_as<Other, left_out>)
+    return mistaken<Point>(misuse::coincident_arguments);
+  else
+    return zero_along<position_of<Point, Other>, directions...>;
+}
+
+template <class Frame, class Other>
+constexpr auto held_alike() {
+  if constexpr (std::same_as<Other, left_out>)
+    return mistaken<Frame>(misuse::same_axes_arguments);
+  else
+    return zero_along<dot(axis_of<Frame>(0), axis_of<Other>(1)) * axis_of<Other>(0) +
+                          dot(axis_of<Frame>(1), axis_of<Other>(2)) * axis_of<Other>(1) +
+                          dot(axis_of<Frame>(2), axis_of<Other>(0)) * axis_of<Other>(2),
+                      axis_of<Other>(0), axis_of<Other>(1), axis_of<Other>(2)>;
+}
+
+/// The axis of a wheel, its radius, and perhaps that of its tube.
+template <auto... axis_and_radii>
+inline constexpr bool describe_wheel = sizeof...(axis_and_radii) == 2 || sizeof...(axis_and_radii) == 3;
+
+template <class Wheel, class Ground, auto... axis_and_radii>
+constexpr auto rolling() {
+  if constexpr (describe_wheel<axis_and_radii...>)
+    return zero_along<slip_on<Wheel, Ground, axis_and_radii...>(), axis_of<Ground>(0), axis_of<Ground>(1),
+                      axis_of<Ground>(2)>;
+  else
+    return mistaken<Wheel>(misuse::rolling_arguments);
+}
+
+template <class Wheel, class Ground, auto... axis_and_radii>
+constexpr auto touching() {
+  if constexpr (describe_wheel<axis_and_radii...>)
+    return dot(position_between<Wheel, Ground>(), axis_of<Ground>(2)) ==
+           height_of_center<axis_of<Ground>(2), axis_and_radii...>();
+  else
+    return mistaken<Wheel>(misuse::touch_arguments);
+}
+
 } // namespace describe
 
 /// Two points stay at a distance, as the ends of a rod without mass: `rod_of_length<P, Q, l>`, of the
 /// configuration. Its multiplier times −2 l is the tension.
-template <class Point, class Other, auto length>
-inline constexpr auto rod_of_length = dot(position_of<Point, Other>, position_of<Point, Other>) ==
-                                      describe::length_of<length>() * describe::length_of<length>();
+template <class Point, class Other = describe::left_out, auto... length>
+inline constexpr auto rod_of_length = describe::held_apart<Point, Other, length...>();
 
 /// Two gears: the first joint has turned `ratio` times as far as the second, against it where the ratio is
 /// negative. Of the configuration.
-template <class First, class Second, auto ratio>
-inline constexpr auto gear = describe::coupled<First, Second>(describe::constant(1), ratio);
+template <class First, class Second = describe::left_out, auto... ratio>
+inline constexpr auto gear = describe::geared<First, Second, ratio...>();
 
 /// A belt round two pulleys: radius times angle is the same; of a crossed belt one radius is negative. Of
 /// the configuration.
-template <class First, class Second, auto radius, auto other_radius>
-inline constexpr auto belt = describe::coupled<First, Second>(radius, other_radius);
+template <class First, class Second = describe::left_out, auto... radii>
+inline constexpr auto belt = describe::coupled_by_belt<First, Second, radii...>();
 
 /// A joint that slides goes as far as the rim of one that turns: `rack_and_pinion<Rack, Pinion, r>`, of the
 /// configuration.
-template <class Rack, class Pinion, auto radius>
-inline constexpr auto rack_and_pinion = describe::coupled<Rack, Pinion>(describe::constant(1), radius);
+template <class Rack, class Pinion = describe::left_out, auto... radius>
+inline constexpr auto rack_and_pinion = describe::racked<Rack, Pinion, radius...>();
 
 /// Two points are one, which closes a loop by a ball: `coincident<P, Q, N::x, N::y, N::z>`, along two
 /// directions in a planar mechanism. Of the configuration.
-template <class Point, class Other, auto... directions>
-inline constexpr auto coincident = zero_along<position_of<Point, Other>, directions...>;
+template <class Point, class Other = describe::left_out, auto... directions>
+inline constexpr auto coincident = describe::held_together<Point, Other, directions...>();
 
 /// A direction stays along an axis of a frame: `parallel<A::z, B::z>`. Beside `coincident` it closes a loop
 /// by a pin about B::z. Of the configuration.
-template <auto direction, auto axis>
-inline constexpr auto parallel = describe::kept_parallel<direction, axis>();
+template <auto... direction_and_axis>
+inline constexpr auto parallel = describe::parallel_ones<direction_and_axis...>();
 
 /// The axes of two frames stay the same: `same_axes<A, B>`. Beside `coincident` it closes a loop by a weld.
 /// Of the configuration. (Half a turn about an axis and turns that exchange the axes satisfy it as well:
 /// start where the axes are the same.)
-template <class Frame, class Other>
-inline constexpr auto same_axes =
-    zero_along<dot(Frame::x, Other::y) * Other::x + dot(Frame::y, Other::z) * Other::y +
-                   dot(Frame::z, Other::x) * Other::z,
-               Other::x, Other::y, Other::z>;
+template <class Frame, class Other = describe::left_out>
+inline constexpr auto same_axes = describe::held_alike<Frame, Other>();
 
 /// A wheel rolls on the plane x, y of `Ground` without slipping, which may move itself: `rolls_on<Wheel,
 /// Ground, Wheel::y, r>`, with its axis, and after the radius that of its tube, if it is a torus. Of the
-/// velocity. `Wheel` is a joint or `frame_and_point<A, P>` with its centre.
-template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
-inline constexpr auto rolls_on =
-    zero_along<describe::slip_on<Wheel, Ground, axis, radius, tube...>(), Ground::x, Ground::y, Ground::z>;
+/// velocity. `Wheel` is a joint or `frame_and_point<A, P>` with its centre, and `Ground` what has a frame and
+/// a point too.
+template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
+inline constexpr auto rolls_on = describe::rolling<Wheel, Ground, axis_and_radii...>();
 
 /// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
-template <class Wheel, class Ground, auto axis, auto radius, auto... tube>
-inline constexpr auto touches = dot(describe::position_between<Wheel, Ground>(), Ground::z) ==
-                                describe::height_of_center<axis, Ground::z, radius, tube...>();
+template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
+inline constexpr auto touches = describe::touching<Wheel, Ground, axis_and_radii...>();
 
 } // namespace kanexpr

@@ -149,6 +149,9 @@ struct joint : axes<Self>, place_words, joint_words {
 
   using parent = Parent;
   static constexpr bool hangs_on_itself = hangs_on<Parent, Self, 3>();
+  static constexpr bool lacks_parent = word_of_a_joint<Parent>;
+  /// Whether there is a joint to speak of; where there is none, a mistake tells of it.
+  static constexpr bool is_written = !joint::are_of_another && !lacks_parent && !hangs_on_itself;
   static constexpr const frame_record* parent_frame() {
     if constexpr (hangs_on_itself)
       return nullptr;
@@ -213,14 +216,18 @@ struct joint : axes<Self>, place_words, joint_words {
     frame_record r;
     r.calls_itself = type_name<Self>();
     r.is_of_joint = true;
-    r.parent = home_frame();
-    Kind::template turn<Self>(r);
+    if constexpr (is_written) {
+      r.parent = home_frame();
+      Kind::template turn<Self>(r);
+    }
     return r;
   }
 
   static constexpr point_record place() {
     point_record r;
-    if constexpr (is_off_child) {
+    if constexpr (!is_written) {
+      r.origin_of = child_frame();
+    } else if constexpr (is_off_child) {
       r.parent = joint_point();
       r.offset = phrase_of<from_joint(child_frame())>;
     } else {
@@ -275,7 +282,19 @@ struct joint : axes<Self>, place_words, joint_words {
 
   static constexpr joint_record joint_told() {
     joint_record r;
+    if constexpr (is_written) {
+      r = written();
+    } else {
+      r.mistake = lacks_parent ? "lacks its parent" : "hangs on itself";
+      if (lacks_parent) r.form = Kind::form;
+    }
     r.calls_itself = type_name<Self>();
+    return r;
+  }
+
+private:
+  static constexpr joint_record written() {
+    joint_record r;
     r.frame = child_frame();
     r.point = &point_of<Self>;
     r.home = home_frame();
@@ -295,7 +314,6 @@ struct joint : axes<Self>, place_words, joint_words {
     return r;
   }
 
-private:
   template <std::size_t... of_position, std::size_t... of_motion>
   static constexpr void list_symbols(joint_record& r, std::index_sequence<of_position...>,
                                      std::index_sequence<of_motion...>) {
@@ -331,6 +349,14 @@ private:
       return 0 * basis(seen_by, 0);
   }
 };
+
+/// A mistake with a word, which names the joint that it is given.
+template <class Joint>
+constexpr token misused_with(misuse what) {
+  token named = misused(what);
+  if constexpr (requires { Joint::child_frame(); }) named.frame = Joint::child_frame();
+  return named;
+}
 
 template <class Joint>
 constexpr joint_effort effort_of_joint() {

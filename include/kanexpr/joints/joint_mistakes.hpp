@@ -100,7 +100,6 @@ constexpr std::string_view mistake_of_words() {
   if (!(word_of_a_joint<Words> && ...))
     return "is given something that is no word of a joint; they are at<...>, axis<...>, home<...>, by<...> "
            "and body<...>";
-  if (Joint::hangs_on_itself) return "hangs on itself";
   if (Joint::template times<joint_word::axis> > 1) return "is given axis<...> twice; write one list";
   if constexpr (Joint::template has<joint_word::special>) {
     using given = typename Joint::template word<joint_word::special>;

@@ -57,7 +57,7 @@ template <class Joint>
 inline constexpr reaction_record reaction_of = [] {
   reaction_record r;
   r.called = type_name<Joint>();
-  if constexpr (requires { Joint::joint_told(); }) {
+  if constexpr (requires { requires Joint::is_written; }) {
     using freed = freed_joint<Joint>;
     using speeds = freeing_speeds<Joint>;
     r.joint = &joint_of<Joint>;

@@ -20,7 +20,10 @@ public:
       const joint_record& r = reading_.from.joints[i];
       check_joint(r);
       for (int j = 0; j < i; ++j)
-        if (&reading_.from.joints[j] == &r) reading_.fail({"joint ", r.called, " is listed twice"});
+        if (&reading_.from.joints[j] == &r)
+          reading_.fail({"joint ", r.called, " is listed twice"});
+        else if (reading_.from.joints[j].called == r.called)
+          reading_.fail({"two joints are called ", r.called});
     }
     for (int i = 0; i < reading_.from.reactions.size && !reading_.mistake; ++i)
       check_reaction(reading_.from.reactions[i]);

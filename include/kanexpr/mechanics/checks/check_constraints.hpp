@@ -64,7 +64,11 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
       return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
                        " is not known"});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
-      return sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
+      return held.holds(v, kind::coordinate)
+                 ? sentence({"velocity constraint ", which.view(), " holds the coordinate ",
+                             held.name_of(v, kind::coordinate), " and no ", a_speed(m),
+                             "; it is of the configuration: write it in configuration_constraints<...>"})
+                 : sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
     const sentence not_linear =
         check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
     if (not_linear) return not_linear;
