@@ -5,9 +5,9 @@
 #     kanexpr_add_robot(panda URDF panda.urdf)
 #     target_link_libraries(program PRIVATE panda)               # #include <panda.hpp>
 #
-# The command kanexpr-robot writes it; OPTIONS are more of its options. It is compiled here, with tinyxml2 and CLI11.
-# Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs it, or kanexpr_ROBOT_COMMAND names one that
-# runs here.
+# The command kanexpr-robot writes it; OPTIONS are more of its options. It is the one that was installed with kanexpr, or is
+# compiled here, with tinyxml2 and CLI11. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs it, or
+# kanexpr_ROBOT_COMMAND names one that runs here.
 function(kanexpr_add_robot target)
   cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;SDF;BASE;BIND" "OPTIONS")
   set(file ${robot_URDF}${robot_SDF})
@@ -43,13 +43,17 @@ function(kanexpr_add_robot target)
   target_link_libraries(${target} INTERFACE kanexpr::kanexpr)
 endfunction()
 
-# What writes models: a program that is named, or one that is compiled once for all robots of the project.
+# What writes models: a program that is named, the one that is installed, or one that is compiled once for all robots of the
+# project.
 function(kanexpr_find_robot_command command)
   set(${command} kanexpr-robot PARENT_SCOPE)
   if(kanexpr_ROBOT_COMMAND)
     set(${command} ${kanexpr_ROBOT_COMMAND} PARENT_SCOPE)
     return()
   elseif(TARGET kanexpr-robot)
+    return()
+  elseif(EXISTS "${kanexpr_installed_robot_command}" AND NOT CMAKE_CROSSCOMPILING)
+    set(${command} ${kanexpr_installed_robot_command} PARENT_SCOPE)
     return()
   endif()
   find_package(CLI11 QUIET)

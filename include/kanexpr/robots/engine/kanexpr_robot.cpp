@@ -56,7 +56,12 @@ bool draw(const robot& seen, const request& r) {
 }
 
 int write(request r) {
-  if (!is_namespace(r.name)) return refuse(r.name + " is not the name of a namespace");
+  const std::string file = std::filesystem::path(r.file).stem().string();
+  const std::string name = r.name.empty() ? letters_of(file) : r.name;
+  if (!is_namespace(name))
+    return refuse(r.name.empty() ? file + " is not the name of a namespace; --name gives another"
+                                 : name + " is not the name of a namespace");
+  r.name = name;
   if (r.as_written) r.reading.right_angles = 0;
   r.reading.mimic = !r.without_mimic, r.model.damping = !r.without_damping;
   r.model.base = r.base == "floating" ? base_kind::floating : base_kind::fixed;
@@ -81,7 +86,7 @@ int main(int count, char** arguments) {
   request r;
   CLI::App app("Writes the model of a robot that a URDF or SDF file describes as a header.");
   app.add_option("file", r.file, "the file; one that ends with .sdf or .world is read as SDF")->required();
-  app.add_option("-n,--name", r.name, "the namespace of the model")->required();
+  app.add_option("-n,--name", r.name, "the namespace of the model; without this the name of the file");
   app.add_option("-o,--output", r.header, "the header; without one it is printed");
   app.add_option("--picture", r.picture, "a second header, with what the robot looks like");
   app.add_option("--base", r.base, "what becomes of the root: it is fixed, as without this, or moves")
