@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
+
 namespace by_hand {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
@@ -31,8 +33,7 @@ template <class System, class Link, class... Arguments>
 wrench needed_by(const Arguments&... at) {
   const auto [axis_x, axis_y, axis_z, c, a, w, alpha] =
       seen<System, Link::x, Link::y, Link::z, position_of<Center<Link>, Ground>,
-               acceleration_of<Center<Link>>, angular_velocity_of<Link>, angular_acceleration_of<Link>>(
-          at...);
+           acceleration_of<Center<Link>>, angular_velocity_of<Link>, angular_acceleration_of<Link>>(at...);
   const Matrix3d R = (Matrix3d() << axis_x, axis_y, axis_z).finished();
   const Matrix3d own_inertia = (Matrix3d() << 0.4, 0.01, 0.03, 0.01, 0.5, -0.02, 0.03, -0.02, 0.6).finished();
   const Matrix3d I = R * own_inertia * R.transpose();
