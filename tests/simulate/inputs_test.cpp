@@ -123,6 +123,24 @@ TEST(inputs, need_fewer_rates_with_exact_derivatives) {
   EXPECT_LT(count(true), count(false));
 }
 
+TEST(inputs, are_constants_in_a_vector_of_the_system) {
+  using namespace simple_pendulum;
+  const auto at_end = [](const simulation_options<System>& options) {
+    const auto run = simulate<System>({{q, 0.3}, {u, 0}}, controlled::numbers, {0, 1}, options);
+    EXPECT_TRUE(run) << run.cause();
+    return run.state;
+  };
+  input_values<System> r{{T, 0.4}};
+  const auto by_name = at_end({.inputs = {{T, 0.4}}});
+  EXPECT_EQ(at_end({.inputs = r}), by_name);
+  EXPECT_EQ(at_end({.inputs = input_values<System>(0.4)}), by_name);
+  EXPECT_EQ(at_end({.inputs = (0.5 * (r + r)).eval()}), by_name);
+  EXPECT_EQ(at_end({.inputs = 0.5 * (r + r)}), by_name);
+  simulation_options<System> options;
+  options.inputs = r;
+  EXPECT_EQ(at_end(options), by_name);
+}
+
 TEST(inputs, that_a_function_forgets_are_told) {
   using namespace simple_pendulum;
   const auto run = simulate<System>({{q, 0}, {u, 0}}, controlled::numbers, {0, 1},

@@ -101,6 +101,9 @@ TEST(simulated_model, keeps_a_trajectory_like_that_of_the_system) {
   model m = derive(b);
   const auto run = simulate(m, start, numbers, {0, 1}, {.inputs = {{"T", 0.2}}, .output_every = 0.1});
   expect_same_motion(run, compiled);
+  input_values<model> r(m);
+  r["T"] = 0.2;
+  expect_same_motion(simulate(m, start, numbers, {0, 1}, {.inputs = r, .output_every = 0.1}), compiled);
   const auto& path = run.trajectory;
   const auto& reference = compiled.trajectory;
   EXPECT_EQ(path.times(), reference.times());

@@ -19,8 +19,7 @@ namespace kanexpr {
 template <class System>
 class input_source {
   template <class Given>
-  static constexpr bool is_vector =
-      std::derived_from<Given, Eigen::EigenBase<Given>>; // Eigen's can be called
+  static constexpr bool is_vector = requires { Given::SizeAtCompileTime; }; // Eigen's can be called
 
 public:
   using state = kanexpr::state<System>;
@@ -30,10 +29,12 @@ public:
   input_source(std::initializer_list<named_value> constants)
       : input_source(given_inputs<System>(constants)) {}
   input_source(const given_inputs<System>& constants) : constants_(constants) {}
-  template <class Derived>
-  input_source(const Eigen::MatrixBase<Derived>& constants) : input_source(given_inputs<System>(constants)) {}
+  template <class Vector>
+    requires is_vector<Vector>
+  input_source(const Vector& constants) : input_source(given_inputs<System>(constants)) {}
 
   template <std::invocable<double, const state&, inputs&> Fill>
+    requires(!is_vector<Fill>)
   input_source(Fill fill) : give_(std::move(fill)), depends_on_state_(true) {}
 
   template <std::invocable<double, const state&> Controller>
