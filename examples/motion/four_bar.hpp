@@ -25,6 +25,7 @@ inline simulation<System> turned_by_motor(double torque) {
                            {g, 9.81}},
                           {0, 3},
                           {.inputs = {{T, torque}},
+                           .guesses_dependent = true,
                            .relative_tolerance = 1e-10,
                            .absolute_tolerance = 1e-12,
                            .output_every = 0.01});

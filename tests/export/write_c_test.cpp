@@ -3,6 +3,7 @@
 #include <kanexpr/export.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
+#include <models/pendulum_nonminimal.hpp>
 #include <models/simple_pendulum.hpp>
 
 #include <gmock/gmock.h>
@@ -387,6 +388,17 @@ std::string cause_of_fmu(const Change& change, const std::string& name = "arm") 
   EXPECT_FALSE(written);
   EXPECT_FALSE(std::filesystem::exists(to.path)) << "something is left";
   return written.cause();
+}
+
+TEST(WriteFmu, StartsNoSpeedThatTheConstraintsGive) {
+  const folder to;
+  const auto of = [&](const char* speed) {
+    const fmu_options chosen{.start = {{"m", 1}, {"L", 1}, {"g", 9.81}, {"q1", 1}, {speed, 3}},
+                             .compiler = ""};
+    return std::string(write_fmu<pendulum_nonminimal::System>(to.path, "bob", chosen).cause());
+  };
+  EXPECT_EQ(of("u2"), "");
+  EXPECT_EQ(of("u1"), "speed u1, which is dependent, is given a start value; the constraints give it");
 }
 
 TEST(WriteFmu, NamesWhatCannotBeExported) {

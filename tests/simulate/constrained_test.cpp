@@ -48,8 +48,8 @@ TEST(constrained, begins_on_its_constraints) {
   using namespace led_bars;
   // The second bar's angle and rate are found; the angle that is given is where the search starts.
   for (const double guess : {0.5, -0.5}) {
-    const auto run =
-        simulate<System>({{q1, 0.3}, {q2, guess}, {u1, 0.2}}, {}, {0, 1}, {.inputs = led_at(1.5, 0.1)});
+    const auto run = simulate<System>({{q1, 0.3}, {q2, guess}, {u1, 0.2}}, {}, {0, 1},
+                                      {.inputs = led_at(1.5, 0.1), .guesses_dependent = true});
     ASSERT_TRUE(run) << run.cause();
     const auto& first = run.trajectory[0].x;
     EXPECT_NEAR(first[q2], std::copysign(std::acos(1.5 - std::cos(0.3)), guess), 1e-12);
@@ -60,8 +60,8 @@ TEST(constrained, begins_on_its_constraints) {
 
 TEST(constrained, cannot_begin_where_no_state_is_near) {
   using namespace led_bars;
-  const auto run =
-      simulate<System>({{q1, 0.3}, {q2, 0.5}, {u1, 0.2}}, {}, {0, 1}, {.inputs = led_at(2.5, 0)});
+  const auto run = simulate<System>({{q1, 0.3}, {q2, 0.5}, {u1, 0.2}}, {}, {0, 1},
+                                    {.inputs = led_at(2.5, 0), .guesses_dependent = true});
   EXPECT_FALSE(run);
   EXPECT_TRUE(run.trajectory.empty());
   EXPECT_EQ(run.time, 0);
@@ -69,13 +69,56 @@ TEST(constrained, cannot_begin_where_no_state_is_near) {
   EXPECT_THAT(run.cause(), testing::HasSubstr("the search for the dependent coordinates"));
 }
 
+// What is given for a dependent coordinate or speed holds, or is called a guess.
+TEST(constrained, keeps_what_is_given) {
+  using namespace led_bars;
+  const auto said = [](const given_state<System>& from, const simulation_options<System>& options) {
+    const auto run = simulate<System>(from, {}, {0, 0.1}, options);
+    EXPECT_EQ(run.trajectory.empty(), !run);
+    return std::string(run.cause());
+  };
+  const double angle = std::acos(1.5 - std::cos(0.3)), rate = -std::sin(0.3) / std::sin(angle);
+  const char* advice = "; leave it out, name others dependent<...>, or set guesses_dependent";
+  const simulation_options<System> still{.inputs = led_at(1.5, 0)};
+  EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 1}, {u2, rate}}, still), "");
+  EXPECT_EQ(said({{q1, 0.3}, {q2, angle + 2e-5}, {u1, 1}}, still), "");
+  EXPECT_EQ(said({{q1, 0.3}, {q2, -0.5}, {u1, 0}}, still),
+            "coordinate q2, which is dependent, was given -0.5 and is " + simulated::digits(-angle) + advice);
+  EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 0}, {u2, 30}}, still),
+            "speed u2, which is dependent, was given 30 and is 0" + std::string(advice));
+  EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 0}, {u2, 30}},
+                 {.inputs = led_at(1.5, 0), .guesses_dependent = true}),
+            "");
+  EXPECT_EQ(said(state<System>(0.3, angle, 1, 0), still),
+            "speed u2, which is dependent, was given 0 and is " + simulated::digits(rate) + advice);
+}
+
+TEST(constrained, keeps_what_a_handler_changes) {
+  using namespace led_bars;
+  const auto run = [](double to) {
+    return simulate<System>(
+        {{q1, 0.3}, {q2, 0.5}, {u1, 0.2}}, {}, {0, 1},
+        {.inputs = led_at(1.5, 0),
+         .guesses_dependent = true,
+         .events = {{"soon", [](double t, auto&, auto&, auto&) { return t - 0.5; }, crossing::either,
+                     [=](moment<System>& now) {
+                       now.x[u2] = to;
+                       return after_event::go_on;
+                     }}}});
+  };
+  const auto changed = run(7);
+  EXPECT_THAT(changed.cause(), testing::HasSubstr("speed u2, which is dependent, was given 7 and is "));
+  EXPECT_THAT(changed.cause(), testing::EndsWith(", after the handler of an event"));
+}
+
 // At x = 2 both bars are in line and the constraint is singular; beyond, there is no state.
 template <integrator by>
 void ends_where_the_bars_are_stretched() {
   using namespace led_bars;
   for (const double every : {0.0, 0.1}) {
-    const auto run = simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 9},
-                                          {.inputs = led_at(1.8, 0.1), .output_every = every});
+    const auto run =
+        simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 9},
+                             {.inputs = led_at(1.8, 0.1), .guesses_dependent = true, .output_every = every});
     EXPECT_FALSE(run);
     EXPECT_THAT(run.cause(), testing::StartsWith("the simulation ended at t = "));
     EXPECT_THAT(run.cause(), testing::HasSubstr("q1 = "));
@@ -99,8 +142,9 @@ template <integrator by>
 void ends_with_its_last_sample() {
   using namespace led_bars;
   for (const double every : {0.0, 0.3}) {
-    const auto run = simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 1},
-                                          {.inputs = led_at(1.8, 0.1), .output_every = every});
+    const auto run =
+        simulate<System, by>({{q1, 0.5}, {q2, -0.5}, {u1, 0}}, {}, {0, 1},
+                             {.inputs = led_at(1.8, 0.1), .guesses_dependent = true, .output_every = every});
     ASSERT_TRUE(run) << run.cause();
     EXPECT_EQ(run.trajectory.back().t, run.time);
     EXPECT_EQ(run.trajectory.back().x, run.state);
@@ -122,6 +166,7 @@ void passes_once_what_goes_on() {
   const auto count = [](double height, event_handler<System> handler) {
     const auto run = simulate<System, by>({{q1, -0.5}, {q2, 0.5}, {u1, 0}}, {}, {0, 4},
                                           {.inputs = led_at(1.6, 0.02),
+                                           .guesses_dependent = true,
                                            .events = {{"height",
                                                        [=](double, const state<System>& at, auto&, auto&) {
                                                          return std::sin(at[q1]) + std::sin(at[q2]) - height;

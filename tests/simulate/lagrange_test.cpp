@@ -19,7 +19,8 @@ template <integrator by>
 void moves_as_by_kane(double tolerance) {
   const auto options = [](const auto& any) {
     auto o = any;
-    o.relative_tolerance = 1e-10, o.absolute_tolerance = 1e-12, o.output_every = 0.5;
+    o.guesses_dependent = true, o.relative_tolerance = 1e-10, o.absolute_tolerance = 1e-12,
+    o.output_every = 0.5;
     return o;
   };
   const auto kane = simulate<System, integrator::explicit_runge_kutta>(

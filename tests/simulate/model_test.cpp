@@ -309,9 +309,10 @@ struct built : builder {
 
 template <integrator by>
 void moves_alike() {
-  const auto compiled =
-      simulate<System, by>(start, numbers, {0, 2}, {.inputs = {{"T", 0.3}}, .output_every = 0.1});
-  const simulation_options<model> driven{.inputs = {{"T", 0.3}}, .output_every = 0.1};
+  const auto compiled = simulate<System, by>(
+      start, numbers, {0, 2}, {.inputs = {{"T", 0.3}}, .guesses_dependent = true, .output_every = 0.1});
+  const simulation_options<model> driven{
+      .inputs = {{"T", 0.3}}, .guesses_dependent = true, .output_every = 0.1};
   const auto run = simulate<by>(derive<System>(), start, numbers, {0, 2}, driven);
   expect_same_motion(run, compiled);
   expect_same_motion(simulate<by>(built(), start, numbers, {0, 2}, driven), compiled, 1e-12);
@@ -325,6 +326,11 @@ TEST(simulated_model, keeps_four_bars_together_as_the_system) {
   moves_alike<integrator::explicit_runge_kutta>();
   moves_alike<integrator::implicit_runge_kutta>();
   moves_alike<integrator::differential_algebraic>();
+}
+
+TEST(simulated_model, takes_no_guess_for_a_value) {
+  EXPECT_THAT(simulate(built(), start, numbers, {0, 2}, {.inputs = {{"T", 0}}}).cause(),
+              testing::StartsWith("coordinate q2, which is dependent, was given 0.3 and is -0.146"));
 }
 
 TEST(simulated_model, cannot_begin_where_its_bars_do_not_meet) {

@@ -4,6 +4,7 @@
 #include <kanexpr/compiled/values_reader.hpp>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <initializer_list>
 #include <iterator>
@@ -34,6 +35,8 @@ concept list_of_named_values = requires(const List& list) {
 template <class System, symbols_of which, class Vector, bool may_be_incomplete>
 struct given_values {
   Vector values{};
+  /// Those that have no value, for the constraints give it.
+  std::array<bool, static_cast<std::size_t>(range_of(which, survey_of<System>).size)> is_left_out{};
   mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
 
   given_values() { read(std::initializer_list<named_value>{}); }
@@ -82,6 +85,7 @@ private:
         read_one(reader, entry);
     if constexpr (!may_be_incomplete) reader.look_for_missing();
     reader.look_for_infinite();
+    for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     mistake = reader.mistake();
   }
   static void read_one(values_reader& reader, const named_value& entry) {

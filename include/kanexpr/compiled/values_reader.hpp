@@ -25,6 +25,7 @@ public:
   void look_for_missing();
   void look_for_infinite();
 
+  bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }
   const mechanics::sentence& mistake() const { return mistake_; }
 
 private:

@@ -7,6 +7,7 @@
 #include <kanexpr/ensemble/study_columns.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -36,6 +37,7 @@ public:
 
   bool is_varied() const { return !places_.empty(); }
   const std::string& mistake() const { return mistake_; }
+  bool is_left_out(std::size_t i) const { return is_left_out_[i]; }
 
   Vector in(const run_values& run) const {
     Vector values = values_;
@@ -73,6 +75,7 @@ private:
   template <class Given>
   void take(const Given& told) {
     values_ = told.values;
+    is_left_out_ = told.is_left_out;
     mistake_ = told.mistake.view();
   }
   static bool is_told(std::string_view name, const std::vector<named_value>& all) {
@@ -81,6 +84,7 @@ private:
 
   std::vector<std::pair<std::size_t, int>> places_{};
   Vector values_{};
+  std::array<bool, static_cast<std::size_t>(range.size)> is_left_out_{};
   std::string mistake_{};
 };
 

@@ -152,7 +152,7 @@ private:
       if (shows_others) options.each_sample = {};
     }
     const simulation<System> ended =
-        simulate<System, by>(given_state<System>(one.x), given_parameters<System>(p), told_.span, options);
+        simulate<System, by>(start_of(one.x), given_parameters<System>(p), told_.span, options);
     done.stand_at(ended.time, ended.state);
     done.end = !ended                   ? run_end::failed
                : ended.stopped_by_event ? run_end::stopped_by_event
@@ -166,6 +166,14 @@ private:
     } else {
       keep_all({given, ended, p, r, ended.trajectory, options.inputs}, done);
     }
+  }
+
+  /// Without the dependent coordinates and speeds that neither the study nor its function told.
+  given_state<System> start_of(const state<System>& x) const {
+    given_state<System> start(x);
+    for (std::size_t i = 0; i < start.is_left_out.size(); ++i)
+      start.is_left_out[i] = given_.states.is_left_out(i) && !(std::abs(x(static_cast<Eigen::Index>(i))) > 0);
+    return start;
   }
 
   /// The same simulation with the samples that it was asked for, of one with every step.

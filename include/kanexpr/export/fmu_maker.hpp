@@ -184,6 +184,10 @@ private:
                       " that could start with a value");
       if (!std::isfinite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
+      if (const int state = place_of(f.states, name);
+          state >= known_->coordinates && f.dependent[static_cast<std::size_t>(state)])
+        return refuse("speed " + name +
+                      ", which is dependent, is given a start value; the constraints give it");
       found->start = each.value;
     }
     for (const fmu_variable& each : f.parameters)

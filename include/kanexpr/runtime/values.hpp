@@ -116,7 +116,8 @@ public:
   given_values(const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
 
   Vector values{};
-  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
+  std::vector<bool> is_left_out{}; ///< those that have no value, for the constraints give it
+  mechanics::sentence mistake{};   ///< the first mistake in the values, as a sentence; empty: there is none
 
   /// Puts the values into their places among the symbols of a model.
   void read(const std::shared_ptr<const deriving::survey>& known) {
@@ -124,6 +125,7 @@ public:
     static constexpr describe::system_record nothing_bound{};
     values = Vector(value_vector(known, which));
     compiled::values_reader reader(*known, nothing_bound, name_of_models, range, values.data());
+    is_left_out.assign(static_cast<std::size_t>(range.size), false);
     if (numbers_) {
       mistake =
           compiled::check_size(range.vector, "the model", static_cast<int>(numbers_->size()), range.size);
@@ -133,6 +135,7 @@ public:
       values.setZero(); // what may be left out
       for (const named_value& each : named_) reader.read(each.what, each.value);
       reader.look_for_missing();
+      for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     }
     reader.look_for_infinite();
     mistake = reader.mistake();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/simulate/check_options.hpp>
+#include <kanexpr/simulate/contradiction.hpp>
 #include <kanexpr/simulate/departures.hpp>
 #include <kanexpr/simulate/moving_system.hpp>
 #include <kanexpr/simulate/run.hpp>
@@ -60,6 +61,8 @@ private:
       return fail(std::move(mistake));
     state first = state_;
     if (!assemble_at(span_.from, first)) return false;
+    if (std::string mistake = contradiction_at_start(first); !mistake.empty())
+      return fail(std::move(mistake));
     state_ = first;
     const state_sizes found(around_, span_.from, first, around_.length());
     around_.set_sizes(found.sizes());
@@ -73,6 +76,16 @@ private:
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
     has_begun_ = true;
     return sampling_.begin(span_.from, state_) || fail_here("");
+  }
+
+  std::string contradiction_at_start(const state& found) const {
+    if (options_.guesses_dependent) return {};
+    const auto is_given = [&](std::size_t i) {
+      return options_.is_left_out.empty() || !options_.is_left_out[i];
+    };
+    const std::string said = contradiction(known(), state_, found, is_given);
+    return said.empty() ? said
+                        : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
   }
 
   static tolerances tolerances_of(const solvers::stepper_options& o) {
@@ -195,7 +208,16 @@ private:
     if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
     const bool changed = x != state_;
     if (changed && !is_finite(x)) return fail_here("the handler of an event left a state that is not finite");
-    if (changed && !assemble_at(t, x)) return false;
+    if (changed) {
+      const state told = x;
+      if (!assemble_at(t, x)) return false;
+      const auto is_changed = [&](std::size_t i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        return told(k) != state_(k);
+      };
+      if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
+        return fail_here(said + ", after the handler of an event");
+    }
     departures_.note(t, state_, x, passed);
     state_ = x;
     if (changed && sampling_.takes_each_step() && !sampling_.record(t, x)) return fail_here("");

@@ -37,6 +37,7 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
   simulated::settings asked = simulated::settings_of(options);
   asked.mistake_in_inputs = inputs.mistake().view();
   asked.bytes_of_sample += sizeof(double) * static_cast<std::size_t>(moved.states() + known->inputs);
+  asked.is_left_out = x.is_left_out;
   simulated::run_into<by>(result, moved, span, asked);
   return result;
 }

@@ -44,6 +44,8 @@ struct settings {
   std::string_view mistake_in_inputs;
   bool inputs_depend_on_state;
   std::size_t bytes_of_sample;
+  bool guesses_dependent;
+  std::vector<bool> is_left_out{}; ///< of the state; empty: all of it is given
 };
 
 /// How a simulation went, beside the samples that were kept.

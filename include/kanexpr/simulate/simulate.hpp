@@ -32,7 +32,8 @@ settings settings_of(const simulation_options<System>& o) {
              o.progress,
              o.inputs.mistake().view(),
              o.inputs.depends_on_state(),
-             sizeof(sample<System>)};
+             sizeof(sample<System>),
+             o.guesses_dependent};
   for (const event<System>& e : o.events)
     s.events.push_back(
         {e.name, static_cast<int>(e.direction), static_cast<bool>(e.value), static_cast<bool>(e.handler)});
@@ -54,9 +55,9 @@ void run_into(simulation<System>& result, system& moved, time_span span, const s
 } // namespace simulated
 
 /// Moves a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g, 9.81}},
-/// {0, 10})`. What the constraints bind in the state is solved for at the start, from the values given, and
-/// held there. The result says what went wrong, and holds all that was reached until then; nothing is
-/// thrown.
+/// {0, 10})`. What the constraints bind in the state is solved for at the start, and held there; where it was
+/// given another value, that is the failure, unless the options call it a guess. The result says what went
+/// wrong, and holds all that was reached until then; nothing is thrown.
 ///
 /// Another method is named as in `simulate<System, integrator::bdf>(…)`.
 template <class System, integrator by = integrator::adams>
@@ -69,7 +70,9 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   result.failure = (p.mistake ? p.mistake : x.mistake).view();
   if (!result.failure.empty()) return result;
   simulated::compiled_system<System, by> moved(p.values, options, result.trajectory);
-  simulated::run_into<by>(result, moved, span, simulated::settings_of(options));
+  simulated::settings asked = simulated::settings_of(options);
+  asked.is_left_out.assign(x.is_left_out.begin(), x.is_left_out.end());
+  simulated::run_into<by>(result, moved, span, asked);
   return result;
 }
 

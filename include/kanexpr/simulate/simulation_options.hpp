@@ -15,6 +15,9 @@ namespace kanexpr {
 template <class System>
 struct simulation_options {
   input_source<System> inputs = {};
+  /// Whether what is given for dependent coordinates and speeds is where the search for them starts. Else it
+  /// ends the simulation where the constraints contradict it.
+  bool guesses_dependent = false;
 
   double relative_tolerance = 1e-8; ///< of the error of each step, in each coordinate and speed
   /// Beside it, in the unit of each; unless given, a hundredth of the relative one times the size that the

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <kanexpr/base/digits.hpp>
+#include <kanexpr/compiled/symbol_range.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace kanexpr::simulated {
+
+/// The first dependent coordinate or speed that was told another value than the constraints give it, as a
+/// sentence: "speed u2, which is dependent, was given 30 and is 0". A value may be rounded to four digits,
+/// and one of 0 is compared with the largest of its kind.
+template <class IsTold>
+std::string contradiction(const deriving::survey& known, const Eigen::VectorXd& told,
+                          const Eigen::VectorXd& found, const IsTold& is_told) {
+  constexpr double of_itself = 1e-4, of_the_largest = 1e-7;
+  const auto largest = [&](int from, int count) {
+    return count == 0 ? 0.0 : found.segment(from, count).cwiseAbs().maxCoeff();
+  };
+  const double coordinate = largest(0, known.coordinates), speed = largest(known.coordinates, known.speeds);
+  for (int i = 0; i < known.coordinates + known.speeds; ++i) {
+    if (!known.dependent[i] || !is_told(static_cast<std::size_t>(i))) continue;
+    const double rounding = of_itself * (std::max)(std::abs(told(i)), std::abs(found(i))),
+                 noise = of_the_largest * (i < known.coordinates ? coordinate : speed);
+    if (std::abs(told(i) - found(i)) > rounding + noise)
+      return std::string(compiled::symbol_called(known, i).view()) + ", which is dependent, was given " +
+             digits(told(i)) + " and is " + digits(std::abs(found(i)) > noise ? found(i) : 0);
+  }
+  return {};
+}
+
+} // namespace kanexpr::simulated
