@@ -140,7 +140,8 @@ TEST(header_writer, writes_names_that_are_identifiers) {
                 "joint_2 is <.\nnamespace"));
   EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names of the file")));
   EXPECT_TRUE(is_namespace("arm_2"));
-  for (const char* no : {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std"})
+  for (const char* no :
+       {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std", "index", "sinf", "errno"})
     EXPECT_FALSE(is_namespace(no)) << no;
 }
 

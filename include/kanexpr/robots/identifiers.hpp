@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/library_words.hpp>
+
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -28,7 +30,8 @@ inline std::string letters_of(std::string_view name) {
   return plain;
 }
 
-/// Whether it may be the namespace of a model: no word of C++, and no namespace that a model uses.
+/// Whether it may be the namespace of a model: no word of C++, no function of C, which every header may
+/// bring, and no namespace that a model uses.
 inline bool is_namespace(std::string_view name) {
   constexpr std::string_view taken[]{
       "alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
@@ -46,7 +49,7 @@ inline bool is_namespace(std::string_view name) {
       "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
       "xor_eq",      "std",       "kanexpr",    "Eigen",     "boost"};
   return !name.empty() && name[0] >= 'A' && name.find("__") == name.npos && letters_of(name) == name &&
-         std::ranges::find(taken, name) == std::end(taken);
+         std::ranges::find(taken, name) == std::end(taken) && !c_library::has(name);
 }
 
 /// Names that are identifiers of C++, none of them twice.

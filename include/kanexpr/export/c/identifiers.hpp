@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/export/c/library_words.hpp>
+#include <kanexpr/base/library_words.hpp>
 
 #include <set>
 #include <string>
@@ -42,7 +42,7 @@ public:
           "static_cast",  "static_assert", "thread_local", "co_await",   "co_return",    "co_yield",
           "typeof_unqual"})
       reserve(word);
-    reserve_all(macros_of_the_library);
+    reserve_all(c_library::macros_of_the_library);
   }
 
   /// And what no function of a module of Python may be called.
@@ -77,23 +77,18 @@ public:
 
   /// What math.h has.
   void reserve_words_of_mathematics() {
-    for (const char* const number : {"", "f", "l", "f16", "f32", "f32x", "f64", "f64x", "f128"})
-      reserve_all(functions_of_mathematics, number);
-    reserve_all(other_words_of_mathematics);
+    for (const std::string_view end : c_library::ends_of_functions)
+      reserve_all(c_library::functions_of_mathematics, end);
+    reserve_all(c_library::other_words_of_mathematics);
   }
 
   /// And what no function may be called that others link with.
-  void reserve_words_of_the_library() { reserve_all(words_of_the_library); }
+  void reserve_words_of_the_library() { reserve_all(c_library::words_of_the_library); }
 
 private:
   void reserve_all(std::string_view words, std::string_view end = {}) {
-    constexpr std::string_view spaces = " \n";
-    for (std::size_t begin; (begin = words.find_first_not_of(spaces)) != words.npos;) {
-      words.remove_prefix(begin);
-      const std::string_view word = words.substr(0, words.find_first_of(spaces));
+    for (std::string_view word = c_library::next_of(words); !word.empty(); word = c_library::next_of(words))
       reserve(std::string(word).append(end));
-      words.remove_prefix(word.size());
-    }
   }
 
   static bool is_letter(unsigned char c) {

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 /// Names that functions and variables of C had better not have, with spaces between them.
-namespace kanexpr::exporting {
+namespace kanexpr::c_library {
 
 /// Functions of math.h, in C23 and in extensions of it; each has namesakes for other numbers, such as sinf.
 inline constexpr std::string_view functions_of_mathematics = R"(
@@ -102,4 +103,33 @@ wcswcs wcswidth wcsxfrm wctob wctomb wctrans wctrans_t wctype wctype_t wcwidth w
 wmemcpy wmemmove wmemset wordexp wordfree wprintf write writev wscanf
 )";
 
-} // namespace kanexpr::exporting
+/// What stands behind the namesakes of a function of math.h for other numbers.
+inline constexpr std::string_view ends_of_functions[]{"",     "f",   "l",    "f16", "f32",
+                                                      "f32x", "f64", "f64x", "f128"};
+
+/// The next word of a list, which is taken off it; empty at its end.
+constexpr std::string_view next_of(std::string_view& words) {
+  constexpr std::string_view spaces = " \n";
+  const std::size_t begin = words.find_first_not_of(spaces);
+  if (begin == words.npos) return words = {};
+  words.remove_prefix(begin);
+  const std::string_view word = words.substr(0, words.find_first_of(spaces));
+  words.remove_prefix(word.size());
+  return word;
+}
+
+/// Whether headers of C may have the name.
+constexpr bool has(std::string_view name) {
+  const auto holds = [](std::string_view words, std::string_view wanted) {
+    for (std::string_view word = next_of(words); !word.empty(); word = next_of(words))
+      if (word == wanted) return true;
+    return false;
+  };
+  for (const std::string_view end : ends_of_functions)
+    if (name.ends_with(end) && holds(functions_of_mathematics, name.substr(0, name.size() - end.size())))
+      return true;
+  return holds(macros_of_the_library, name) || holds(other_words_of_mathematics, name) ||
+         holds(words_of_the_library, name);
+}
+
+} // namespace kanexpr::c_library
