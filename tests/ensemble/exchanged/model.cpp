@@ -1,0 +1,3 @@
+#include "model.hpp"
+
+template struct kanexpr::compiled::instance<double, exchanged::motion>;
