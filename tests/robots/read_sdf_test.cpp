@@ -197,6 +197,20 @@ TEST(read_sdf, knows_where_a_model_is_in_the_world) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.bodies[1].origin.at[i], (vector3{1, -3, 7})[i], 1e-12);
 }
 
+TEST(read_sdf, knows_which_axis_a_joint_follows) {
+  for (const auto& [which, leader] : {std::pair("axis", 0), {"axis2", 1}}) {
+    const read_robot read = in_model(
+        link_at("a", "0 0 1 0 0 0", "__model__") + link_at("b", "0 0 2 0 0 0", "__model__") +
+        joint_of("cardan", "universal", "world", "a", axis("1 0 0") + "<axis2><xyz>0 1 0</xyz></axis2>") +
+        joint_of("slide", "prismatic", "a", "b",
+                 axis("0 0 1", std::string("<mimic joint='cardan' axis='") + which + "'/>")));
+    ASSERT_TRUE(read) << read.cause();
+    ASSERT_TRUE(read.robot.joints[2].mimic);
+    EXPECT_EQ(read.robot.joints[2].mimic->leader, leader);
+    EXPECT_THAT(read.notes, IsEmpty());
+  }
+}
+
 TEST(read_sdf, knows_the_gravity_of_the_world) {
   EXPECT_FALSE(in_model(arm_of_two).robot.gravity);
   EXPECT_EQ(in_world(arm_of_two).robot.gravity, (vector3{0, 0, -9.8})); // what SDF takes it for
@@ -235,6 +249,12 @@ TEST(read_sdf, notes_what_is_left_out) {
                                         "</velocity_decay>\n<kinematic>true</kinematic>")),
               ElementsAre("line 2: <linear>0.1</linear> of velocity_decay is left out",
                           "line 3: <kinematic>true</kinematic> of link a is left out"));
+  EXPECT_THAT(notes_of(link_with(ball + "\n" + ball)),
+              ElementsAre("line 3: link a has a second <inertial>, which is left out"));
+  EXPECT_THAT(
+      notes_of(link_with(ball) + "<link name='b'>" + ball + "</link>\n" +
+               joint_of("j", "revolute", "a", "b", axis("1 0 0") + "<axis2><xyz>0 1 0</xyz></axis2>")),
+      ElementsAre("line 3: the second axis of joint j is left out"));
   EXPECT_THAT(notes_of(link_with(ball) + "\n<plugin name='sea' filename='sea.so'/>"),
               ElementsAre("line 3: plugin sea is left out"));
   EXPECT_THAT(notes_of(link_with(ball + "\n<dampping x='1'/>")),

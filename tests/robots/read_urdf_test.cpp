@@ -220,6 +220,15 @@ TEST(read_urdf, notes_what_is_left_out) {
                           "line 3: <static>1</static>, a word for Gazebo, is left out"));
 }
 
+TEST(read_urdf, says_that_not_all_notes_are_listed) {
+  std::string springs;
+  for (int i = 0; i < 200; ++i) springs += "<spring/>\n";
+  const read_robot read = in_robot(springs + "<link name='a'/>");
+  ASSERT_EQ(read.notes.size(), 101u);
+  EXPECT_EQ(read.notes[99], "line 101: the robot holds <spring>, which is not known here and left out");
+  EXPECT_EQ(read.notes[100], "there is more to note, which is not listed");
+}
+
 TEST(read_urdf, says_what_is_wrong_with_names) {
   EXPECT_EQ(cause_of("<link/>"), "line 2: a link has no name");
   EXPECT_EQ(cause_of("<link name='a'/>\n<link name='a'/>"), "line 3: two links are called a");

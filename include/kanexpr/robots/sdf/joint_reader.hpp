@@ -38,6 +38,8 @@ public:
     const int from = place_of(parent, scope), to = place_of(child, scope);
     if (from < 0 || to < 0) return from_.fail(line_of(j), whose + " has a parent or a child that is no link");
     begin_ = {called, from, to, links_.poses[static_cast<std::size_t>(to)], sits.Pos()};
+    const bool has_two = j.Type() == sdf::JointType::UNIVERSAL || j.Type() == sdf::JointType::REVOLUTE2;
+    if (j.Axis(1) && !has_two) from_.note(line_of(j), "the second axis of " + whose + " is left out");
     switch (j.Type()) {
     case sdf::JointType::FIXED: return add(joint_kind::fixed, called, to, begin_.child);
     case sdf::JointType::REVOLUTE:
@@ -179,7 +181,8 @@ private:
     following read{.line = line};
     const auto leader = mimic->GetAttribute("joint");
     if (!leader) return from_.fail(line, whose + " has no joint");
-    read.leader = scope + leader->GetAsString();
+    const auto which = mimic->GetAttribute("axis");
+    read.leader = scope + leader->GetAsString() + (which && which->GetAsString() == "axis2" ? "_2" : "");
     double reference = 0;
     for (const auto& [word, into] : {std::pair<const char*, double*>("multiplier", &read.multiplier),
                                      {"offset", &read.offset},

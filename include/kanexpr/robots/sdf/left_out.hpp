@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,7 @@ public:
   /// In an element and in all that lie in it.
   void note_in(const sdf::ElementPtr& e) {
     if (e->GetExplicitlySetInFile()) note(*e);
+    note_second_ones(*e);
     for (sdf::ElementPtr each = e->GetFirstElement(); each; each = each->GetNextElement()) note_in(each);
   }
 
@@ -40,16 +42,27 @@ private:
       say(e, what + " is left out");
     }
   }
+  /// Of what belongs into an element once, the first is read.
+  void note_second_ones(sdf::Element& in) {
+    constexpr std::string_view once[]{"pose",  "inertial", "mass",  "inertia", "gravity",  "static", "parent",
+                                      "child", "axis",     "axis2", "xyz",     "dynamics", "damping"};
+    std::set<std::string> seen;
+    for (sdf::ElementPtr e = in.GetFirstElement(); e; e = e->GetNextElement())
+      if (std::ranges::find(once, e->GetName()) != std::end(once) && !seen.insert(e->GetName()).second)
+        say(*e, called(in) + " has a second <" + e->GetName() + ">, which is left out");
+  }
   void say(sdf::Element& e, const std::string& what) { from_.note(e.LineNumber().value_or(1), what); }
 
   static std::string name_of(sdf::Element& e) {
     return e.HasAttribute("name") ? e.GetAttribute("name")->GetAsString() : "";
   }
+  static std::string called(sdf::Element& e) {
+    const std::string name = name_of(e);
+    return e.GetName() + (name.empty() ? "" : " " + shown(name));
+  }
   static std::string owner_of(sdf::Element& e) {
     const sdf::ElementPtr in = e.GetParent();
-    if (!in) return {};
-    const std::string name = name_of(*in);
-    return in->GetName() + (name.empty() ? "" : " " + shown(name));
+    return in ? called(*in) : "";
   }
 
   static bool changes_motion(sdf::Element& e) {

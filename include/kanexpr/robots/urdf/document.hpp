@@ -53,7 +53,10 @@ public:
     return false;
   }
   void note(int line, const std::string& what) {
-    if (notes_.size() < most_notes) notes_.push_back(at(line) + what);
+    if (notes_.size() < most_notes)
+      notes_.push_back(at(line) + what);
+    else if (notes_.size() == most_notes)
+      notes_.push_back("there is more to note, which is not listed");
   }
   void note(const element& e, const std::string& what) { note(e.GetLineNum(), what); }
 
