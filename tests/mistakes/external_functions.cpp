@@ -137,3 +137,61 @@ constexpr external<"both", product, by_first> both;
 struct System : loaded<force<Q, both(u, q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n17
+
+// expect: the force at P takes rounded, which gives whole numbers, not double
+namespace n18 {
+struct to_whole {
+  int operator()(double x) const { return static_cast<int>(x); }
+};
+constexpr external<"rounded", to_whole> rounded;
+struct System : loaded<force<P, rounded(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: the force at P takes rounded, which gives float, not double
+namespace n19 {
+struct to_short {
+  float operator()(auto x) const { return static_cast<float>(x); }
+};
+constexpr external<"rounded", to_short> rounded;
+struct System : loaded<force<P, rounded(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the torque on A takes steps, which takes whole numbers, not double
+namespace n20 {
+struct of_whole {
+  double operator()(double x, int n) const { return x * n; }
+};
+constexpr external<"steps", of_whole> steps;
+struct System : loaded<torque<A, steps(u, q) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n20
+
+// expect: the force at O takes wind, whose first derivative gives whole numbers, not double
+namespace n21 {
+constexpr auto slope = [](double) { return 2; };
+constexpr external<"wind", wind, decltype(slope)> air_of_whole;
+struct System : loaded<force<O, air_of_whole(u) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: the force at O takes lift, whose first derivative takes float, not double
+namespace n22 {
+struct slopes {
+  std::array<double, 2> operator()(float speed, const float& angle) const noexcept { return {angle, speed}; }
+};
+constexpr external<"lift", lift, slopes> wing_of_float;
+struct System : loaded<force<O, wing_of_float(u, q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: the force at Q takes both, whose second derivative gives float, not double
+namespace n23 {
+struct curvatures {
+  std::array<std::array<float, 2>, 2> operator()(double, double) const { return {{{0, 1}, {1, 0}}}; }
+};
+constexpr external<"both", lift, lift_slopes, curvatures> both;
+struct System : loaded<force<Q, both(u, q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace n23

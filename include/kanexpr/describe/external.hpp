@@ -6,6 +6,8 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <concepts>
+#include <limits>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -19,12 +21,17 @@ class expression; // of builders, which models do without
 
 namespace describe {
 
+/// How a sentence goes on that names a function of the program.
+struct external_mistake {
+  std::string_view whose = "", what = "", numbers = "";
+};
+
 /// What a model says of a function of the program.
 struct external_record {
   const symbolic::external_function* function = nullptr; ///< none: there is a mistake
   std::string_view called{};
-  std::string_view mistake{}; ///< how a sentence goes on that names the function
-  int operands = 0;           ///< if it is called with another number of them
+  external_mistake mistake{};
+  int operands = 0; ///< if it is called with another number of them
 };
 
 /// Which derivative of a function: the operands that it is by, in their order, so that mixed ones are the
@@ -53,6 +60,33 @@ template <class Operand>
 concept counts_as_number =
     std::convertible_to<Operand, double> && !std::same_as<std::remove_cvref_t<Operand>, bool> &&
     !std::is_pointer_v<std::remove_cvref_t<Operand>>;
+
+/// What a number is that does not hold every double: it would be cut off, or rounded, without a word.
+template <class Given>
+constexpr std::string_view lesser_than_double() {
+  using number = std::remove_cvref_t<Given>;
+  if constexpr (std::is_integral_v<number> || std::is_enum_v<number>)
+    return "whole numbers, not double";
+  else if constexpr (std::is_floating_point_v<number>)
+    return std::numeric_limits<number>::digits < std::numeric_limits<double>::digits ? "float, not double"
+                                                                                     : "";
+  else
+    return "";
+}
+
+/// The same of the first of a function's arguments, where they are of one type each.
+template <class Call>
+inline constexpr std::string_view lesser_argument{};
+template <class Function, class Result, class... Arguments, bool never_throws>
+inline constexpr std::string_view
+    lesser_argument<Result (Function::*)(Arguments...) const noexcept(never_throws)> = [] {
+      std::string_view found;
+      ((found = found.empty() ? lesser_than_double<Arguments>() : found), ...);
+      return found;
+    }();
+template <class Function, class Result, class... Arguments, bool never_throws>
+inline constexpr std::string_view lesser_argument<Result (Function::*)(Arguments...) noexcept(never_throws)> =
+    lesser_argument<Result (Function::*)(Arguments...) const>;
 
 /// A function and its derivatives, each a class that is called with scalars: of several operands, or of order
 /// two and higher, a derivative gives numbers by [i] or [i][j].
@@ -119,31 +153,40 @@ struct external_family {
     while (order-- > 0) digits = 10 * digits + 1;
     return digits;
   }
+  /// What is wrong with the function, or with a derivative of it.
   template <int order>
-  static constexpr bool gives_numbers() {
-    if constexpr (!is_called_with<order, double>)
-      return false;
-    else
-      return counts_as_number<value_with<first_of_order(order), double>>;
+  static constexpr external_mistake mistake_of(std::string_view whose) {
+    if constexpr (!is_called_with<order, double>) {
+      return {whose, order == 0 ? " cannot be called with numbers of double" : " does not give numbers"};
+    } else {
+      using given = value_with<first_of_order(order), double>;
+      if constexpr (requires { &one<order>::operator(); })
+        if (constexpr std::string_view taken = lesser_argument<decltype(&one<order>::operator())>;
+            !taken.empty())
+          return {whose, " takes ", taken};
+      if constexpr (!counts_as_number<given>)
+        return {whose, order == 0 ? " gives no number" : " does not give numbers"};
+      else if (constexpr std::string_view lesser = lesser_than_double<given>(); !lesser.empty())
+        return {whose, " gives ", lesser};
+      else
+        return {};
+    }
   }
 
-  static constexpr std::string_view mistake = [] {
-    if (!symbolic::is_name(name)) return ", which is no name for a function";
-    if (operands > symbolic::most_operands) return " of more than nine scalars";
-    if (sizeof...(Derivatives) >= symbolic::most_derivatives)
-      return ", which is given more than three derivatives";
-    if constexpr (!is_called_with<0, double>)
-      return ", which cannot be called with numbers of double";
-    else if constexpr (!gives_numbers<0>())
-      return ", which gives no number";
-    constexpr const char* which[]{"", ", whose first derivative does not give numbers",
-                                  ", whose second derivative does not give numbers",
-                                  ", whose third derivative does not give numbers"};
-    return [&]<int... place>(std::integer_sequence<int, place...>) {
-      const char* found = "";
-      ((*found == '\0' && !gives_numbers<1 + place>() ? void(found = which[1 + place]) : void()), ...);
-      return found;
-    }(std::make_integer_sequence<int, sizeof...(Derivatives)>{});
+  static constexpr external_mistake mistake = [] {
+    external_mistake found;
+    if (!symbolic::is_name(name))
+      found.whose = ", which is no name for a function";
+    else if (operands > symbolic::most_operands)
+      found.whose = " of more than nine scalars";
+    else if (sizeof...(Derivatives) >= symbolic::most_derivatives)
+      found.whose = ", which is given more than three derivatives";
+    constexpr std::string_view whose[]{", which", ", whose first derivative", ", whose second derivative",
+                                       ", whose third derivative"};
+    [&]<int... order>(std::integer_sequence<int, order...>) {
+      ((found = found.whose.empty() ? mistake_of<order>(whose[order]) : found), ...);
+    }(std::make_integer_sequence<int, 1 + static_cast<int>(sizeof...(Derivatives))>{});
+    return found;
   }();
 
   /// Of how many operands it is, where it is not of so many.
@@ -225,7 +268,7 @@ inline constexpr external_record external_of = [] {
   r.called = Family::name;
   r.mistake = Family::mistake;
   r.operands = Family::other_count;
-  if constexpr (Family::mistake.empty()) r.function = linked<external_member<Family, no_derivative>>();
+  if constexpr (Family::mistake.whose.empty()) r.function = linked<external_member<Family, no_derivative>>();
   return r;
 }();
 
@@ -258,7 +301,10 @@ struct external {
   constexpr auto operator()(Operands... x) const {
     using family =
         describe::external_family<called, static_cast<int>(sizeof...(Operands)), Function, Derivatives...>;
-    static_assert(family::mistake.empty(), "the function cannot be called with so many numbers");
+    static_assert(family::mistake.numbers.empty(),
+                  "the function or a derivative of it takes or gives numbers that are not double");
+    static_assert(!family::mistake.numbers.empty() || family::mistake.whose.empty(),
+                  "the function cannot be called with so many numbers");
     return call(*describe::external_of<family>.function, {x...});
   }
 };

@@ -301,7 +301,9 @@ private:
       return reading_.fail({reading_.part, whom, " takes ", f.called, " of ",
                             mechanics::counted(given).view(), given == 1 ? " scalar" : " scalars",
                             "; it is of ", mechanics::counted(f.operands).view()});
-    if (f.function == nullptr) return reading_.fail({reading_.part, whom, " takes ", f.called, f.mistake});
+    if (f.function == nullptr)
+      return reading_.fail(
+          {reading_.part, whom, " takes ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
     for (const symbolic::external_function* other : m_.g->externals())
       if (other != f.function && other->called == f.function->called)
         return reading_.fail(
