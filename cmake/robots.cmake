@@ -24,7 +24,7 @@ else()
   install(EXPORT kanexpr-robots_sdf-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 endif()
 
-# The commands are installed for people; projects compile one of their own, kanexpr_add_robot.cmake.
+# The commands are installed for people, and kanexpr-robot for projects too, kanexpr_add_robot.cmake.
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/engine/kanexpr_robot.cpp)
