@@ -11,7 +11,7 @@ function(kanexpr_add_engine name)
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_ENGINE)
   # Eigen's functions are others where a program is compiled with other vector instructions. So the engine has an Eigen
   # of its own, by another name, and none of its declarations speaks of Eigen.
-  target_compile_definitions(${name} PRIVATE Eigen=kanexpr_engine_eigen)
+  target_compile_definitions(${name} PRIVATE Eigen=kanexpr_engine_eigen KANEXPR_WITHIN_A_LIBRARY)
   # Its results are the same to the last bit wherever it is compiled.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
@@ -27,7 +27,7 @@ function(kanexpr_add_engine_of part what)
   add_library(${name} STATIC ${sources})
   add_library(kanexpr::${part}_engine ALIAS ${name})
   target_link_libraries(${name} PUBLIC kanexpr_${part})
-  target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_${what})
+  target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_${what} PRIVATE KANEXPR_WITHIN_A_LIBRARY)
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${part}_engine
     OPTIMIZE_DEPENDENCIES ON) # not the page on which systems move

@@ -2,6 +2,8 @@
 
 /// Many simulations of one system. Link kanexpr::ensemble.
 
+#include <kanexpr/compiler.hpp>
+
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/ensemble.hpp>
 #include <kanexpr/ensemble/ensemble_in_steps.hpp>
