@@ -230,6 +230,11 @@ TEST(read_sdf, knows_links_on_which_gravity_does_not_act) {
   const read_robot none = in_world(light(one, "a"));
   EXPECT_THAT(none.notes, IsEmpty());
   EXPECT_EQ(none.robot.gravity, vector3{});
+  const std::string base = joint_of("k", "fixed", "world", "a", ""); // falls in no case
+  EXPECT_EQ(in_world(one + base).robot.gravity, vector3{});
+  const read_robot still = in_world(light(arm_of_two, "a") + base, "<gravity>0 0 -1</gravity>");
+  EXPECT_THAT(still.notes, IsEmpty());
+  EXPECT_EQ(still.robot.gravity, (vector3{0, 0, -1}));
 }
 
 TEST(read_sdf, notes_what_is_left_out) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/reading_options.hpp>
 #include <kanexpr/robots/sdf/joint_reader.hpp>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 
 namespace kanexpr::robots::sdf_files {
 
@@ -89,8 +91,7 @@ private:
       links_.places.emplace(called, static_cast<int>(robot.links.size()));
       links_.poses.push_back(stands * at);
       if (l.Element() && !l.Element()->Get<bool>("gravity", true).first)
-        weightless_.emplace_back(called, line_of(l));
-      ++weighed_;
+        weightless_.emplace(robot.links.size(), line_of(l));
       robot.links.push_back(std::move(read));
     }
     for (std::uint64_t i = 0; i < m.ModelCount(); ++i) {
@@ -135,20 +136,27 @@ private:
     return wrong.empty() || from_.fail(line_of(m), wrong);
   }
 
-  /// Gravity acts on all links or on none.
+  /// Gravity acts on all links or on none; on those that are fixed in the world it does nothing.
   void take_weights() {
-    if (weightless_.size() == weighed_)
-      robot.gravity = vector3{};
-    else
-      for (const auto& [link, line] : weightless_)
-        from_.note(line, "link " + shown(link) +
+    if (weightless_.empty()) return;
+    const articulation moving = articulation_of(robot);
+    const bool in_world = robot.links[static_cast<std::size_t>(robot.root)].name == "world";
+    const auto can_fall = [&](std::size_t link) {
+      return robot.links[link].inertial && !(in_world && moving.links[link].body == 0);
+    };
+    bool any_falls = false;
+    for (std::size_t l = 0; l < robot.links.size(); ++l)
+      any_falls = any_falls || (can_fall(l) && !weightless_.contains(l));
+    if (!any_falls) robot.gravity = vector3{};
+    for (const auto& [link, line] : weightless_)
+      if (any_falls && can_fall(link))
+        from_.note(line, "link " + shown(robot.links[link].name) +
                              " is one on which gravity does not act; here it does, as on the other links");
   }
 
   urdf::document& from_;
   reading_options options_;
-  std::vector<std::pair<std::string, int>> weightless_{}; ///< links and their lines
-  std::size_t weighed_ = 0;                               ///< links that may have a weight
+  std::map<std::size_t, int> weightless_{}; ///< links and their lines
   placed_links links_{};
   joint_reader joints_{from_, links_, robot};
 };
