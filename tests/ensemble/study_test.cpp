@@ -107,7 +107,7 @@ TEST(study, is_another_of_another_model_alone) {
   const std::string first = text(System());
   EXPECT_EQ(text(before::System()), first);
   EXPECT_NE(text(after::System()), first);
-  // The text of a study in steps has the whole name of the system, which is the same in another build.
+  // The text of a study in steps has the name of the step, and in it that of the system with its namespace.
   EXPECT_EQ(compiled::digest_of_model<System>, compiled::digest_of_model<before::System>);
   EXPECT_NE(compiled::digest_of_model<System>, compiled::digest_of_model<after::System>);
 }

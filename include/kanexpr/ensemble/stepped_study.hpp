@@ -42,7 +42,7 @@ public:
   /// By what it is known from others, beside its layout.
   std::string text() const {
     bytes_writer all;
-    all.put(whole_name_of<Step>().whole), all.put(compiled::digest_of_model<System>);
+    all.put(type_name<Step>()), all.put(compiled::digest_of_model<System>);
     all.put(sizeof(Number)), all.put(has_law), all.put(static_cast<bool>(told_.for_each_run));
     all.put(told_.step), all.put(told_.steps), all.put(told_.start), all.put(told_.look_every);
     for (const auto& each : told_.keep) all.put(each.text);

@@ -23,6 +23,7 @@ KANEXPR_ENSEMBLES std::string identity_of(const study_layout& layout, const std:
     all.put(columns->size());
     for (const column_label& each : *columns) all.put(each.name), all.put(each.unit);
   }
+  for (const constant_of_runs& each : layout.constants) all.put(each.what.unit);
   for (const std::string& each : layout.events) all.put(each);
   return all.bytes();
 }
