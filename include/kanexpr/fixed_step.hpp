@@ -5,4 +5,5 @@
 #include <kanexpr/compiler.hpp>
 
 #include <kanexpr/steps/fixed_step.hpp>
+#include <kanexpr/steps/passing_step.hpp>
 #include <kanexpr/version.hpp>

@@ -2,6 +2,7 @@
 // Simulation: docs/simulation.md, but for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
+#include "models/pendulum_nonminimal.hpp"
 #include "models/rotating_tube.hpp"
 #include "models/simple_pendulum.hpp"
 #include "simulate/falling_ball.hpp"
@@ -89,6 +90,12 @@ int steps() {
 }
 
 TEST(fixed_steps, are_made) { EXPECT_EQ(steps(), 0); }
+
+TEST(fixed_steps, pass_singular_positions) {
+#include <docs/simulation/passing.cpp>
+  EXPECT_TRUE(s) << s.cause();
+  EXPECT_NEAR(x[q1], 3e-3 + 9.81e-6 / 2, 1e-8); // it falls from beside its pivot
+}
 
 TEST(fixed_steps, have_derivatives) {
   using namespace simple_pendulum;

@@ -69,9 +69,9 @@ TEST(StepsInC, ReturnToConstraintsAndNorms) {
                                                          runge_kutta_4<Sliding>{}),
             by_euler = steps_made<Sliding, float>(sliding_in_float_euler, sliding_in_float_euler_causes,
                                                   semi_implicit_euler<Sliding, 2>{});
-  EXPECT_GT(by_runge_kutta, 100);
-  EXPECT_LT(by_runge_kutta, 300) << "some norms are far from 1";
-  EXPECT_GT(by_euler, 50);
+  EXPECT_GT(by_runge_kutta, 50);
+  EXPECT_LT(by_runge_kutta, 300) << "some norms are far from 1, some steps pass a singular position";
+  EXPECT_GT(by_euler, 30);
 }
 
 } // namespace

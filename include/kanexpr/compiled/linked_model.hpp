@@ -72,6 +72,7 @@ struct linked_functions {
       function<System, of::kinetic_energy, of::potential_energy>,
       function<System, of::configuration_residual, of::configuration_jacobian_by_all>,
       function<System, of::velocity_residual, of::constraint_jacobian>,
+      function<System, of::qdot, of::unreduced_mass_matrix, of::unreduced_forcing, of::constraint_bias>,
       finite_function<System, of::state_matrix, of::input_matrix>,
       finite_function<System, of::implicit_mass_matrix, of::implicit_state_matrix, of::implicit_input_matrix>,
       finite_function<System, of::state_jacobian, of::input_jacobian>>;

@@ -31,6 +31,11 @@ struct named_results {
   /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
   /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
   static constexpr of<quantity::unreduced_forces> unreduced_forces{};
+  /// M and f of all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
+  static constexpr of<quantity::unreduced_mass_matrix> unreduced_mass_matrix{};
+  static constexpr of<quantity::unreduced_forcing> unreduced_forcing{};
+  /// γ in J u̇ + γ = 0, the rates of the constraints on the speeds.
+  static constexpr of<quantity::constraint_bias> constraint_bias{};
   /// The generalized forces of the independent speeds that must act beside the loads of the model for given
   /// rates of the speeds: M u̇ − f, by f(x, p, r, a).
   static constexpr of<quantity::inverse_dynamics> inverse_dynamics{};
@@ -74,6 +79,9 @@ struct named_results {
   static constexpr of<quantity::dependency> dependency{};
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
+  /// Of each dependent speed the determinant of the equations that it is solved from with others: 0 where they
+  /// are singular, and of another sign behind.
+  static constexpr of<quantity::constraint_pivots> constraint_pivots{};
   /// The forces of the constraints, each along the direction in which it holds a velocity zero.
   static constexpr of<quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds zero.

@@ -84,6 +84,15 @@ public:
     return {};
   }
 
+  bool has_pivots() const {
+    return wanted_.method != step_method::corrections_alone && known_.constraints != 0;
+  }
+  status same_side(const value& before, const value& after) const {
+    if (before.code != nullptr)
+      note({.cause = std::string(stepping::singular_position), .of_order = true}, before * after, 0.0);
+    return {};
+  }
+
   status corrected(const value& t, written_vector& x) const {
     if (wanted_.corrections == 0 || (known_.constraints == 0 && known_.quaternions == 0)) return {};
     return stepping::correct(*this, wanted_.corrections, t, x);

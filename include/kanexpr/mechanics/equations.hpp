@@ -119,6 +119,9 @@ public:
     case quantity::active_forces: return column(dynamics_.active_forces());
     case quantity::inertia_forces: return column(dynamics_.inertia_forces());
     case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
+    case quantity::unreduced_mass_matrix: return dynamics_.unreduced_mass();
+    case quantity::unreduced_forcing: return column(dynamics_.unreduced_forcing());
+    case quantity::constraint_bias: return column(dynamics_.constraint_bias());
     case quantity::inverse_dynamics: return column(negative(dynamics_.reduce(dynamics_.unreduced_forces())));
     case quantity::required_inputs: return inputs_of_motion();
     case quantity::gravity_compensation: return column(negative(dynamics_.reduce(forces_of_gravity())));
@@ -147,6 +150,7 @@ public:
     case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
     case quantity::dependency: return dynamics_.dependent().on_independent;
     case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
+    case quantity::constraint_pivots: return column(dynamics_.constraint_pivots());
     case quantity::multipliers: return dynamics_.lambda();
     case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
     case quantity::state_matrix:

@@ -7,16 +7,19 @@ namespace kanexpr::mechanics {
 /// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
 /// speeds, m of constraints on the speeds, l of configuration constraints.
 enum class quantity : unsigned char {
-  mass_matrix,          ///< M of the independent speeds, (p−m)×(p−m)
-  forcing,              ///< f with M u̇ = f, p−m
-  mass_matrix_full,     ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
-  forcing_full,         ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
-  qdot,                 ///< n
-  udot,                 ///< p
-  rhs,                  ///< [q̇; u̇], n+p
-  active_forces,        ///< F_r of the independent speeds, p−m
-  inertia_forces,       ///< F_r* of the independent speeds, p−m, with the symbols u̇
-  unreduced_forces,     ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
+  mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
+  forcing,               ///< f with M u̇ = f, p−m
+  mass_matrix_full,      ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
+  forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
+  qdot,                  ///< n
+  udot,                  ///< p
+  rhs,                   ///< [q̇; u̇], n+p
+  active_forces,         ///< F_r of the independent speeds, p−m
+  inertia_forces,        ///< F_r* of the independent speeds, p−m, with the symbols u̇
+  unreduced_forces,      ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
+  unreduced_mass_matrix, ///< M of all speeds before constraints reduce it, p×p
+  unreduced_forcing,     ///< f of all speeds before constraints reduce it, p
+  constraint_bias,       ///< γ in J u̇ + γ = 0, m
   inverse_dynamics,     ///< what must act on the independent speeds beside the loads, p−m, with the symbols u̇
   required_inputs,      ///< the inputs that bring about u̇, s = p−m, with the symbols u̇
   gravity_compensation, ///< what balances gravity on the independent speeds, p−m
@@ -42,6 +45,7 @@ enum class quantity : unsigned char {
   dependent_speeds,       ///< u_d as the constraints give them by the independent ones, m
   dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
+  constraint_pivots,      ///< the determinants of the blocks that dependent speeds are solved in, m
   multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
   noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
   state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
@@ -114,6 +118,11 @@ inline constexpr result_row results[]{
      stage::equations, false, true},
     {quantity::unreduced_forces, "unreduced_forces", extent_by::speeds, extent_by::one, stage::equations,
      false, true},
+    {quantity::unreduced_mass_matrix, "unreduced_mass_matrix", extent_by::speeds, extent_by::speeds,
+     stage::equations},
+    {quantity::unreduced_forcing, "unreduced_forcing", extent_by::speeds, extent_by::one, stage::equations},
+    {quantity::constraint_bias, "constraint_bias", extent_by::speed_constraints, extent_by::one,
+     stage::equations},
     {quantity::inverse_dynamics, "inverse_dynamics", extent_by::independent_speeds, extent_by::one,
      stage::constrained, false, true},
     {quantity::required_inputs, "required_inputs", extent_by::inputs, extent_by::one, stage::constrained,
@@ -161,6 +170,8 @@ inline constexpr result_row results[]{
     {quantity::dependency, "dependency", extent_by::speed_constraints, extent_by::independent_speeds,
      stage::equations},
     {quantity::acceleration_bias, "acceleration_bias", extent_by::speed_constraints, extent_by::one,
+     stage::equations},
+    {quantity::constraint_pivots, "constraint_pivots", extent_by::speed_constraints, extent_by::one,
      stage::equations},
     {quantity::multipliers, "multipliers", extent_by::speed_constraints, extent_by::one, stage::equations},
     {quantity::noncontributing_forces, "noncontributing_forces", extent_by::auxiliary_speeds, extent_by::one,

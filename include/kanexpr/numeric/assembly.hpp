@@ -51,12 +51,39 @@ double largest(const Vector& v) {
   return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
+/// How large the terms of some constraints are at a state, also where they happen to vanish: the largest
+/// there and at a few others around it.
+template <class Terms, class State>
+auto usual_terms(const Terms& terms, const State& x, int coordinates) {
+  using number = typename State::Scalar;
+  auto most = terms(x);
+  State beside = x;
+  number way = 0;
+  for (int looks = 0; looks < 3; ++looks) {
+    for (int i = 0; i < coordinates; ++i) {
+      way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
+      beside(i) = x(i) + (way - number(0.5)) * (1 + std::abs(x(i)));
+    }
+    most = most.cwiseMax(terms(beside)).eval();
+  }
+  return most;
+}
+
+/// Whether what is left is what rounding leaves of terms so large.
+template <class Vector>
+bool is_rounding(const Vector& left, const Vector& terms) {
+  constexpr auto rounding = 64 * std::numeric_limits<typename Vector::Scalar>::epsilon();
+  for (Eigen::Index i = 0; i < left.size(); ++i)
+    if (!(std::abs(left(i)) <= rounding * terms(i))) return false;
+  return true;
+}
+
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
 /// from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as
-/// it was.
+/// it was. Where they cannot be solved for, what satisfies the constraints to rounding is left as it is.
 ///
 /// `Constraints` gives the residuals, the Jacobian by the dependent coordinates, and the dependent speeds, at
-/// a state, and the places of what is dependent in it.
+/// a state, the places of what is dependent in it, and whether the constraints hold to rounding.
 template <class Constraints, class State>
 assembly assemble(Constraints& c, State& x, const newton_options& options) {
   using vector = typename Constraints::coordinate_vector;
@@ -80,6 +107,16 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
         [&](const vector& tried) { return c.configuration_jacobian_by_all(at(tried)); }, options);
   report.steps = found.steps;
   report.configuration_residual = found.residual;
+  if (!found.converged && !c.configuration_holds(at(q))) {
+    State given = x;
+    if (c.normalize_quaternions(given); c.configuration_holds(given)) {
+      for (int i = 0; i < c.coordinates(); ++i) q(i) = given(c.place_of_coordinate(i));
+      report.configuration_residual = largest(c.configuration_residual(given));
+      found.converged = true;
+    }
+  } else {
+    found.converged = true;
+  }
   if (!found.converged) {
     report.failure =
         with_number(found.singular ? "the configuration constraints are singular where the search for the "
@@ -91,7 +128,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   }
   at(q);
   c.normalize_quaternions(placed);
-  if (const status solved = c.solve_speeds(placed); !solved) {
+  if (const status solved = c.solve_speeds(placed); !solved && !c.velocities_hold(placed)) {
     report.failure = mechanics::sentence({solved.view()});
     return report;
   }
@@ -111,16 +148,23 @@ template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
+    constexpr double rounding = 1e-5; // of terms that vanish where they are usually so large
+    const auto sizes = terms(x);
     for (int i = 0; i < residual.size() && !report.failure; ++i)
-      if (const double left = static_cast<double>(residual(i)), size = static_cast<double>(terms(i));
-          !(std::isfinite(left) && std::abs(left) <= tolerance * size))
+      if (const double left = static_cast<double>(residual(i)), size = static_cast<double>(sizes(i));
+          !(std::isfinite(left) &&
+            (std::abs(left) <= tolerance * size ||
+             std::abs(left) <=
+                 rounding * tolerance * static_cast<double>(usual_terms(terms, x, c.all_coordinates())(i)))))
         report.failure = with_number(
             mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(), left);
     return largest(residual);
   };
-  report.configuration_residual =
-      look_at(c.configuration_residual(x), c.configuration_terms(x), "configuration constraint ");
-  report.velocity_residual = look_at(c.velocity_residual(x), c.velocity_terms(x), "velocity constraint ");
+  report.configuration_residual = look_at(
+      c.configuration_residual(x), [&](const State& at) { return c.configuration_terms(at); },
+      "configuration constraint ");
+  report.velocity_residual = look_at(
+      c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
   for (int i = 0; i < halves.size() && !report.failure; ++i)
     if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));

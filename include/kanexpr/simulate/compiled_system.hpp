@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/system.hpp>
@@ -66,6 +67,26 @@ public:
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
     if constexpr (m != 0) return told(call<quantity::dependent_speeds>(t, x, r), u);
     return {};
+  }
+
+  status unreduced(double t, const double* x, const double* r, double* qdot, double* mass, double* force,
+                   double* bias) const override {
+    if constexpr (m == 0) {
+      return {};
+    } else if constexpr (compiled::is_linked<System>) {
+      const auto [rates, masses, forces, biases] =
+          call<quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
+               quantity::constraint_bias>(t, x, r);
+      told(rates, qdot), told(masses, mass), told(forces, force);
+      return told(biases, bias);
+    } else {
+      double all[n + o * o + o + m];
+      const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
+      const double* next = all;
+      const auto put = [&next](int count, double* out) { std::copy_n(next, count, out), next += count; };
+      put(n, qdot), put(o * o, mass), put(o, force), put(m, bias);
+      return s;
+    }
   }
 
   void multipliers(double t, const double* x, const double* r, double* lambda) const override {
@@ -164,9 +185,22 @@ private:
     return s;
   }
 
+  /// Interpreted, as it is needed near singular positions alone.
+  static auto unreduced_equations() {
+    if constexpr (m != 0 && !compiled::is_linked<System>)
+      return runtime::table_interpreter<double>(
+          compiled::table_for<System, double, state, parameter_values<System>, inputs, quantity::qdot,
+                              quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
+                              quantity::constraint_bias>(),
+          of);
+    else
+      return 0;
+  }
+
   const parameter_values<System> p_;
   const simulation_options<System>& options_;
   trajectory<System>& kept_;
+  mutable decltype(unreduced_equations()) unreduced_ = unreduced_equations();
 };
 
 } // namespace kanexpr::simulated

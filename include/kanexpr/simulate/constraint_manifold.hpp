@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 #include <kanexpr/simulate/constraints_of.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 
 #include <limits>
+#include <optional>
 
 namespace kanexpr::simulated {
 
@@ -29,17 +31,39 @@ public:
         failed.failure = mechanics::sentence({s.view()});
         return failed;
       }
-    constraints_of<System> constraints(of_, norms_, t, r);
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+    constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
     return numeric::assemble(constraints, x, {});
   }
   vector configuration_residual(double t, const vector& x, const vector& r) override {
-    return constraints_of<System>(of_, norms_, t, r).configuration_residual(x);
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+    return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
+  }
+
+  void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) override {
+    sizes_ = sizes;
+    unreduced_.reset();
+    is_near_ = false;
+    look(t, x, r);
+  }
+  void come_to(double t, const vector& x, const vector& r) override {
+    const double distinctness = look(t, x, r).distinctness(x);
+    is_near_ = distinctness < (is_near_ ? clear : close); // so that it does not change at every step
+  }
+  bool is_near_singular() const override { return is_near_; }
+  status rates(double t, const vector& x, const vector& r, double* xdot) override {
+    const status s = look(t, x, r).find(x, found_);
+    if (s) std::copy_n(found_.rates.data(), x.size(), xdot);
+    return s;
   }
 
   bool project(double t, const vector& x, const vector& r, const vector& weights) override {
     units_ = weights.cwiseAbs2().cwiseInverse();
     correction_.setZero();
-    return project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
+    if (!is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r)) return true;
+    if (by_u_.rows() == 0 || !look(t, x, r).find(x, found_)) return false;
+    correction_ = found_.x - x;
+    return true;
   }
   const vector& correction() const override { return correction_; }
   void project_error(double* error) const override {
@@ -56,6 +80,39 @@ private:
     const numeric::factorized<vector> factors(matrix(j.lazyProduct(spread)));
     factors.solve(b);
     return spread.lazyProduct(b);
+  }
+
+  /// What `constrained_motion` asks of the system, at a time with its inputs.
+  struct all_speeds {
+    using number = double;
+    static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
+                         fixed_rows_of_speeds = -1;
+    constraint_manifold& of;
+    double t = 0;
+    vector r{};
+
+    int coordinates() const { return of.n_; }
+    int speeds() const { return of.o_; }
+    Eigen::Index rows_of_coordinates() const { return of.by_q_.rows(); }
+    Eigen::Index rows_of_speeds() const { return of.by_u_.rows(); }
+    void configuration(const vector& x, vector& left, matrix& by_coordinates) const {
+      left = of.kept_by_coordinates(t, x, r);
+      by_coordinates = of.by_q_;
+    }
+    void velocities(const vector& x, vector& left, matrix& by_speeds) const {
+      of.of_.velocities(t, x.data(), r.data(), left.data(), by_speeds.data());
+    }
+    status motion(const vector& x, vector& qdot, matrix& mass, vector& force, vector& bias) const {
+      return of.of_.unreduced(t, x.data(), r.data(), qdot.data(), mass.data(), force.data(), bias.data());
+    }
+  };
+  using unreduced_motion = numeric::constrained_motion<all_speeds>;
+
+  /// The motion by the equations of all speeds, at a time with its inputs.
+  unreduced_motion& look(double t, const vector& x, const vector& r) {
+    equations_.t = t, equations_.r = r;
+    if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);
+    return *unreduced_;
   }
 
   /// What the configuration constraints leave, then the norms of quaternions, with the derivatives by all
@@ -104,12 +161,19 @@ private:
   /// A step this small beside the tolerances leaves its square, which is nothing.
   static constexpr double close_enough = 1e-2;
   static constexpr int most_steps = 10;
+  /// A distinctness at which the equations of all speeds take over, and at which they are no longer needed.
+  static constexpr double close = 0.05, clear = 0.1;
 
   const System& of_;
   unit_norms norms_;
   int n_, o_; ///< coordinates, speeds
   vector units_, correction_;
   matrix by_q_, by_u_;
+  vector sizes_ = vector::Ones(n_ + o_);
+  bool is_near_ = false;
+  all_speeds equations_{*this};
+  std::optional<unreduced_motion> unreduced_{};
+  typename unreduced_motion::motion found_{};
 };
 
 template <class System>

@@ -10,14 +10,15 @@ namespace kanexpr::simulated {
 
 /// The constraints of a system at a time with its inputs, for the numerical methods that satisfy them. Where
 /// a constraint is solved for a coordinate of a quaternion they are taken at norm 1.
-template <class System>
+template <class System, class Motion>
 class constraints_of {
 public:
   using coordinate_vector = Eigen::VectorXd;
   using vector = Eigen::VectorXd;
 
-  constraints_of(const System& of, const unit_norms& norms, double t, const vector& r)
-      : of_(of), norms_(norms), t_(t), r_(r), left_(coordinates()),
+  /// `look` gives the motion by the equations of all speeds, which knows how large constraints are.
+  constraints_of(const System& of, const unit_norms& norms, double t, const vector& r, Motion& look)
+      : of_(of), norms_(norms), t_(t), r_(r), look_(look), left_(coordinates()),
         by_all_(coordinates(), of.known.coordinates) {
     for (int i = 0; i < of.states(); ++i)
       if (of.known.dependent[i]) places_.push_back(i);
@@ -42,6 +43,8 @@ public:
     if (left.size() != 0) of_.velocities(t_, x.data(), r_.data(), left.data(), by_speeds.data());
     return left;
   }
+  bool configuration_holds(const vector& x) const { return look_(x).configuration_holds(x); }
+  bool velocities_hold(const vector& x) const { return look_(x).velocities_hold(x); }
   status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
 
   /// Gives the state its dependent speeds, if they can be solved for.
@@ -66,6 +69,7 @@ private:
   const unit_norms& norms_;
   double t_;
   const vector& r_;
+  Motion& look_;
   vector left_;
   Eigen::MatrixXd by_all_;
   std::vector<int> places_{};

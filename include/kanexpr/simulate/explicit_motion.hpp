@@ -10,8 +10,7 @@ namespace kanexpr::simulated {
 template <bool with_jacobian>
 class explicit_motion final : public solvers::explicit_problem {
 public:
-  explicit explicit_motion(surroundings& around)
-      : around_(around), manifold_(own_manifold(around.system())) {}
+  explicit explicit_motion(surroundings& around) : around_(around), manifold_(around.constraints()) {}
 
   long rate_evaluations() const { return rate_evaluations_; }
   long projections() const { return projections_; }
@@ -55,6 +54,7 @@ public:
 
 private:
   answer jacobian_at(double t, const double* y, double* columns) {
+    if (around_.is_near_singular()) return differences_at(t, y, columns);
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     Eigen::MatrixXd by_inputs(size(), around_.known().inputs);
     const status s =
@@ -69,8 +69,26 @@ private:
     return out.allFinite() ? answer::given : around_.refuse("the derivatives of the motion are not finite");
   }
 
+  /// The rates near a singular position have no derivatives that are written out.
+  answer differences_at(double t, const double* y, double* columns) {
+    const Eigen::Map<const Eigen::VectorXd> from(y, size());
+    Eigen::VectorXd beside = from, before(size()), after(size());
+    for (int j = 0; j < size(); ++j) {
+      const double step = 1e-5 * around_.sizes()(j);
+      for (const double side : {-1, 1}) {
+        beside(j) = from(j) + side * step;
+        if (const answer a = around_.take(t, beside); a != answer::given) return a;
+        if (const status s = around_.rates(t, (side < 0 ? before : after).data()); !s)
+          return around_.refuse(s);
+      }
+      beside(j) = from(j);
+      for (int i = 0; i < size(); ++i) columns[j * size() + i] = (after(i) - before(i)) / (2 * step);
+    }
+    return answer::given;
+  }
+
   surroundings& around_;
-  std::unique_ptr<manifold> manifold_;
+  manifold* manifold_;
   long rate_evaluations_ = 0, projections_ = 0;
 };
 

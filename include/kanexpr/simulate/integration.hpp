@@ -65,15 +65,17 @@ private:
       return fail(std::move(mistake));
     state_ = first;
     const state_sizes found(around_, span_.from, first, around_.length());
-    around_.set_sizes(found.sizes());
+    around_.set_sizes(span_.from, first, found.sizes());
     if (std::string mistake =
             read_tolerances(around_.system(), options_, found.sizes(), o.absolute_tolerances);
         !mistake.empty())
       return fail(std::move(mistake));
     const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
+    absolute_tolerances_ = o.absolute_tolerances;
     if (moving_.start(state_, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
+    come_to(span_.from, state_);
     has_begun_ = true;
     return sampling_.begin(span_.from, state_) || fail_here("");
   }
@@ -86,6 +88,18 @@ private:
     const std::string said = contradiction(known(), state_, found, is_given);
     return said.empty() ? said
                         : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
+  }
+
+  /// Near a singular position rates have fewer digits, and no step would satisfy tolerances beyond them.
+  void come_to(double t, const state& x) {
+    const bool was_near = around_.is_near_singular();
+    around_.come_to(t, x);
+    if (around_.is_near_singular() == was_near) return;
+    const double least = was_near ? 0 : least_tolerance_near_singular;
+    std::vector<double> absolute = absolute_tolerances_;
+    for (std::size_t i = 0; i < absolute.size(); ++i)
+      absolute[i] = (std::max)(absolute[i], least * around_.sizes()(static_cast<Eigen::Index>(i)));
+    stepper().set_tolerances((std::max)(options_.relative_tolerance, least), absolute);
   }
 
   static tolerances tolerances_of(const solvers::stepper_options& o) {
@@ -107,7 +121,7 @@ private:
   /// Lets the dependent coordinates and speeds follow.
   bool assemble_at(double t, state& x) {
     if (around_.take(t, x) != answer::given) return fail_here("");
-    const auto constraints = own_manifold(around_.system());
+    manifold* const constraints = around_.constraints();
     if (!constraints) return true;
     const assembly built = constraints->assemble(t, x, around_.r());
     if (!built) return fail_here(built.cause());
@@ -142,6 +156,7 @@ private:
       t = around_.time(elapsed);
     }
     elapsed_ = elapsed, result_.time = t, state_ = x;
+    come_to(t, x);
     if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);
     if (!sampling_.go_on(stepper(), elapsed, state_)) return fail_here("");
     if (is_any(left)) return pass_event(left) && restart();
@@ -256,6 +271,7 @@ private:
     result_.statistics.events = static_cast<long>(result_.events.size());
   }
 
+  static constexpr double least_tolerance_near_singular = 1e-10;
   static constexpr const char* ever_faster = "events happen ever faster; a handler must end that";
 
   const settings& options_;
@@ -266,7 +282,8 @@ private:
   state state_{}; ///< where the simulation stands
   sampling sampling_;
   departures departures_{around_};
-  double elapsed_ = 0; ///< where the simulation stands, since the start
+  std::vector<double> absolute_tolerances_{}; ///< as asked for
+  double elapsed_ = 0;                        ///< where the simulation stands, since the start
   double begun_ = -std::numeric_limits<double>::infinity();
   /// How often in a row an event has happened at one time.
   struct repetition {

@@ -89,6 +89,9 @@ public:
     if (of.constraints != 0) {
       velocities_.emplace(m, velocities_and_derivatives);
       dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
+      unreduced_.emplace(m, std::initializer_list<quantity>{quantity::qdot, quantity::unreduced_mass_matrix,
+                                                            quantity::unreduced_forcing,
+                                                            quantity::constraint_bias});
     }
     if (by == integrator::bdf || by == integrator::implicit_runge_kutta)
       jacobian_.emplace(m,
@@ -125,6 +128,15 @@ public:
     if (!dependent_speeds_) return {};
     const status s = call(*dependent_speeds_, t, x, r);
     dependent_speeds_->tell(0, u);
+    return s;
+  }
+
+  status unreduced(double t, const double* x, const double* r, double* qdot, double* mass, double* force,
+                   double* bias) const override {
+    if (!unreduced_) return {};
+    const status s = call(*unreduced_, t, x, r);
+    unreduced_->tell(0, qdot), unreduced_->tell(1, mass);
+    unreduced_->tell(2, force), unreduced_->tell(3, bias);
     return s;
   }
 
@@ -266,7 +278,7 @@ private:
   const input_values<model> no_inputs_;
   mutable interpreted_results<double> rhs_;
   mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, velocities_{},
-      dependent_speeds_{}, multipliers_{};
+      dependent_speeds_{}, unreduced_{}, multipliers_{};
   mutable std::optional<multiplier_equations<double>> real_{};
   mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
 };

@@ -23,6 +23,15 @@ public:
   /// What the configuration constraints leave.
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
 
+  /// Sets how large the entries of a state are; it looks around the one that is given.
+  virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;
+  /// Finds out whether a state is near a position in which constraints on the speeds follow from others, or
+  /// where some always do. What is asked from then on is answered for such a place.
+  virtual void come_to(double t, const vector& x, const vector& r) = 0;
+  virtual bool is_near_singular() const = 0;
+  /// ẋ at the nearest state of the manifold, from the equations of all speeds, whatever is dependent.
+  virtual status rates(double t, const vector& x, const vector& r, double* xdot) = 0;
+
   /// Finds what leads from a state to the nearest point of the manifold, each entry measured in units of
   /// 1/weight. False where the constraints are dependent, or cannot be reached from there.
   virtual bool project(double t, const vector& x, const vector& r, const vector& weights) = 0;

@@ -22,7 +22,7 @@ public:
   using vector = Eigen::VectorXd;
 
   explicit multiplier_motion(Surroundings& around)
-      : around_(around), sensitivity_(around), manifold_(own_manifold(around.system())),
+      : around_(around), sensitivity_(around), manifold_(around.constraints()),
         states_(around.system().states()),
         entries_(states_ + around.known().constraints + around.known().configuration_constraints) {}
 
@@ -103,7 +103,7 @@ public:
 private:
   Surroundings& around_;
   input_sensitivity sensitivity_;
-  std::unique_ptr<manifold> manifold_;
+  manifold* manifold_;
   int states_, entries_;
   long rate_evaluations_ = 0, projections_ = 0;
 };

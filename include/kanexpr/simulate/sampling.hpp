@@ -23,7 +23,7 @@ public:
 
   sampling(const settings& options, const time_span& span, surroundings& around)
       : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
-        manifold_(own_manifold(around.system())) {}
+        manifold_(around.constraints()) {}
 
   /// What corrections are measured by.
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }
@@ -138,7 +138,7 @@ private:
   const settings& options_;
   output_schedule schedule_;
   surroundings& around_;
-  std::unique_ptr<manifold> manifold_;
+  manifold* manifold_;
   std::optional<instant> last_{};
   bool is_refused_ = false; ///< by the function that is given each sample
   tolerances tolerances_{};

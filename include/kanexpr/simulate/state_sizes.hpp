@@ -28,7 +28,7 @@ public:
 
 private:
   state_sizes(surroundings& around, double t, const state& x, const trial_steps& ahead)
-      : manifold_(own_manifold(around.system())), coordinates(around.known().coordinates),
+      : manifold_(around.constraints()), coordinates(around.known().coordinates),
         speeds(around.known().speeds), sizes_(ahead.sizes()), time_(ahead.time()),
         least_share_(ahead.has_own_time() ? 0.1 : 1e-4) {
     fill_coordinates(around, t, x);
@@ -43,7 +43,7 @@ private:
   Eigen::VectorXd functions(const surroundings& around, double t, const state& x) const {
     const deriving::survey& known = around.known();
     Eigen::VectorXd all(x.size() + known.configuration_constraints);
-    around.system().rates(t, x.data(), around.r().data(), all.data());
+    around.rates(t, x, all.data());
     if (known.configuration_constraints != 0)
       std::ranges::copy(manifold_->configuration_residual(t, x, around.r()), all.data() + x.size());
     return all;
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  std::unique_ptr<manifold> manifold_;
+  manifold* manifold_;
   int coordinates, speeds;
   state sizes_;
   double time_;        ///< in which the motion changes

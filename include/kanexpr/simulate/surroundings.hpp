@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/misnamed.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
@@ -25,7 +26,7 @@ public:
 
   surroundings(simulated::system& of, const time_span& span, const settings& options)
       : of_(of), span_(span), options_(options), x_(vector::Zero(of.states())),
-        sizes_(vector::Ones(of.states())), r_(of.known.inputs) {}
+        sizes_(vector::Ones(of.states())), r_(of.known.inputs), constraints_(own_manifold(of)) {}
 
   simulated::system& system() { return of_; }
   const simulated::system& system() const { return of_; }
@@ -45,7 +46,18 @@ public:
 
   /// How large the entries of the state are, in whatever units.
   const vector& sizes() const { return sizes_; }
-  void set_sizes(const vector& sizes) { sizes_ = sizes; }
+  void set_sizes(double t, const vector& x, const vector& sizes) {
+    sizes_ = sizes;
+    if (constraints_ != nullptr && take(t, x) == answer::given) constraints_->set_sizes(t, x, r_, sizes);
+  }
+
+  /// What holds its states; null: nothing does.
+  manifold* constraints() { return constraints_.get(); }
+  /// Where a step has ended.
+  void come_to(double t, const vector& x) {
+    if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_);
+  }
+  bool is_near_singular() const { return binds_speeds() && constraints_->is_near_singular(); }
 
   /// Goes to a time and a state, whose inputs are then known.
   answer take(double t, const double* y) {
@@ -54,8 +66,14 @@ public:
   }
   answer take(double t, const vector& x) { return take(t, x.data()); }
 
-  /// ẋ where it stands.
-  status rates(double t, double* xdot) const { return of_.rates(t, x_.data(), r_.data(), xdot); }
+  /// ẋ where it stands: of the independent speeds, or of all of them where those do not tell it.
+  status rates(double t, double* xdot) const { return rates(t, x_, xdot); }
+  /// ẋ of another state with the inputs where it stands.
+  status rates(double t, const vector& x, double* xdot) const {
+    if (is_near_singular()) return constraints_->rates(t, x, r_, xdot);
+    const status s = of_.rates(t, x.data(), r_.data(), xdot);
+    return s || !binds_speeds() || !constraints_->rates(t, x, r_, xdot) ? s : status();
+  }
 
   answer watch(double t, const double* y, double* values) {
     if (const answer a = take(t, y); a != answer::given) return a;
@@ -103,6 +121,8 @@ public:
   std::string name_of_state(int entry) const { return std::string(known().names[entry].view()); }
 
 private:
+  bool binds_speeds() const { return known().constraints != 0 && constraints_ != nullptr; }
+
   answer take_inputs(double t) {
     if (r_.size() == 0) return answer::given;
     const answer a = guarded("the function of the inputs", [&] { of_.give_inputs(t, x_.data(), r_.data()); });
@@ -120,6 +140,7 @@ private:
   const time_span span_;
   const settings& options_;
   vector x_, sizes_, r_;
+  std::unique_ptr<manifold> constraints_;
   std::string last_refusal_{};
 };
 

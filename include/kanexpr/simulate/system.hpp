@@ -53,6 +53,10 @@ public:
                           double* by_speeds) const = 0;
   virtual status dependent_speeds(double t, const double* x, const double* r, double* u) const = 0;
 
+  /// What the equations of all speeds are made of, M u̇ = f + Jᵀ λ with J u̇ + γ = 0; and q̇.
+  virtual status unreduced(double t, const double* x, const double* r, double* qdot, double* mass,
+                           double* force, double* bias) const = 0;
+
   /// For the method with multipliers: λ, and F(t, y, ẏ) in y = [q; u; λ; μ].
   virtual void multipliers(double t, const double* x, const double* r, double* lambda) const = 0;
   virtual status implicit(double t, const double* y, const double* ydot, const double* r,

@@ -38,6 +38,7 @@ public:
     return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
   }
 
+  static constexpr int all_coordinates() { return known.coordinates; }
   static constexpr int coordinates() { return known.configuration_constraints; }
   static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
 
@@ -74,6 +75,17 @@ public:
       return {};
     else
       return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
+  }
+  /// To rounding.
+  bool configuration_holds(const state& x) const {
+    return numeric::is_rounding(
+        configuration_residual(x),
+        numeric::usual_terms([&](const state& at) { return configuration_terms(at); }, x, all_coordinates()));
+  }
+  bool velocities_hold(const state& x) const {
+    return numeric::is_rounding(
+        velocity_residual(x),
+        numeric::usual_terms([&](const state& at) { return velocity_terms(at); }, x, all_coordinates()));
   }
   /// What the norms of quaternions are off.
   Eigen::Matrix<Number, quaternions::count, 1> quaternion_residual(const state& x) const {

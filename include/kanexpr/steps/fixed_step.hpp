@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kanexpr/compiled/not_finite.hpp>
+#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/steps/correction.hpp>
+#include <kanexpr/steps/inputs_at.hpp>
 
 #include <type_traits>
 
@@ -16,24 +18,11 @@
 /// how many steps of Newton's method bring the dependent coordinates back to the constraints, with the
 /// dependent speeds after them; quaternions get norm 1 before them. 0 leaves all as it was integrated. Where
 /// something cannot be solved, or the state would not be finite, the status says so, and t and x stay as they
-/// were.
+/// were; so it does where a step would pass a position in which the constraints cannot be solved for the
+/// dependent speeds. `passing<runge_kutta_4<System>>` goes on through it.
 namespace kanexpr {
 
 namespace compiled {
-
-/// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
-template <class Inputs>
-inline constexpr bool inputs_hold =
-    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
-
-/// The inputs at an instant, from a vector or a function.
-template <class Inputs, class Time, class State>
-[[gnu::always_inline]] inline decltype(auto) inputs_at(const Inputs& r, const Time& t, const State& x) {
-  if constexpr (inputs_hold<Inputs>)
-    return (r);
-  else
-    return r(t, x);
-}
 
 /// The functions of a system with its parameters and inputs, as the methods of steps ask for them.
 template <class System, int corrections, class Parameters, class Inputs>
@@ -44,7 +33,10 @@ struct compiled_equations {
 
   template <mechanics::quantity wanted, class Time, class State>
   [[gnu::always_inline]] auto get(const Time& t, const State& x) const {
-    return function<System, wanted>{}(t, x, p, inputs_at(r, t, x));
+    if constexpr (wanted == mechanics::quantity::constraint_pivots) // twice in a step
+      return out_of_line<function<System, wanted>>{}(t, x, p, inputs_at(r, t, x));
+    else
+      return function<System, wanted>{}(t, x, p, inputs_at(r, t, x));
   }
   template <class Time, class State>
   [[gnu::always_inline]] auto held(const Time& t, const State& x) const {
@@ -55,6 +47,13 @@ struct compiled_equations {
   [[gnu::always_inline]] static status finite(const Number& value, std::string_view cause) {
     return lower::scalar_math<Number>::is_finite(value) ? status() : status(cause);
   }
+  static constexpr bool has_pivots() { return survey_of<System>.constraints != 0; }
+  template <class Number>
+  [[gnu::always_inline]] status same_side(const Number& before, const Number& after) const {
+    using math = lower::scalar_math<Number>;
+    return math::exceeds(Number(before * after), math::from(0)) ? status()
+                                                                : status(stepping::singular_position);
+  }
   template <class Time, class State>
   [[gnu::always_inline]] status corrected(const Time& t, State& x) const {
     if constexpr (correct::is_needed)
@@ -63,6 +62,15 @@ struct compiled_equations {
       return {};
   }
 };
+
+/// Operations of a look at the sides of singular positions, before and after a step.
+template <class System>
+constexpr symbolic::cost cost_of_sides() {
+  if constexpr (survey_of<System>.constraints == 0)
+    return {};
+  else
+    return added({}, function<System, mechanics::quantity::constraint_pivots>::cost(), 2);
+}
 
 /// A step by a method; where it cannot be made, t and x stay, and the status may name what was given wrongly.
 template <class Method, class System, int corrections, class Time, class Number, class Parameters,
@@ -95,7 +103,8 @@ struct semi_implicit_euler {
   /// Operations of one step, beside the sums of the method itself.
   static constexpr symbolic::cost cost() {
     return compiled::added(compiled::added(eom::udot.cost(), eom::qdot.cost()),
-                           compiled::correction<System, corrections>::cost());
+                           compiled::added(compiled::cost_of_sides<System>(),
+                                           compiled::correction<System, corrections>::cost()));
   }
 };
 
@@ -115,7 +124,9 @@ struct runge_kutta_4 {
 
   /// Operations of one step, beside the sums of the method itself.
   static constexpr symbolic::cost cost() {
-    return compiled::added(compiled::correction<System, corrections>::cost(), eom::rhs.cost(), stages);
+    return compiled::added(
+        compiled::added(compiled::cost_of_sides<System>(), compiled::correction<System, corrections>::cost()),
+        eom::rhs.cost(), stages);
   }
 };
 

@@ -11,6 +11,8 @@
 ///     held(t, x)                 the same equations, whose inputs stay those of that instant
 ///     finite(value, cause)       a status: whether it is
 ///     corrected(t, x)            brings x back to the constraints
+///     has_pivots()               whether the constraints are solved for speeds
+///     same_side(before, after)   a status: whether no pivot of theirs has passed zero
 ///
 /// and where something is corrected
 ///
@@ -24,6 +26,9 @@ namespace kanexpr::stepping {
 /// Two sentences of which the one ends like the other, so that a controller keeps one.
 inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
                                   step_not_finite = state_not_finite.substr(16);
+
+inline constexpr std::string_view singular_position =
+    "the step passes a position where the constraints cannot be solved for the dependent speeds";
 
 /// A norm beyond this is no trace that a step leaves.
 inline constexpr lower::norm_range near_one{0.5, 2};
@@ -98,6 +103,20 @@ struct runge_kutta_4 {
   }
 };
 
+/// Beyond a singular position a step that knew nothing of it has gone on in any direction.
+template <class Equations, class Time, class State>
+[[gnu::always_inline]] inline status same_side(const Equations& of, const Time& t, const State& x,
+                                               const Time& after, const State& next) {
+  using mechanics::quantity;
+  const auto before = of.template get<quantity::constraint_pivots>(t, x);
+  const auto behind = of.template get<quantity::constraint_pivots>(after, next);
+  if (const status s = compiled::status_of(before); !s) return s;
+  if (const status s = compiled::status_of(behind); !s) return s;
+  for (int i = 0; i < static_cast<int>(before.size()); ++i)
+    if (const status s = of.same_side(before(i), behind(i)); !s) return s;
+  return {};
+}
+
 /// A step of x, which stays where the status is not good.
 template <class Method, class Equations, class Time, class State>
 [[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, State& x, const Time& h) {
@@ -108,6 +127,8 @@ template <class Method, class Equations, class Time, class State>
   if (const status s = of.corrected(after, next); !s) return s;
   for (int i = 0; i < static_cast<int>(next.size()); ++i)
     if (const status s = of.finite(next(i), state_not_finite); !s) return s;
+  if (of.has_pivots())
+    if (const status s = same_side(of, t, x, after, next); !s) return s;
   x = next;
   return {};
 }

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
 #include <kanexpr/mechanics/dynamics/reactions.hpp>
+#include <kanexpr/symbolic/linear/determinant.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -21,6 +22,7 @@ public:
     visit(self.has_dependent_);
     visit(self.has_coupling_);
     visit(self.has_lambda_);
+    visit(self.bias_);
     visit(self.dependent_);
     visit(self.free_mass_);
     visit(self.coupling_);
@@ -34,12 +36,18 @@ public:
 
   constexpr bool has_dependent() const { return has_dependent_; }
 
+  /// γ in J u̇ + γ = 0.
+  constexpr const sequence<expression>& constraint_bias() {
+    if (!bias_.empty()) return bias_;
+    motion k = motion_on_rising_ground(s_, loads_);
+    for (int i = 0; i < constraints_.size(); ++i) bias_.push(rate_of_constraint(k, constraints_, i));
+    return bias_;
+  }
+
   /// How the dependent speeds and their rates follow from the independent ones.
   constexpr const dependent_speeds& dependent() {
     if (has_dependent_) return dependent_;
-    motion k = motion_on_rising_ground(s_, loads_);
-    sequence<expression> bias;
-    for (int i = 0; i < constraints_.size(); ++i) bias.push(rate_of_constraint(k, constraints_, i));
+    const sequence<expression>& bias = constraint_bias();
     dependent_ = solve_for_dependent_speeds(m_, constraints_, speeds_, bias);
     if (!constraints_.on_accelerations.empty()) take_acceleration_constraints();
     has_dependent_ = true;
@@ -52,6 +60,23 @@ public:
       for (int i = 0; i < speeds_.independent.size(); ++i)
         u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
     return u;
+  }
+
+  /// Of each dependent speed, the determinant of the block that it is solved in: 0 where that is singular,
+  /// and of another sign behind.
+  constexpr sequence<expression> constraint_pivots() {
+    sequence<expression> pivots(speeds_.dependent.size(), m_.one());
+    for (const symbolic::solved_block& b : dependent().blocks) {
+      sequence<expression> entries;
+      for (int i : b.rows)
+        for (int d : b.columns) entries.push(constraints_.jacobian(i, speeds_.dependent[d]));
+      const int order = b.rows.size();
+      const expression pivot = order <= symbolic::largest_with_determinant
+                                   ? symbolic::determinant(entries, order)
+                                   : b.measure; // which has no sign
+      for (int d : b.columns) pivots[d] = pivot;
+    }
+    return pivots;
   }
 
   /// B = M_di + M_dd A.
@@ -133,6 +158,21 @@ public:
     return force;
   }
 
+  /// M and f of all speeds in M u̇ = f, before constraints reduce them.
+  constexpr symbolic::matrix unreduced_mass() {
+    const symbolic::matrix& mass = free_mass();
+    const int speeds = m_.speeds.size();
+    symbolic::matrix of_speeds(*m_.g, speeds, speeds);
+    for (int i = 0; i < speeds; ++i)
+      for (int j = 0; j < speeds; ++j) of_speeds(i, j) = mass(i, j);
+    return of_speeds;
+  }
+  constexpr sequence<expression> unreduced_forcing() {
+    sequence<expression> force = free_force();
+    while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
+    return force;
+  }
+
   /// What inertia asks for of all speeds in a motion with the symbols u̇, gravity included: of Kane's method
   /// F_r* on rising ground, of Lagrange's ∂L/∂q − d/dt ∂L/∂q̇.
   constexpr sequence<expression> inertia_in(motion& on_rising_ground) {
@@ -201,6 +241,7 @@ private:
   const partition& speeds_;
   lagrange_equations lagrange_{s_, loads_};
   bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
+  sequence<expression> bias_{};
   dependent_speeds dependent_{};
   symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};
   sequence<expression> free_force_{}, force_{}, udot_{};

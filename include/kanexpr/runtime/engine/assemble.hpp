@@ -28,6 +28,7 @@ public:
         velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
         speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
 
+  int all_coordinates() const { return first_speed_; }
   int coordinates() const { return coordinates_.size(); }
   int place_of_coordinate(int i) const { return coordinates_[i]; }
 
@@ -44,6 +45,19 @@ public:
   Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
+  /// To rounding.
+  bool configuration_holds(const Eigen::VectorXd& x) {
+    return numeric::is_rounding(
+        configuration_residual(x),
+        numeric::usual_terms([&](const Eigen::VectorXd& at) { return configuration_terms(at); }, x,
+                             all_coordinates()));
+  }
+  bool velocities_hold(const Eigen::VectorXd& x) {
+    return numeric::is_rounding(
+        velocity_residual(x),
+        numeric::usual_terms([&](const Eigen::VectorXd& at) { return velocity_terms(at); }, x,
+                             all_coordinates()));
+  }
   /// What the norms of quaternions are off.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());

@@ -36,6 +36,11 @@ public:
     return flag == root_return ? arrival::event : arrival::step;
   }
 
+  void set_tolerances(double relative, const std::vector<double>& absolute) override {
+    options_.relative_tolerance = relative;
+    std::ranges::copy(absolute, options_.absolute_tolerances.begin());
+  }
+
   std::vector<int> events() const override {
     std::vector<int> found(static_cast<std::size_t>(watched_.watched()));
     Calls::root_info(memory_, found.data());
@@ -85,7 +90,6 @@ protected:
     t_ = from;
     y_ = std::move(start);
     at_ = vector_on(y_.data(), size(), context_);
-    tolerances_ = vector_on(options_.absolute_tolerances.data(), size(), context_);
     weights_ = new_vector(size(), context_);
   }
 
@@ -100,7 +104,7 @@ protected:
   sunindextype size() const { return static_cast<sunindextype>(y_.size()); }
 
   bool has_memory() {
-    if (memory_ != nullptr && at_ && tolerances_ && weights_)
+    if (memory_ != nullptr && at_ && weights_)
       return done(Calls::set_error_handler(memory_, last_error::take, &error_), "an error handler");
     failed_ = {"there is no memory left for the integrator"};
     return false;
@@ -109,8 +113,7 @@ protected:
   /// Settings that all of them take, for one whose first state is set.
   bool set_common() {
     return done(Calls::set_user_data(memory_, this), "its user's data") &&
-           done(Calls::set_tolerances(memory_, options_.relative_tolerance, tolerances_.get()),
-                "the tolerances") &&
+           done(Calls::set_weights(memory_, weigh), "the tolerances") &&
            done(Calls::set_first_step(memory_, options_.first_step), "the first step") &&
            done(Calls::set_least_step(memory_, options_.least_step), "the least step") &&
            done(Calls::set_greatest_step(memory_, options_.greatest_step), "the greatest step") &&
@@ -169,7 +172,7 @@ protected:
   watched_problem& watched_;
   stepper_options options_;
   ::sundials::Context context_{};
-  vector_handle at_{}, tolerances_{}, weights_{};
+  vector_handle at_{}, weights_{};
   matrix_handle matrix_{};
   linear_solver_handle solver_{};
   void* memory_ = nullptr;
@@ -185,6 +188,17 @@ private:
     return done(Calls::watch(memory_, count, watch), "the events") &&
            done(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
            done(Calls::no_warnings(memory_), "to be silent");
+  }
+
+  /// By tolerances that may change between two steps.
+  static int weigh(N_Vector y, N_Vector weights, void* of) {
+    const stepper_options& o = static_cast<adaptive*>(of)->options_;
+    for (std::size_t i = 0; i < o.absolute_tolerances.size(); ++i) {
+      const double unit = o.relative_tolerance * std::abs(numbers_of(y)[i]) + o.absolute_tolerances[i];
+      if (!(unit > 0)) return -1;
+      numbers_of(weights)[i] = 1 / unit;
+    }
+    return 0;
   }
 
   static int watch(double t, N_Vector y, double* values, void* of) {

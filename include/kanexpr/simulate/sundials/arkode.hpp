@@ -10,7 +10,7 @@ struct arkode_calls {
   static constexpr auto free = ARKStepFree;
   static constexpr auto set_error_handler = ARKStepSetErrHandlerFn;
   static constexpr auto set_user_data = ARKStepSetUserData;
-  static constexpr auto set_tolerances = ARKStepSVtolerances;
+  static constexpr auto set_weights = ARKStepWFtolerances;
   static constexpr auto set_first_step = ARKStepSetInitStep;
   static constexpr auto set_least_step = ARKStepSetMinStep;
   static constexpr auto set_greatest_step = ARKStepSetMaxStep;

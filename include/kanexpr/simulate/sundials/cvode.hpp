@@ -13,7 +13,7 @@ struct cvode_calls {
   static constexpr auto free = CVodeFree;
   static constexpr auto set_error_handler = CVodeSetErrHandlerFn;
   static constexpr auto set_user_data = CVodeSetUserData;
-  static constexpr auto set_tolerances = CVodeSVtolerances;
+  static constexpr auto set_weights = CVodeWFtolerances;
   static constexpr auto set_first_step = CVodeSetInitStep;
   static constexpr auto set_least_step = CVodeSetMinStep;
   static constexpr auto set_greatest_step = CVodeSetMaxStep;

@@ -15,7 +15,7 @@ struct ida_calls {
   static constexpr auto free = IDAFree;
   static constexpr auto set_error_handler = IDASetErrHandlerFn;
   static constexpr auto set_user_data = IDASetUserData;
-  static constexpr auto set_tolerances = IDASVtolerances;
+  static constexpr auto set_weights = IDAWFtolerances;
   static constexpr auto set_first_step = IDASetInitStep;
   static constexpr auto set_least_step = IDASetMinStep;
   static constexpr auto set_greatest_step = IDASetMaxStep;

@@ -29,6 +29,8 @@ public:
 
   /// Goes one step, or less to an event or to a target.
   virtual arrival advance(double target) = 0;
+  /// Sets what errors are measured by from here on; of further entries nothing changes.
+  virtual void set_tolerances(double relative, const std::vector<double>& absolute) = 0;
   /// Whether the states that it shows are brought to the constraints beside its own.
   virtual bool shows_projected() const { return false; }
 

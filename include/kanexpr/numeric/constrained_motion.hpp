@@ -1,0 +1,311 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/numeric/bound_minimum.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kanexpr::numeric {
+
+/// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
+/// the nearest state that satisfies the constraints. No speed has to be dependent, and rows of J may follow
+/// from others: λ is the least one.
+///
+/// Where a mechanism passes a position in which rows of J become dependent, the constraints do not tell there
+/// where it goes on, but they do on both sides. So the motion near such a position is that of states some way
+/// before and behind it along its speeds, interpolated: what is looked for is smooth along the way.
+///
+/// `Equations` has the sizes of its vectors as constants, −1 where only the program knows them, and
+///
+///     coordinates(), speeds(), rows_of_coordinates(), rows_of_speeds()
+///     configuration(x, left, by_coordinates)   what must vanish, and its derivatives
+///     velocities(x, left, by_speeds)
+///     motion(x, qdot, mass, force, bias)       a status
+template <class Equations>
+class constrained_motion {
+public:
+  using number = typename Equations::number;
+  static constexpr int n = Equations::fixed_coordinates, p = Equations::fixed_speeds,
+                       l = Equations::fixed_rows_of_coordinates, m = Equations::fixed_rows_of_speeds;
+  template <int rows, int columns = 1>
+  using matrix = Eigen::Matrix<number, rows, columns>;
+  using state = matrix < n<0 ? -1 : n + p>;
+  using rows_of_speeds = matrix<m>;
+
+  /// At the constraints near some state: the state, its rates and the multipliers.
+  struct motion {
+    state x{}, rates{};
+    rows_of_speeds multipliers{};
+  };
+
+  /// `sizes` are those of the entries of a state; `near` is some state.
+  constrained_motion(const Equations& of, const state& sizes, const state& near)
+      : of_(of), sizes_(sizes), by_q_(by_coordinates::Zero(of.rows_of_coordinates(), of.coordinates())),
+        by_u_(by_speeds::Zero(of.rows_of_speeds(), of.speeds())),
+        mass_(masses::Zero(of.speeds(), of.speeds())), qdot_(coordinates::Zero(of.coordinates())),
+        force_(speeds::Zero(of.speeds())), bias_(rows_of_speeds::Zero(of.rows_of_speeds())),
+        row_sizes_q_(rows_of_coordinates::Zero(by_q_.rows())),
+        row_sizes_u_(rows_of_speeds::Zero(by_u_.rows())) {
+    look_around(near);
+  }
+
+  /// How well the constraints on the speeds are told apart at a state, beside how well they can be: about 1
+  /// far from all positions where one follows from others, and 0 where some always do.
+  number distinctness(const state& x) {
+    if (usual_rank_ < most_rank()) return 0;
+    velocities(x);
+    return distinctness_of(singular_values<by_speeds>(scaled_by_u()));
+  }
+
+  /// Whether the constraints hold to rounding.
+  bool configuration_holds(const state& x) {
+    return by_q_.rows() == 0 || configuration(x).norm() <= rounding;
+  }
+  bool velocities_hold(const state& x) {
+    number size = 0;
+    for (int i = of_.coordinates(); i < x.size(); ++i) size = (std::max)(size, std::abs(x(i)) / sizes_(i));
+    return velocities(x).norm() <= rounding * size;
+  }
+
+  /// The motion at a state, or near it where that does not satisfy the constraints.
+  status find(const state& given, motion& found) {
+    status s = find_there(given, found);
+    if (!s || distinct_ >= blurred) return s;
+    const Eigen::Index rank = usual_rank_;
+    if (const status passing = interpolate(found); passing) return passing;
+    return usual_rank_ == rank ? s : find_there(given, found);
+  }
+
+  /// Takes x to the nearest configuration that satisfies the constraints.
+  status place(state& x) {
+    if (by_q_.rows() == 0) return {};
+    number last = std::numeric_limits<number>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const rows_of_coordinates left = configuration(x);
+      const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
+      const number size = step.norm();
+      if (!(size < farthest)) break;
+      for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
+      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
+        const rows_of_coordinates rest = configuration(x);
+        return rest.norm() <= nearly ? status() : not_met();
+      }
+      last = size;
+    }
+    return not_met();
+  }
+
+private:
+  using coordinates = matrix<n>;
+  using speeds = matrix<p>;
+  using rows_of_coordinates = matrix<l>;
+  using by_coordinates = matrix<l, n>;
+  using by_speeds = matrix<m, p>;
+  using masses = matrix<p, p>;
+
+  static constexpr bool is_single = sizeof(number) < sizeof(double);
+  static constexpr number rounding = 1024 * std::numeric_limits<number>::epsilon();
+  static constexpr number nothing =
+      is_single ? number(4e-5) : number(2e-9); ///< of the largest singular value
+  static constexpr number nearly =
+      is_single ? number(1e-4) : number(1e-8); ///< what the constraints may leave
+  static constexpr number clearly =
+      is_single ? number(1e-3) : number(1e-6);    ///< more than what is always zero
+  static constexpr number blurred = number(1e-2); ///< a distinctness that takes digits of the motion
+  static constexpr number close_enough =
+      is_single ? number(1e-4) : number(1e-9);    ///< a step that leaves its square
+  static constexpr number farthest = number(0.5); ///< that a state is moved, beside its size
+  static constexpr number stride =
+      number(2e-2); ///< between the states that are interpolated, beside their size
+  static constexpr int most_steps = 20, looks = 3;
+  static constexpr int strides[4]{2, 3, 4, 5};
+
+  static status not_met() {
+    return status("the constraints are dependent, or cannot be met, near this state");
+  }
+  Eigen::Index most_rank() const { return (std::min)(by_u_.rows(), by_u_.cols()); }
+
+  /// How large rows are, and how well they can be told apart, at states that need not satisfy them.
+  void look_around(const state& near) {
+    state tried[looks];
+    number way = 0;
+    for (state& x : tried) {
+      x = near;
+      for (int i = 0; i < of_.coordinates(); ++i) {
+        way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
+        x(i) += (way - number(0.5)) * sizes_(i);
+      }
+      if (by_q_.rows() != 0) configuration(x);
+      for (Eigen::Index i = 0; i < by_q_.rows(); ++i)
+        row_sizes_q_(i) = (std::max)(row_sizes_q_(i), norm_of(by_q_, i, 0));
+      velocities(x);
+      for (Eigen::Index i = 0; i < by_u_.rows(); ++i)
+        row_sizes_u_(i) = (std::max)(row_sizes_u_(i), norm_of(by_u_, i, of_.coordinates()));
+    }
+    for (number& size : row_sizes_q_) size = size > 0 ? size : 1;
+    for (number& size : row_sizes_u_) size = size > 0 ? size : 1;
+    usual_rank_ = most_rank();
+    for (const state& x : tried) {
+      velocities(x);
+      const singular_values<by_speeds> found(scaled_by_u());
+      if (usual_rank_ != 0) usual_ = (std::max)(usual_, found[usual_rank_ - 1]);
+    }
+    if (!(usual_ > 0)) usual_ = 1;
+  }
+  template <class Rows>
+  number norm_of(const Rows& j, Eigen::Index row, int first) const {
+    number square = 0;
+    for (Eigen::Index k = 0; k < j.cols(); ++k) {
+      const number entry = j(row, k) * sizes_(first + k);
+      square += entry * entry;
+    }
+    return std::sqrt(square);
+  }
+
+  rows_of_coordinates configuration(const state& x) {
+    rows_of_coordinates left = rows_of_coordinates::Zero(by_q_.rows());
+    of_.configuration(x, left, by_q_);
+    return left.cwiseQuotient(row_sizes_q_);
+  }
+  rows_of_speeds velocities(const state& x) {
+    rows_of_speeds left = rows_of_speeds::Zero(by_u_.rows());
+    of_.velocities(x, left, by_u_);
+    return left.cwiseQuotient(row_sizes_u_);
+  }
+  template <class Rows>
+  Rows scaled(const Rows& j, const matrix<Rows::RowsAtCompileTime>& rows, int first) const {
+    Rows out = j;
+    for (Eigen::Index i = 0; i < j.rows(); ++i)
+      for (Eigen::Index k = 0; k < j.cols(); ++k) out(i, k) *= sizes_(first + k) / rows(i);
+    return out;
+  }
+  by_coordinates scaled_by_q() const { return scaled(by_q_, row_sizes_q_, 0); }
+  by_speeds scaled_by_u() const { return scaled(by_u_, row_sizes_u_, static_cast<int>(of_.coordinates())); }
+
+  number distinctness_of(const singular_values<by_speeds>& j) const {
+    return usual_rank_ == 0 ? number(1) : j[usual_rank_ - 1] / usual_;
+  }
+
+  /// The least step of Newton's method. A singular value is one only above what the step itself may change.
+  static coordinates step_of(const singular_values<by_coordinates>& j, const rows_of_coordinates& left) {
+    coordinates step = coordinates::Zero(j.right_of(0).size());
+    for (Eigen::Index i = 0; i < j.count(); ++i) {
+      if (!(j[i] > nothing * j[0] && j[i] > 10 * step.norm())) break;
+      step -= (j.left_of(i).dot(left) / j[i]) * j.right_of(i);
+    }
+    return step;
+  }
+
+  /// The motion at the constraints nearest to a state, from the constraints there alone.
+  status find_there(const state& given, motion& found) {
+    const int first = of_.coordinates();
+    found.x = given;
+    if (const status s = place(found.x); !s) return s;
+    if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
+    const rows_of_speeds left = velocities(found.x); // J u + c
+    const singular_values<by_speeds> j(scaled_by_u());
+    distinct_ = distinctness_of(j);
+    masses mass = mass_;
+    for (Eigen::Index i = 0; i < mass.rows(); ++i)
+      for (Eigen::Index k = 0; k < mass.cols(); ++k) mass(i, k) *= sizes_(first + i) * sizes_(first + k);
+    const bound_minimum<masses, by_speeds> bound(mass, j, j.rank(nothing * j[0]));
+    if (!bound.is_regular()) return status("some motion that the constraints allow has no kinetic energy");
+    const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
+    for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);
+    if (const status s = met(j, change, left); !s) return s;
+
+    if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
+    speeds force = force_;
+    for (int i = 0; i < of_.speeds(); ++i) force(i) *= sizes_(first + i);
+    const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
+    const speeds udot = bound.solve(force, -bias);
+    if (const status s = met(j, udot, bias); !s) return s;
+    found.multipliers = bound.multipliers(force, udot).cwiseQuotient(row_sizes_u_);
+    found.rates = state::Zero(found.x.size());
+    for (int i = 0; i < first; ++i) found.rates(i) = qdot_(i);
+    for (int i = 0; i < of_.speeds(); ++i) found.rates(first + i) = udot(i) * sizes_(first + i);
+    return {};
+  }
+
+  /// Whether J x + b vanishes, also in the rows that J leaves out.
+  static status met(const singular_values<by_speeds>& j, const speeds& x, const rows_of_speeds& b) {
+    rows_of_speeds left = b;
+    for (Eigen::Index i = 0; i < j.count(); ++i) left += (j[i] * j.right_of(i).dot(x)) * j.left_of(i);
+    return left.norm() <= nearly * (1 + b.norm() + j[0] * x.norm()) ? status() : not_met();
+  }
+
+  /// The motion at a position that is passed, from those before and behind it. Where the constraints are no
+  /// better told apart there, some of them always follow from others.
+  status interpolate(motion& found) {
+    number length = 0;
+    for (int i = 0; i < of_.coordinates(); ++i) {
+      const number rate = found.rates(i) / sizes_(i);
+      length += rate * rate;
+    }
+    if (!(length > 0)) return not_met();
+    number step = stride / std::sqrt(length);
+    const motion from = found;
+    const auto beside = [&](number ahead, motion& one) {
+      state there = from.x;
+      for (int i = 0; i < of_.coordinates(); ++i) there(i) += ahead * from.rates(i);
+      return find_there(there, one);
+    };
+    constexpr number farthest_stride = strides[3];
+    for (int tries = 0; tries < 4; ++tries) { // sizes may be those of many turns
+      motion one;
+      if (!beside(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * stride)) break;
+      step *= farthest_stride * stride / distinct_;
+    }
+    motion sum{state::Zero(from.x.size()), state::Zero(from.x.size()), rows_of_speeds::Zero(by_u_.rows())};
+    Eigen::Index rank = 0;
+    number usual = 0;
+    for (const int reach : strides)
+      for (const int side : {-1, 1}) {
+        const number ahead = static_cast<number>(side * reach) * step;
+        motion one;
+        if (const status s = beside(ahead, one); !s) return s;
+        const singular_values<by_speeds> j(scaled_by_u());
+        rank = (std::max)(rank, j.rank(clearly * usual_));
+        if (rank != 0) usual = (std::max)(usual, j[rank - 1]);
+        if (rank == usual_rank_ && distinct_ < 2 * blurred) return not_met();
+        const number weight = weight_of(reach);
+        for (int i = 0; i < of_.coordinates(); ++i) one.x(i) -= ahead * from.rates(i);
+        sum.x += weight * one.x;
+        sum.rates += weight * one.rates;
+        sum.multipliers += weight * one.multipliers;
+      }
+    if (rank < usual_rank_) {
+      usual_rank_ = rank, usual_ = usual;
+      return not_met();
+    }
+    found = sum;
+    return {};
+  }
+
+  /// Of a pair of states as far away on either side, in the polynomial through all of them.
+  static constexpr number weight_of(int reach) {
+    number weight = number(0.5);
+    for (const int other : strides)
+      if (other != reach)
+        weight *= static_cast<number>(other * other) / static_cast<number>(other * other - reach * reach);
+    return weight;
+  }
+
+  const Equations& of_;
+  state sizes_;
+  by_coordinates by_q_;
+  by_speeds by_u_;
+  masses mass_;
+  coordinates qdot_;
+  speeds force_;
+  rows_of_speeds bias_;
+  rows_of_coordinates row_sizes_q_;
+  rows_of_speeds row_sizes_u_;
+  number usual_ = 0;            ///< the least singular value that is not always zero, where it is large
+  Eigen::Index usual_rank_ = 0; ///< of J
+  number distinct_ = 0;         ///< where the motion was looked at last
+};
+
+} // namespace kanexpr::numeric

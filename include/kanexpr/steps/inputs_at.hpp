@@ -1,0 +1,22 @@
+#pragma once
+
+#include <kanexpr/compiled/state.hpp>
+
+#include <type_traits>
+
+namespace kanexpr::compiled {
+
+/// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
+template <class Inputs>
+inline constexpr bool inputs_hold = requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
+
+/// The inputs at an instant, from a vector or a function.
+template <class Inputs, class Time, class State>
+[[gnu::always_inline]] inline decltype(auto) inputs_at(const Inputs& r, const Time& t, const State& x) {
+  if constexpr (inputs_hold<Inputs>)
+    return (r);
+  else
+    return r(t, x);
+}
+
+} // namespace kanexpr::compiled

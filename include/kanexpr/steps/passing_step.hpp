@@ -1,0 +1,236 @@
+#pragma once
+
+#include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/numeric/constrained_motion.hpp>
+#include <kanexpr/steps/fixed_step.hpp>
+
+#include <cmath>
+
+/// Steps near positions in which constraints follow from others, by the equations of all speeds.
+namespace kanexpr::compiled {
+
+/// What `constrained_motion` asks of a system, at a time with inputs that hold.
+template <class System, class Number>
+class unreduced_equations {
+  static constexpr const deriving::survey& known = survey_of<System>;
+  using quantity = mechanics::quantity;
+  using quaternions = unit_quaternions<System>;
+  using all = vectors<System, Number>;
+  static constexpr int l = known.configuration_constraints;
+
+public:
+  using number = Number;
+  static constexpr int fixed_coordinates = known.coordinates, fixed_speeds = known.speeds,
+                       fixed_rows_of_coordinates = l + quaternions::count,
+                       fixed_rows_of_speeds = known.constraints;
+  using state = Eigen::Matrix<Number, known.coordinates + known.speeds, 1>;
+  using parameters = typename all::parameters;
+  using inputs = typename all::inputs;
+
+  unreduced_equations(Number t, const parameters& p, const inputs& r) : t_(t), p_(p), r_(r) {}
+  /// Goes to another time.
+  void go_to(Number t, const inputs& r) { t_ = t, r_ = r; }
+
+  static constexpr int coordinates() { return fixed_coordinates; }
+  static constexpr int speeds() { return fixed_speeds; }
+  static constexpr int rows_of_coordinates() { return fixed_rows_of_coordinates; }
+  static constexpr int rows_of_speeds() { return fixed_rows_of_speeds; }
+
+  template <class Left, class Rows>
+  void configuration(const state& x, Left& left, Rows& by_coordinates) const {
+    if constexpr (l != 0) {
+      const auto [kept, by_all] = out_of_line<
+          function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
+          t_, x, p_, r_);
+      for (int i = 0; i < l; ++i) {
+        left(i) = kept(i);
+        by_coordinates.row(i) = by_all.row(i);
+      }
+    }
+    if constexpr (quaternions::count != 0) {
+      left.template tail<quaternions::count>() = quaternions::residual(x);
+      by_coordinates.template bottomRows<quaternions::count>() = quaternions::jacobian(x);
+    }
+  }
+  template <class Left, class Rows>
+  void velocities(const state& x, Left& left, Rows& by_speeds) const {
+    const auto [kept, by_all] =
+        out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t_, x, p_,
+                                                                                                    r_);
+    left = kept, by_speeds = by_all;
+  }
+  template <class Rates, class Masses, class Forces, class Biases>
+  status motion(const state& x, Rates& qdot, Masses& mass, Forces& force, Biases& bias) const {
+    const auto [rates, masses, forces, biases] =
+        out_of_line<function<System, quantity::qdot, quantity::unreduced_mass_matrix,
+                             quantity::unreduced_forcing, quantity::constraint_bias>>{}(t_, x, p_, r_);
+    qdot = rates, mass = masses, force = forces, bias = biases;
+    return status_of(biases);
+  }
+
+private:
+  Number t_;
+  const parameters& p_;
+  inputs r_;
+};
+
+/// A vector of the system's own type from what a step was given; what was not given holds nothing.
+template <class Vector, class Given>
+Vector own_vector(const Given& given) {
+  if constexpr (std::is_same_v<Given, not_given>)
+    return Vector::Zero();
+  else
+    return passed<Vector>(given);
+}
+
+/// Equations for `stepping` whose rates are those of all speeds at the nearest state on the constraints.
+template <class System, class Number, class Inputs>
+class passing_equations {
+  using unreduced = unreduced_equations<System, Number>;
+  using motion = numeric::constrained_motion<unreduced>;
+  using quantity = mechanics::quantity;
+  using inputs = typename unreduced::inputs;
+  using vector = typename unreduced::state;
+  static constexpr int n = unreduced::fixed_coordinates, o = unreduced::fixed_speeds;
+
+public:
+  passing_equations(Number t, const state<System, Number>& x, const typename unreduced::parameters& p,
+                    const Inputs& r)
+      : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))), moving_(of_, sizes_of(x), x) {}
+
+  template <quantity wanted, class Time>
+  auto get(const Time& t, const state<System, Number>& x) const {
+    const status s = find(t, x);
+    if constexpr (wanted == quantity::rhs)
+      return with_status<vector>(found_.rates, s);
+    else if constexpr (wanted == quantity::udot)
+      return with_status<Eigen::Matrix<Number, o, 1>>(found_.rates.template tail<o>(), s);
+    else
+      return with_status<Eigen::Matrix<Number, n, 1>>(found_.rates.template head<n>(), s);
+  }
+  template <class Time>
+  const passing_equations& held(const Time&, const state<System, Number>&) const {
+    return *this;
+  }
+  static status finite(const Number& value, std::string_view cause) {
+    return lower::scalar_math<Number>::is_finite(value) ? status() : status(cause);
+  }
+  template <class Time>
+  status corrected(const Time& t, state<System, Number>& x) const {
+    const status s = find(t, x);
+    if (s) static_cast<vector&>(x) = found_.x;
+    return s;
+  }
+  static constexpr bool has_pivots() { return false; }
+  static status same_side(const Number&, const Number&) { return {}; }
+
+  /// Whether a state is on the constraints, so far as steps leave it there.
+  template <class Time>
+  bool holds(const Time& t, const state<System, Number>& x) const {
+    const status s = find(t, x);
+    return s && (found_.x - x).norm() <= Number(1e-2) * (1 + x.norm());
+  }
+
+private:
+  static vector sizes_of(const state<System, Number>& x) {
+    vector sizes;
+    for (int i = 0; i < n + o; ++i) sizes(i) = (std::max)(Number(1), std::abs(x(i)));
+    return sizes;
+  }
+
+  template <class Time>
+  status find(const Time& t, const state<System, Number>& x) const {
+    const Number now = static_cast<Number>(t);
+    of_.go_to(now, own_vector<inputs>(inputs_at(r_, t, x)));
+    return moving_.find(x, found_);
+  }
+
+  const Inputs& r_;
+  mutable unreduced of_;
+  mutable motion moving_;
+  mutable typename motion::motion found_{};
+};
+
+/// Whether parameters and inputs are vectors that fit the system.
+template <class System, class Parameters, class Inputs>
+constexpr bool can_be_passed_on() {
+  constexpr bool has_parameters = survey_of<System>.parameters == 0 && std::is_same_v<Parameters, not_given>,
+                 has_inputs = !inputs_hold<Inputs> ||
+                              (survey_of<System>.inputs == 0 && std::is_same_v<Inputs, not_given>);
+  return (has_parameters || can_be_passed<System, symbols_of::parameters, Parameters>()) &&
+         (has_inputs || can_be_passed<System, symbols_of::inputs, Inputs>());
+}
+
+/// The equations of the independent speeds, which see whether a step comes near a singular position.
+template <class System, int corrections, class Parameters, class Inputs>
+struct watching_equations : compiled_equations<System, corrections, Parameters, Inputs> {
+  mutable bool is_near = false;
+
+  template <class Number>
+  status same_side(const Number& before, const Number& after) const {
+    constexpr double part = 0.25; // of a determinant, that a step may change it by
+    is_near = is_near || !(std::abs(after - before) <= part * std::abs(after));
+    return {};
+  }
+};
+
+} // namespace kanexpr::compiled
+
+namespace kanexpr {
+
+/// A step of a fixed length that passes positions in which constraints of a system follow from others, as
+/// those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near them it takes the
+/// equations of all speeds at states that are brought to the constraints, some thirty times the work;
+/// elsewhere it is the step itself. No memory is taken and nothing is thrown.
+template <class Step>
+struct passing;
+
+namespace compiled {
+
+template <class Method, class System, int corrections>
+struct passing_step {
+  template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
+  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
+                    const Inputs& r = {}) const {
+    if constexpr (survey_of<System>.constraints == 0) {
+      return advanced<Method, System, corrections>(t, x, h, p, r);
+    } else {
+      const watching_equations<System, corrections, Parameters, const Inputs&> of{{p, r}};
+      state<System, Number> next = x;
+      status s = stepping::stepped<Method>(of, t, next, h);
+      if (!s || of.is_near) s = passed_by(s, t, x, h, p, r, next);
+      if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
+      t = static_cast<Time>(t + h), x = next;
+      return s;
+    }
+  }
+
+private:
+  /// By the equations of all speeds; where that cannot be done either, what became of the others stays.
+  template <class Time, class Number, class Parameters, class Inputs>
+  [[gnu::cold, gnu::noinline]] static status
+  passed_by(const status& before, const Time& t, const state<System, Number>& x, const Time& h,
+            const Parameters& p, const Inputs& r, state<System, Number>& next) {
+    if constexpr (can_be_passed_on<System, Parameters, Inputs>()) {
+      const auto parameters = own_vector<typename unreduced_equations<System, Number>::parameters>(p);
+      const passing_equations<System, Number, Inputs> of(static_cast<Number>(t), x, parameters, r);
+      state<System, Number> there = x;
+      if (of.holds(t, x) && stepping::stepped<Method>(of, t, there, h)) {
+        next = there;
+        return {};
+      }
+    }
+    return before;
+  }
+};
+
+} // namespace compiled
+
+template <class System, int corrections>
+struct passing<runge_kutta_4<System, corrections>>
+    : compiled::passing_step<stepping::runge_kutta_4, System, corrections> {};
+template <class System, int corrections>
+struct passing<semi_implicit_euler<System, corrections>>
+    : compiled::passing_step<stepping::semi_implicit_euler, System, corrections> {};
+
+} // namespace kanexpr

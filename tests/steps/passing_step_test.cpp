@@ -1,0 +1,78 @@
+// builds: g++ no-exceptions
+// Steps of a fixed length at positions where constraints follow from others.
+#include "no_heap.hpp"
+#include "steps/double_four_bar.hpp"
+
+#include <kanexpr/fixed_step.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace double_four_bar;
+
+TEST(fixed_step, refuses_to_pass_a_singular_position) {
+  for (const double h : {1e-3, 1e-4}) {
+    auto x = upright();
+    double t = 0;
+    status s;
+    while (s && t < 10) s = runge_kutta_4<System>{}(t, x, h);
+    EXPECT_EQ(s.cause(),
+              "the step passes a position where the constraints cannot be solved for the dependent speeds");
+    EXPECT_NEAR(t, 0.7143, 1e-3);
+    EXPECT_NEAR(x[q1], 0, 1e-2);
+    EXPECT_NEAR(energy(x[q1], x[u1]), energy(upright()[q1], -1), 1e-6);
+  }
+}
+
+TEST(fixed_step, passes_singular_positions_and_leaves_the_energy) {
+  for (const double h : {1e-3, 1e-4}) {
+    auto x = upright();
+    const double first = energy(x[q1], x[u1]);
+    double t = 0, worst = 0;
+    const passing<runge_kutta_4<System>> step;
+    bool good = true;
+    {
+      const no_heap::guard guard;
+      for (int i = 0; i < static_cast<int>(10 / h); ++i) {
+        good = good && step(t, x, h);
+        worst = (std::max)(worst, std::abs(energy(x[q1], x[u1]) - first));
+      }
+    }
+    EXPECT_TRUE(good);
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_LT(x[q1], -9 * std::numbers::pi);
+    EXPECT_NEAR(x[q2], x[q1], 1e-9); // on the branch of equal cranks
+    EXPECT_NEAR(x[q3], x[q1], 1e-9);
+  }
+}
+
+TEST(fixed_step, passes_by_floats_and_by_euler) {
+  auto x = upright<float>();
+  float now = 0;
+  bool good = true;
+  for (int i = 0; i < 2000; ++i) good = good && passing<runge_kutta_4<System>>{}(now, x, 1e-3f);
+  EXPECT_TRUE(good);
+  auto y = upright();
+  double t = 0;
+  for (int i = 0; i < 20000; ++i) good = good && passing<semi_implicit_euler<System>>{}(t, y, 1e-4);
+  EXPECT_TRUE(good);
+  EXPECT_NEAR(x[q1], y[q1], 2e-2);
+}
+
+// Far from such positions it is the step itself.
+TEST(fixed_step, passes_nothing_where_nothing_is_to_pass) {
+  auto x = upright(), y = x;
+  double t = 0;
+  for (int i = 0; i < 300; ++i) {
+    double same = t;
+    EXPECT_TRUE(runge_kutta_4<System>{}(same, y, 1e-3));
+    EXPECT_TRUE(passing<runge_kutta_4<System>>{}(t, x, 1e-3));
+    EXPECT_EQ(x, y);
+  }
+}
+
+} // namespace
