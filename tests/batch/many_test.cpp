@@ -47,6 +47,12 @@ TEST(many, is_made_as_one_is) {
   EXPECT_EQ(r.get(4), Eigen::Vector2d(1, 2));
   EXPECT_EQ(many<Eigen::Matrix2d>(4).get(3), Eigen::Matrix2d::Zero());
   EXPECT_EQ(many<eom::state>(0).size(), 0);
+  EXPECT_EQ(many<eom::state>(-3).size(), 0);
+  EXPECT_EQ((many_results<function<System, mechanics::quantity::qdot>>(-3).size()), 0);
+  rollout<runge_kutta_4<System>> none(-3, {.step = 0.1, .steps = 5, .store_every = 1});
+  many<eom::state> x(-3);
+  EXPECT_EQ(none.size(), 0);
+  EXPECT_TRUE(none.run(x, eom::parameters::Ones(), eom::inputs::Zero()));
 }
 
 TEST(many, has_no_systems_once_it_is_moved_from) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -55,10 +56,11 @@ public:
   using row = Eigen::Map<Eigen::Array<number, 1, Eigen::Dynamic>>;
   using const_row = Eigen::Map<const Eigen::Array<number, 1, Eigen::Dynamic>>;
 
-  /// All are the same at first: states zero, parameters and inputs not numbers until they are set.
+  /// All are the same at first: states zero, parameters and inputs not numbers until they are set. None where
+  /// their number is negative.
   explicit many(Eigen::Index count) : many(count, at_first()) {}
   many(Eigen::Index count, const Vector& each)
-      : size_(count), lines_in_row_(lines_for(count)),
+      : size_((std::max)(count, Eigen::Index{0})), lines_in_row_(lines_for(size_)),
         lines_(static_cast<std::size_t>(entries * lines_in_row_)) {
     for (int i = 0; i < entries; ++i) row_at(i) = each.data()[i];
   }

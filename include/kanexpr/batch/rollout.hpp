@@ -35,7 +35,7 @@ public:
   using state = batches::with_scalar<typename Step::eom::state, Number>;
 
   rollout(Eigen::Index systems, const rollout_options& how)
-      : how_(how), statuses_(systems), steps_(static_cast<std::size_t>(systems)) {
+      : how_(how), statuses_(systems), steps_(static_cast<std::size_t>(statuses_.size())) {
     const int count = how.store_every > 0 && how.steps > 0 ? how.steps / how.store_every : 0;
     stored_.assign(static_cast<std::size_t>(count), many<state>(systems));
     times_.assign(stored_.size(), how.start);

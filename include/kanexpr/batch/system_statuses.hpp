@@ -3,6 +3,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/chunks.hpp>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace kanexpr::batches {
 /// A status for each of many systems, of which chunks of work set those that failed.
 class system_statuses {
 public:
-  explicit system_statuses(Eigen::Index systems) : all_(static_cast<std::size_t>(systems)) {}
+  explicit system_statuses(Eigen::Index systems)
+      : all_(static_cast<std::size_t>((std::max)(systems, Eigen::Index{0}))) {}
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(all_.size()); }
   const status& of(Eigen::Index system) const { return all_[static_cast<std::size_t>(system)]; }
