@@ -280,6 +280,7 @@ private:
   std::string names() const {
     if (plan_.renamed.empty()) return {};
     std::vector<std::string> all;
+    all.reserve(plan_.renamed.size());
     for (const std::string& each : plan_.renamed) all.push_back(text::comment(each));
     std::string told = text::wrapped("/// Names of the file: ", all) + ".\n";
     for (std::size_t at = told.find('\n'); at + 1 < told.size(); at = told.find('\n', at + 1))
