@@ -156,6 +156,26 @@ TEST(status, names_speeds_that_cannot_be_solved_for) {
   expect_status<four_bars::System>(b.x, b.p, b.r, "");
 }
 
+// Nearer to where coupler and rocker are in line rounding takes more than a millionth of u̇.
+TEST(status, lets_no_more_than_a_millionth_of_error_through) {
+  const auto exactly = [](const auto& given) {
+    return Eigen::Matrix<long double, std::remove_cvref_t<decltype(given)>::SizeAtCompileTime, 1>(
+        given.template cast<long double>());
+  };
+  int good = 0;
+  for (double angle = 1e-2; angle > 1e-16; angle /= 3) {
+    four_bars b;
+    b.x[four_bar::q3] = angle;
+    const auto udot = four_bars::eom::udot(b.x, b.p, b.r);
+    if (!udot.status) continue;
+    ++good;
+    const auto exact = four_bars::eom::udot(exactly(b.x), exactly(b.p), exactly(b.r));
+    EXPECT_LE((exactly(udot) - exact).norm(), 1e-6L * exact.norm()) << angle;
+  }
+  EXPECT_GT(good, 15); // down to 1e-9 or so
+  EXPECT_LT(good, 25);
+}
+
 // A parallelogram with all bars in line has more ways to move than one: u̇ is not what its dependent speeds
 // say.
 TEST(status, does_not_rest_on_what_vanishes_with_a_constraint) {

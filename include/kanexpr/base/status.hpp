@@ -35,16 +35,20 @@ auto operator<<(Stream& to, const status& told) -> decltype(to << told.view()) {
 
 namespace mechanics {
 
-/// How near to singular is too near: what is left beside what it was made of, so small that rounding decides.
-/// Of one of the compiler's vectors, of its numbers.
+/// What is left beside what it was made of, so small that rounding decides on it.
+inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>::epsilon();
+
+/// How near to singular is too near. A solution has the rounding of its matrix divided by this as its error:
+/// of double precision one in a million, of single precision four digits are left. Of one of the compiler's
+/// vectors, of its numbers.
 template <class Scalar>
 constexpr double least_singularity_measure() {
-  if constexpr (std::is_arithmetic_v<Scalar>)
-    return 4096.0 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+  if constexpr (std::is_same_v<Scalar, float>)
+    return 4096.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
   else if constexpr (!std::is_class_v<Scalar> && requires(const Scalar v) { v[0]; })
     return least_singularity_measure<std::remove_cvref_t<decltype(Scalar{}[0])>>();
   else
-    return 4096.0 * std::numeric_limits<double>::epsilon();
+    return 1e6 * std::numeric_limits<double>::epsilon();
 }
 
 } // namespace mechanics

@@ -28,7 +28,7 @@ public:
 
   /// Whether M is regular.
   explicit operator bool() const {
-    return factors_.singularity_measure() > mechanics::least_singularity_measure<double>();
+    return factors_.singularity_measure() > mechanics::vanishing_measure;
   }
 
   /// δ[q̇; u̇; λ] for each state, then each input.
