@@ -126,9 +126,10 @@ TEST(operating_point, refuses_options_that_make_no_sense) {
   const auto cause = [](const kanexpr::operating_point_options<System>& options) {
     return operating_point({{q, 0.2}}, some_parameters(), options).cause();
   };
-  for (const double tolerance : {0.0, -1.0, std::nan("")})
+  for (const double tolerance : {0.0, -1.0})
     EXPECT_EQ(cause({.tolerance = tolerance}), "the tolerance must be positive");
-  EXPECT_EQ(cause({.tolerance = infinite}), "the tolerance is not finite");
+  for (const double tolerance : {infinite, std::nan("")})
+    EXPECT_EQ(cause({.tolerance = tolerance}), "the tolerance is not finite");
   EXPECT_EQ(cause({.most_iterations = 0}), "the most iterations that are allowed must be positive");
   EXPECT_EQ(cause({.t = infinite}), "the time is not finite");
 }

@@ -75,12 +75,12 @@ TEST(simulate, refuses_what_it_cannot_do) {
             "the time span, 1e-300 s, is shorter than numbers can divide");
   EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = 1e-300}),
             "the greatest step, 1e-300, is lost to rounding in a span of 1 s");
-  EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = nan}), "a tolerance must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = nan}), "a tolerance is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = infinite}), "a tolerance is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 1}),
             "the relative tolerance is 1; it must be below 1");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = nan}),
-            "the time between two samples must be positive");
+            "the time between two samples is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = infinite}),
             "the time between two samples is not finite");
   for (const double fine : {1e-16, 1e-300, std::numeric_limits<double>::denorm_min()})
@@ -98,7 +98,7 @@ TEST(simulate, refuses_what_it_cannot_do) {
     EXPECT_EQ(cause_with({.inputs = idle, .most_steps = steps}),
               "the most steps that are allowed must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .keep = false}), "samples are neither kept nor handed to a function");
-  EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = nan}), "the size of a step must be positive");
+  EXPECT_EQ(cause_with({.inputs = idle, .greatest_step = nan}), "the size of a step is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .events = {{"odd", nullptr}}}),
             "the event odd has no function whose zeros it is");
 }

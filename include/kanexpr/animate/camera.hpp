@@ -2,6 +2,7 @@
 
 #include <kanexpr/animate/filming.hpp>
 #include <kanexpr/animate/scene.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 
 namespace kanexpr::animate {
@@ -46,9 +47,9 @@ private:
     const status s = evaluate(t, column(film_.numbers, sample));
     if (!s) made_.failure = s.cause() + at_time(t);
     for (const double entry : x_)
-      if (!std::isfinite(entry))
+      if (!numeric::is_finite(entry))
         made_.failure = "the state holds something that is not a number" + at_time(t);
-    if (!std::isfinite(t)) made_.failure = "the time of a sample is not a number";
+    if (!numeric::is_finite(t)) made_.failure = "the time of a sample is not a number";
     if (!made_.times.empty() && t < made_.times.back())
       made_.failure = "the samples are not in the order of time" + at_time(t);
     made_.times.push_back(t);

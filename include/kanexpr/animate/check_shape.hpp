@@ -4,6 +4,7 @@
 #include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 /// Mistakes that a person can make in a shape.
 namespace kanexpr::animate {
@@ -85,7 +86,7 @@ constexpr bool is_colour(std::string_view given) {
 constexpr sentence check_look(const look& l, std::string_view whom) {
   if (!l.colour.empty() && !is_colour(l.colour))
     return sentence({"the colour of the ", whom, ", ", l.colour, ", is not of the form #1f5fa8"});
-  if (!(l.opacity > 0 && l.opacity <= 1))
+  if (!(numeric::is_finite(l.opacity) && l.opacity > 0 && l.opacity <= 1))
     return sentence({"the opacity of the ", whom, " is not above 0 and at most 1"});
   return {};
 }

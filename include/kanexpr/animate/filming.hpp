@@ -2,9 +2,10 @@
 
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/placed.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <charconv>
-#include <cmath>
 #include <span>
 
 /// From the numbers of a picture at each time to its shapes.
@@ -71,24 +72,25 @@ inline std::string at_time(double t) {
 /// A mesh may be mirrored.
 inline std::string check_number(const animation::shape& s, double size) {
   const bool is_scale = s.kind == "mesh";
-  if (std::isfinite(size) && (size > 0 || (is_scale && size < 0))) return {};
+  if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
   if (is_scale) return "a scale of the " + s.name + " is zero, or not a number";
   return "a size of the " + s.name + " is not a positive number";
 }
 
 /// What in an animation is not a number, as a sentence; empty: nothing.
 inline std::string check_numbers(const animation& a) {
-  if (!(a.up.norm() > 0.5)) return "the direction of up has no length";
-  if (a.seen_from && !(a.seen_from->norm() > 0.5)) return "the direction of seen_from has no length";
-  if (a.ground && !std::isfinite(*a.ground)) return "the height of the ground is not a number";
+  if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5)) return "the direction of up has no length";
+  if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
+    return "the direction of seen_from has no length";
+  if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground is not a number";
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k) {
       const placement& here = s.placements[k];
-      if (!here.position.allFinite() || !here.end.allFinite())
+      if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
         return "the position of the " + s.name + " is not a number" + at_time(a.times[k]);
-      if (!here.orientation.allFinite())
+      if (!numeric::all_finite(here.orientation))
         return "the orientation of the " + s.name + " is not a number" + at_time(a.times[k]);
     }
   }

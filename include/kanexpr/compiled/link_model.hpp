@@ -3,8 +3,9 @@
 #include <kanexpr/compiled/linked_model.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
-#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -17,9 +18,9 @@ template <class Number>
 void tell_if_not_finite(with_status<Number>& result) {
   bool is_finite = true;
   if constexpr (requires { result.value; })
-    is_finite = std::isfinite(result.value);
+    is_finite = numeric::is_finite(result.value);
   else
-    is_finite = result.allFinite();
+    is_finite = numeric::all_finite(result);
   if (result.status && !is_finite)
     result.status = status(
         "the result is not finite; look for an argument that was left out or a value that was not set");

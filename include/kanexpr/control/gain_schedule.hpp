@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/control/matrices.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <type_traits>
 
@@ -81,7 +82,7 @@ constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
     if (table.status && !control::is_finite_gain(table.at[i]))
       table.status = status("a gain of the schedule is not finite");
   }
-  if (table.status && !(from < to || to < from))
+  if (table.status && !(numeric::is_finite(from) && numeric::is_finite(to) && (from < to || to < from)))
     table.status = status("the ends of the schedule are equal, or no numbers");
   return table;
 }

@@ -5,10 +5,10 @@
 #include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -58,7 +58,7 @@ private:
         if (known.names[range.first + k].view() == what.name()) {
           places_.emplace_back(i, k);
           // Where a number is not finite the run fails, the first like others.
-          same.push_back({what.name(), std::isfinite(first.all()[i]) ? first.all()[i] : 0.0});
+          same.push_back({what.name(), numeric::is_finite(first.all()[i]) ? first.all()[i] : 0.0});
         }
     }
     if (is_set_later) {

@@ -3,10 +3,10 @@
 #include <kanexpr/ensemble/given_to_runs.hpp>
 #include <kanexpr/ensemble/job.hpp>
 #include <kanexpr/ensemble/study_in_steps.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <string>
 #include <type_traits>
@@ -63,7 +63,7 @@ private:
     if (!given_.mistake.empty()) return given_.mistake;
     if (has_law && given_.gives_inputs) return "the inputs are told twice, by the study and by a function";
     if (!has_law && !given_.inputs.mistake().empty()) return given_.inputs.mistake();
-    if (!(std::isfinite(told_.step) && std::isfinite(told_.start)))
+    if (!(numeric::is_finite(told_.step) && numeric::is_finite(told_.start)))
       return "the steps of the study are not finite";
     if (told_.steps < 0) return "the number of steps is negative";
     if (told_.look_every < 1) return "a study looks at its runs after a step at least";

@@ -7,11 +7,11 @@
 #include <kanexpr/export/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/copied.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
-#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -75,7 +75,8 @@ private:
       const auto place = std::find(parameters.begin(), parameters.end(), b.name);
       if (place == parameters.end())
         return refuse("there is no parameter " + b.name + " that could be bound to a number");
-      if (!std::isfinite(b.value)) return refuse("parameter " + b.name + " is bound to no finite number");
+      if (!numeric::is_finite(b.value))
+        return refuse("parameter " + b.name + " is bound to no finite number");
       if (is_bound_[static_cast<std::size_t>(place - parameters.begin())])
         return refuse("parameter " + b.name + " is bound twice");
       is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;

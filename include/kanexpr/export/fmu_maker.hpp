@@ -4,6 +4,7 @@
 #include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <set>
 
@@ -68,7 +69,7 @@ public:
       : name_(std::move(name)), derive_(std::move(derive)), chosen_(chosen) {}
 
   made_fmu run() {
-    if (!(chosen_.step > 0 && std::isfinite(chosen_.step)))
+    if (!(chosen_.step > 0 && numeric::is_finite(chosen_.step)))
       refuse("the internal step of a co-simulation must be positive");
     gather();
     if (made_.mistake.empty()) {
@@ -182,7 +183,7 @@ private:
       if (found == nullptr)
         return refuse("there is no coordinate, speed, parameter or input " + name +
                       " that could start with a value");
-      if (!std::isfinite(each.value)) return refuse("the start value of " + name + " is not finite");
+      if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
       if (const int state = place_of(f.states, name);
           state >= known_->coordinates && f.dependent[static_cast<std::size_t>(state)])

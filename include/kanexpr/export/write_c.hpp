@@ -5,6 +5,7 @@
 #include <kanexpr/export/c/python_file.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/files.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 namespace kanexpr {
@@ -27,9 +28,9 @@ namespace detail {
 inline std::string mistake_of_numbers(const exported_system& s, precision number) {
   for (const exported_function& f : s.functions)
     for (const symbolic::number& n : f.code.numbers)
-      if (!std::isfinite(number == precision::single_precision
-                             ? static_cast<double>(lower::number_as<float>(n))
-                             : lower::number_as<double>(n)))
+      if (!numeric::is_finite(number == precision::single_precision
+                                  ? static_cast<double>(lower::number_as<float>(n))
+                                  : lower::number_as<double>(n)))
         return "function " + f.name + " holds a number that " + scalar(number).type() + " has no room for";
   return {};
 }

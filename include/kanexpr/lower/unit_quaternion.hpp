@@ -1,10 +1,9 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <Eigen/Core>
-
-#include <limits>
 
 /// Quaternions within a vector, by the places of their entries.
 namespace kanexpr::lower {
@@ -19,7 +18,7 @@ template <class State, class Places>
 
 /// The norms that a quaternion may have before it is given norm 1.
 struct norm_range {
-  double least = 0, most = std::numeric_limits<double>::infinity();
+  double least = 0, most = numeric::infinity<double>;
 };
 
 /// Divides a quaternion by the root of the square of its norm.

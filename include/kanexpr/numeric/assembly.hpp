@@ -2,11 +2,12 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/newton.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace kanexpr {
 
@@ -47,7 +48,7 @@ inline mechanics::sentence with_number(std::string_view before, double number, i
 
 template <class Vector>
 double largest(const Vector& v) {
-  if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
+  if (!all_finite(v)) return not_a_number<double>; // which the largest need not be
   return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
@@ -133,7 +134,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     return report;
   }
   report.velocity_residual = largest(c.velocity_residual(placed));
-  if (!std::isfinite(report.velocity_residual)) {
+  if (!is_finite(report.velocity_residual)) {
     report.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
@@ -152,7 +153,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
     const auto sizes = terms(x);
     for (int i = 0; i < residual.size() && !report.failure; ++i)
       if (const double left = static_cast<double>(residual(i)), size = static_cast<double>(sizes(i));
-          !(std::isfinite(left) &&
+          !(is_finite(left) &&
             (std::abs(left) <= tolerance * size ||
              std::abs(left) <=
                  rounding * tolerance * static_cast<double>(usual_terms(terms, x, c.all_coordinates())(i)))))
@@ -168,7 +169,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
   for (int i = 0; i < halves.size() && !report.failure; ++i)
     if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));
-        !(std::abs(norm - 1) <= tolerance))
+        !(is_finite(norm) && std::abs(norm - 1) <= tolerance))
       report.failure = with_number(
           mechanics::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
   return report;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -36,7 +38,7 @@ struct equilibration {
 
 private:
   static number inverse(number size) {
-    return size > 0 && std::isfinite(size) ? std::ldexp(number(1), -std::ilogb(size)) : 1;
+    return size > 0 && is_finite(size) ? std::ldexp(number(1), -std::ilogb(size)) : 1;
   }
 };
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 /// Numerical methods that work on plain functions of vectors.
@@ -36,19 +36,19 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   newton_report report;
   Vector f = function(x);
   const auto size = [](const Vector& v) {
-    if (!v.allFinite()) return std::numeric_limits<double>::quiet_NaN(); // which the largest need not be
+    if (!all_finite(v)) return not_a_number<double>; // which the largest need not be
     return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
   };
   // no change of the Jacobian is less than its rounding
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
   if (x.size() == 0 || equal(report.residual, 0.0)) report.converged = true;
-  if (report.converged || !f.allFinite()) return report;
+  if (report.converged || !all_finite(f)) return report;
 
   bool goes_on = true;
   while (goes_on && report.steps < options.most_steps) {
     const Matrix slope = jacobian(x);
-    if (!slope.allFinite()) break;
+    if (!all_finite(slope)) break;
     const equilibration<Vector> scale(slope);
     const Matrix scaled = scale.applied_to(slope);
     factorized<Vector> factors(scaled);
@@ -62,7 +62,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     }
     factors.solve(step);
     step = step.cwiseProduct(scale.columns);
-    if (!step.allFinite()) break;
+    if (!all_finite(step)) break;
 
     const Vector before = x;
     const number was = scale.rows.cwiseProduct(f).norm();
@@ -71,7 +71,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     for (int halvings = 0; halvings < 30 && !fell; ++halvings, part /= 2) {
       const Vector tried = before + part * step;
       const Vector left = function(tried);
-      if (!left.allFinite() || !(scale.rows.cwiseProduct(left).norm() < was)) continue;
+      if (!all_finite(left) || !(scale.rows.cwiseProduct(left).norm() < was)) continue;
       x = tried;
       f = left;
       fell = true;

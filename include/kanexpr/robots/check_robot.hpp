@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/robots/robot.hpp>
 #include <kanexpr/robots/shown.hpp>
 
@@ -56,7 +57,7 @@ inline bool is_rotation(const rotation& t) {
   }
   return dot(t[0], cross(t[1], t[2])) > 0;
 }
-inline bool is_finite(const vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); }
+inline bool is_finite(const vector3& v) { return numeric::is_finite(v[0] + v[1] + v[2]); }
 inline bool is_placed(const pose& p) { return is_rotation(p.turn) && is_finite(p.at); }
 
 inline std::string wrong_with(const link& l) {
@@ -64,7 +65,7 @@ inline std::string wrong_with(const link& l) {
   const std::string whose = "link " + shown(l.name);
   const inertial& i = *l.inertial;
   const inertia_matrix& m = i.inertia;
-  if (!std::isfinite(i.mass + m.xx + m.yy + m.zz + m.xy + m.yz + m.zx))
+  if (!numeric::is_finite(i.mass + m.xx + m.yy + m.zz + m.xy + m.yz + m.zx))
     return "the mass or the inertia of " + whose + " is not a finite number";
   if (!is_placed(i.center)) return "the mass centre of " + whose + " is not placed by numbers and a rotation";
   return i.mass < 0 ? "the mass of " + whose + " is negative" : "";
@@ -77,7 +78,7 @@ inline std::string wrong_with_mimic(const robot& r, const joint& j) {
     const mimicry& m = *at->mimic;
     if (m.leader < 0 || static_cast<std::size_t>(m.leader) >= r.joints.size())
       return whose + " follows a joint that is not there";
-    if (!std::isfinite(m.multiplier) || !std::isfinite(m.offset))
+    if (!numeric::is_finite(m.multiplier) || !numeric::is_finite(m.offset))
       return whose + " follows another by a number that is not finite";
     if (steps == r.joints.size()) return whose + " follows a joint that follows it in turn";
     if (!has_one_coordinate(at->is)) return whose + " follows another, but has not one coordinate";
@@ -98,7 +99,7 @@ inline std::string wrong_with(const robot& r, const joint& j) {
   if (has_axis(j.is) && !(std::abs(dot(j.axis, j.axis) - 1) < 1e-6))
     return "the axis of " + whose + " does not have the length 1";
   if (!(j.damping >= 0) || !(j.friction >= 0) || !(j.rotor_inertia >= 0) ||
-      !std::isfinite(j.damping + j.friction + j.rotor_inertia + j.gear_ratio))
+      !numeric::is_finite(j.damping + j.friction + j.rotor_inertia + j.gear_ratio))
     return "the damping, friction or rotor of " + whose + " is negative or not finite";
   if (!(std::abs(j.gear_ratio) > 0)) return "the gear ratio of " + whose + " is 0";
   return wrong_with_mimic(r, j);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_inertial.hpp>
 #include <kanexpr/robots/check_robot.hpp>
@@ -69,10 +70,10 @@ inline std::string overflowing_in(const robot& r, const articulation& a) {
     return "the numbers of link " + shown(r.links[static_cast<std::size_t>(link)].name) +
            " are too large to be computed with";
   };
-  const auto is_finite = [](const vector3& v) { return std::isfinite(v[0] + v[1] + v[2]); };
+  const auto is_finite = [](const vector3& v) { return numeric::is_finite(v[0] + v[1] + v[2]); };
   for (const moving_body& b : a.bodies) {
     const inertia_matrix& i = b.inertia;
-    if (!std::isfinite(b.mass + i.xx + i.yy + i.zz + i.xy + i.yz + i.zx) || !is_finite(b.center) ||
+    if (!numeric::is_finite(b.mass + i.xx + i.yy + i.zz + i.xy + i.yz + i.zx) || !is_finite(b.center) ||
         !is_finite(b.origin.at))
       return too_large(b.link);
   }
@@ -82,7 +83,7 @@ inline std::string overflowing_in(const robot& r, const articulation& a) {
     if (b.joint < 0) continue;
     const joint& j = r.joints[static_cast<std::size_t>(b.joint)];
     const mimicry how = followed_by(r, b.joint);
-    if (!std::isfinite(j.gear_ratio * j.gear_ratio * j.rotor_inertia + how.multiplier + how.offset))
+    if (!numeric::is_finite(j.gear_ratio * j.gear_ratio * j.rotor_inertia + how.multiplier + how.offset))
       return "the gear of joint " + shown(j.name) + " is too large to be computed with";
   }
   return {};

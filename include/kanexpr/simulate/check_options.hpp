@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/system.hpp>
 
@@ -21,7 +22,7 @@ inline double memory_of_machine() {
 #ifdef _SC_PHYS_PAGES
   return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
 #else
-  return std::numeric_limits<double>::infinity();
+  return numeric::infinity<double>;
 #endif
 }
 
@@ -31,11 +32,11 @@ inline double shortest_step(const time_span& span) {
 }
 
 inline std::string check_span(const time_span& span) {
-  if (!std::isfinite(span.from) || !std::isfinite(span.to)) return "the time span is not finite";
+  if (!numeric::is_finite(span.from) || !numeric::is_finite(span.to)) return "the time span is not finite";
   if (span.to < span.from)
     return "the time span ends at " + digits(span.to) + ", before it begins at " + digits(span.from);
   const double length = span.to - span.from, latest = (std::max)(std::abs(span.from), std::abs(span.to));
-  if (!std::isfinite(length)) return "the time span is longer than numbers can say";
+  if (!numeric::is_finite(length)) return "the time span is longer than numbers can say";
   if (length > 0 && length < 1000 * std::numeric_limits<double>::epsilon() * latest)
     return "the time span, " + digits(length) + " s, is too short: times up to " + digits(latest) +
            " can be told apart to " + digits(std::nextafter(latest, 2 * latest) - latest) + " s";
@@ -45,15 +46,15 @@ inline std::string check_span(const time_span& span) {
 }
 
 inline std::string check_tolerance(double tolerance) {
-  if (!(tolerance > 0)) return "a tolerance must be positive";
-  return std::isinf(tolerance) ? "a tolerance is not finite" : "";
+  if (!numeric::is_finite(tolerance)) return "a tolerance is not finite";
+  return tolerance > 0 ? "" : "a tolerance must be positive";
 }
 
 /// Regular samples that the times of the span can tell apart and, if they are kept, that memory can hold.
 inline std::string check_output_every(double every, const time_span& span, std::size_t bytes_each) {
+  if (!numeric::is_finite(every)) return "the time between two samples is not finite";
   if (numeric::equal(every, 0.0)) return {};
   if (!(every > 0)) return "the time between two samples must be positive";
-  if (std::isinf(every)) return "the time between two samples is not finite";
   const std::string samples_every = "samples every " + digits(every) + " s";
   const double latest = (std::max)(std::abs(span.from), std::abs(span.to));
   if (span.from < span.to && every < 4 * std::numeric_limits<double>::epsilon() * latest)
@@ -67,14 +68,14 @@ inline std::string check_output_every(double every, const time_span& span, std::
 
 /// The size of a step, of which 0 leaves the choice to the integrator.
 inline std::string check_step(double size) {
-  if (!(size >= 0)) return "the size of a step must be positive";
-  return std::isinf(size) ? "the size of a step is not finite" : "";
+  if (!numeric::is_finite(size)) return "the size of a step is not finite";
+  return size >= 0 ? "" : "the size of a step must be positive";
 }
 
 inline std::string check_output_times(const std::vector<double>& times, const time_span& span) {
   double last = span.from;
   for (double t : times) {
-    if (!(t >= span.from && t <= span.to))
+    if (!(numeric::is_finite(t) && t >= span.from && t <= span.to))
       return "the output time " + digits(t) + " is outside the time span";
     if (t < last) return "the output time " + digits(t) + " comes after " + digits(last);
     last = t;

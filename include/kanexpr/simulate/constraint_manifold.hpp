@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 #include <kanexpr/simulate/constraints_of.hpp>
@@ -139,7 +140,7 @@ private:
     for (int steps = 0; steps < most_steps; ++steps) {
       const vector left = kept_by_coordinates(t, y + correction_, r);
       const vector step = along(by_q_, 0, -left);
-      if (!step.allFinite()) return false;
+      if (!numeric::all_finite(step)) return false;
       correction_.head(n_) += step;
       const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
       if (size <= close_enough || (size <= 1 && size > last / 4)) return true; // or rounding is met
@@ -155,7 +156,7 @@ private:
       of_.velocities(t, x.data(), r.data(), left.data(), by_u_.data());
       correction_.tail(o_) = along(by_u_, n_, -left);
     }
-    return correction_.allFinite();
+    return numeric::all_finite(correction_);
   }
 
   /// A step this small beside the tolerances leaves its square, which is nothing.

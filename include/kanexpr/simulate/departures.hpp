@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/rates_at.hpp>
 #include <kanexpr/simulate/tolerances.hpp>
 
@@ -196,7 +197,7 @@ private:
     if (evaluate(t, x, here_) && rates(t, x, now)) {
       const double seen = 16 * std::numeric_limits<double>::epsilon() * std::abs(t); // of the time itself
       const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
-      if (std::isfinite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
+      if (numeric::is_finite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
     }
     around_.forget();

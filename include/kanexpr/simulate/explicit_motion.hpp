@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/input_sensitivity.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
@@ -28,7 +30,7 @@ public:
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     if (const status s = around_.rates(t, ydot); !s) return around_.refuse(s);
     for (int i = 0; i < size(); ++i)
-      if (!std::isfinite(ydot[i]))
+      if (!numeric::is_finite(ydot[i]))
         return around_.refuse("the rate of " + around_.name_of_state(i) + " is not finite");
     return answer::given;
   }
@@ -66,7 +68,8 @@ private:
       if (const answer a = sensitivity.find(t, around_); a != answer::given) return a;
       if (around_.inputs_depend_on_state()) out += by_inputs.lazyProduct(sensitivity.by_state());
     }
-    return out.allFinite() ? answer::given : around_.refuse("the derivatives of the motion are not finite");
+    return numeric::all_finite(out) ? answer::given
+                                    : around_.refuse("the derivatives of the motion are not finite");
   }
 
   /// The rates near a singular position have no derivatives that are written out.

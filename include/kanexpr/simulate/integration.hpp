@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/check_options.hpp>
 #include <kanexpr/simulate/contradiction.hpp>
 #include <kanexpr/simulate/departures.hpp>
@@ -146,7 +148,7 @@ private:
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
     double elapsed = stepper().time(), t = around_.time(elapsed);
     state x = Eigen::Map<const state>(stepper().state(), state_.size());
-    if (!is_finite(x)) return fail_here(too_large(x));
+    if (!numeric::all_finite(x)) return fail_here(too_large(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
     if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
@@ -187,7 +189,7 @@ private:
 
   std::string too_large(const state& x) const {
     int i = 0;
-    while (std::isfinite(x(i))) ++i;
+    while (numeric::is_finite(x(i))) ++i;
     return around_.name_of_state(i) + " becomes larger than numbers can say";
   }
 
@@ -222,7 +224,8 @@ private:
     }
     if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
     const bool changed = x != state_;
-    if (changed && !is_finite(x)) return fail_here("the handler of an event left a state that is not finite");
+    if (changed && !numeric::all_finite(x))
+      return fail_here("the handler of an event left a state that is not finite");
     if (changed) {
       const state told = x;
       if (!assemble_at(t, x)) return false;

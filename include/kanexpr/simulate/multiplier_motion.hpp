@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/simulate/input_sensitivity.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
@@ -47,8 +48,9 @@ public:
     if (const status s = around_.rates(t, ydot); !s) return around_.refuse(s);
     if (around_.known().constraints != 0)
       around_.system().multipliers(t, x.data(), around_.r().data(), y + states_);
-    return values.allFinite() && rates.allFinite() ? answer::given
-                                                   : around_.refuse("the rates at this state are not finite");
+    return numeric::all_finite(values) && numeric::all_finite(rates)
+               ? answer::given
+               : around_.refuse("the rates at this state are not finite");
   }
 
   bool has_invariants() const override { return around_.known().quaternions != 0; }
@@ -68,7 +70,7 @@ public:
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     if (const status s = around_.system().implicit(t, y, ydot, around_.r().data(), left); !s)
       return around_.refuse(s);
-    return Eigen::Map<vector>(left, entries_).allFinite()
+    return numeric::all_finite(Eigen::Map<vector>(left, entries_))
                ? answer::given
                : around_.refuse("the equations of motion are not finite");
   }
@@ -95,7 +97,7 @@ public:
       for (int i = 0; i < entries_; ++i) columns[j * entries_ + i] = left(i).imag() / step;
       at(j) = y[j], rate(j) = ydot[j];
     }
-    return Eigen::Map<Eigen::MatrixXd>(columns, entries_, entries_).allFinite()
+    return numeric::all_finite(Eigen::Map<Eigen::MatrixXd>(columns, entries_, entries_))
                ? answer::given
                : around_.refuse("the derivatives of the motion are not finite");
   }

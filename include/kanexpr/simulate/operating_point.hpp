@@ -3,11 +3,11 @@
 #include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
@@ -86,10 +86,10 @@ private:
   }
 
   static std::string mistake_in(const operating_point_options<System>& o) {
+    if (!numeric::is_finite(o.tolerance)) return "the tolerance is not finite";
     if (!(o.tolerance > 0)) return "the tolerance must be positive";
-    if (std::isinf(o.tolerance)) return "the tolerance is not finite";
     if (o.most_iterations <= 0) return "the most iterations that are allowed must be positive";
-    return std::isfinite(o.t) ? "" : "the time is not finite";
+    return numeric::is_finite(o.t) ? "" : "the time is not finite";
   }
 
   void find(const operating_point_options<System>& o) {

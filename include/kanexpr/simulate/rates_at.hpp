@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/simulate/surroundings.hpp>
 
 namespace kanexpr::simulated {
@@ -8,7 +9,7 @@ namespace kanexpr::simulated {
 inline bool rates_at(surroundings& around, double t, const Eigen::VectorXd& x, Eigen::VectorXd& rates) {
   if (around.take(t, x) != answer::given) return false;
   rates.resize(x.size());
-  return static_cast<bool>(around.rates(t, rates.data())) && is_finite(rates);
+  return static_cast<bool>(around.rates(t, rates.data())) && numeric::all_finite(rates);
 }
 
 } // namespace kanexpr::simulated

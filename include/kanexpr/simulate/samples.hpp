@@ -3,6 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/dense_output.hpp>
 #include <kanexpr/simulate/table.hpp>
 
@@ -71,7 +72,7 @@ protected:
   /// At a time between samples, at which `rates` gives ẋ.
   template <class Rates>
   std::optional<sample> between(double t, const Rates& rates) const {
-    if (empty() || !(t >= front().t && t <= back().t)) return std::nullopt;
+    if (empty() || !(numeric::is_finite(t) && t >= front().t && t <= back().t)) return std::nullopt;
     const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
                                         [](double time, const sample& s) { return time < s.t; });
     const sample& a = *std::prev(after);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
@@ -106,8 +107,8 @@ private:
   bool interpolate(solvers::stepper& s, double elapsed, state& x) {
     const bool found = s.derivative(elapsed, 0, room_for(s));
     if (found) std::copy_n(whole_.begin(), x.size(), x.begin());
-    if (!found || !is_finite(x)) around_.refuse("the solution could not be interpolated");
-    return found && is_finite(x);
+    if (!found || !numeric::all_finite(x)) around_.refuse("the solution could not be interpolated");
+    return found && numeric::all_finite(x);
   }
 
   /// What an integrator interpolates is only near them.

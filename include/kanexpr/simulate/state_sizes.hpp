@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/numeric/angle.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/trial_steps.hpp>
 #include <kanexpr/steps/assemble.hpp>
@@ -81,7 +82,7 @@ private:
     const Eigen::VectorXd rates = functions(around, t, moving);
     double longest = 0;
     for (int j = 0; j < coordinates; ++j)
-      if (!angles[static_cast<std::size_t>(j)] && std::isfinite(rates(j)))
+      if (!angles[static_cast<std::size_t>(j)] && numeric::is_finite(rates(j)))
         longest = (std::max)(longest, std::abs(rates(j)) * time_);
     return longest;
   }
@@ -99,7 +100,7 @@ private:
       double usual = 0;
       for (int j = 0; j < coordinates; ++j) {
         const double found = sizes_(j) / std::abs(change(j)) / time_;
-        if (found > 0 && std::isfinite(found)) usual = usual > 0 ? (std::min)(usual, found) : found;
+        if (found > 0 && numeric::is_finite(found)) usual = usual > 0 ? (std::min)(usual, found) : found;
       }
       if (!(usual > 0)) usual = 1;
       if (!(sizes_(k) > nothing * usual)) sizes_(k) = usual;

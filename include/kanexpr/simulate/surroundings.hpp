@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 #include <kanexpr/simulate/misnamed.hpp>
 #include <kanexpr/simulate/settings.hpp>
@@ -8,7 +9,6 @@
 #include <kanexpr/simulate/vectors.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -81,7 +81,7 @@ public:
       const answer a =
           guarded("the event ", events()[i].name, [&] { values[i] = of_.event(i, t, x_.data(), r_.data()); });
       if (a != answer::given) return a;
-      if (!std::isfinite(values[i]))
+      if (!numeric::is_finite(values[i]))
         return refuse("the value of the event " + events()[i].name + " is not a number");
     }
     return answer::given;
@@ -128,7 +128,7 @@ private:
     const answer a = guarded("the function of the inputs", [&] { of_.give_inputs(t, x_.data(), r_.data()); });
     if (a != answer::given) return a;
     for (int i = 0; i < known().inputs; ++i)
-      if (!std::isfinite(r_(i))) {
+      if (!numeric::is_finite(r_(i))) {
         const auto name = known().names[known().first_of(symbolic::symbol_kind::input) + i].view();
         refuse("the function of the inputs gives input " + std::string(name) + " no finite value");
         return answer::never;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/rates_at.hpp>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ public:
     const double time = time_of_change();
     for (const outlook& o : seen_)
       for (Eigen::Index i = 0; i < found.size(); ++i)
-        if (o.ahead <= time && std::isfinite(o.change(i)))
+        if (o.ahead <= time && numeric::is_finite(o.change(i)))
           found(i) = (std::max)({found(i), std::abs(o.change(i)), std::abs(start_(i) + o.change(i))});
     return found;
   }
@@ -81,7 +83,7 @@ private:
         !rates_at(around_, t + h, moved(x, h, k3), k4))
       return false;
     end = moved(x, h, k1, k2, k3, k4);
-    return is_finite(end);
+    return numeric::all_finite(end);
   }
 
   /// A motion without a time of its own, as a fall, is looked at until entries have changed by their own

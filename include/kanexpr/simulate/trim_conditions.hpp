@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/trim.hpp>
 
 #include <string>
@@ -85,7 +86,7 @@ private:
       }
       const auto i = static_cast<std::size_t>(place);
       if (asked[i]) fail({rate_of(place), " is asked for twice"});
-      if (!std::isfinite(rate.value)) fail({"the value asked of ", rate_of(place), " is not finite"});
+      if (!numeric::is_finite(rate.value)) fail({"the value asked of ", rate_of(place), " is not finite"});
       asked[i] = true;
       equations_.push_back({residuals_ + place, rate.value});
     }

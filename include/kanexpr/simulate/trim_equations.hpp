@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/angle.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
 #include <kanexpr/simulate/trim_conditions.hpp>
 #include <kanexpr/simulate/trim_sizes.hpp>
@@ -42,7 +44,7 @@ public:
     f.resize(equations());
     Eigen::Index row = 0;
     for (const condition& c : asked_.equations()) f(row++) = all_(c.place).real() - c.wanted;
-    return unsolved_.empty() && f.allFinite();
+    return unsolved_.empty() && numeric::all_finite(f);
   }
 
   bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) override {
@@ -55,7 +57,7 @@ public:
       for (const condition& c : asked_.equations()) slope(row++, column) = derivative_of(c.place);
       ++column;
     }
-    return slope.allFinite();
+    return numeric::all_finite(slope);
   }
 
   /// A state changes in one step by no more than its own magnitude or its size, which of an angle is 1.
@@ -74,7 +76,7 @@ public:
       derive_by(symbol);
       for (int row = 0; row < all_.size(); ++row) {
         const double found = derivative_of(row);
-        slope(row, symbol) = std::isfinite(found) ? found : 0;
+        slope(row, symbol) = numeric::is_finite(found) ? found : 0;
       }
     }
     const sizes found(kinds_, at_.real(), slope, usual_length_);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/trim_equations.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -34,7 +34,7 @@ private:
                                              : "the derivatives of the equations are not finite at the guess";
     if (!equations_.unsolved().empty()) return "at the guess: " + std::string(equations_.unsolved());
     Eigen::Index i = 0;
-    while (std::isfinite(found_.left(i))) ++i;
+    while (numeric::is_finite(found_.left(i))) ++i;
     return name_of(i) + " is not finite at the guess";
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -55,7 +57,7 @@ private:
     double least = 0;
     for (int i = 0; i < slope_.rows(); ++i) {
       const double change = reached(i) / slope_(i, symbol);
-      if (change > 0 && std::isfinite(change)) least = least > 0 ? (std::min)(least, change) : change;
+      if (change > 0 && numeric::is_finite(change)) least = least > 0 ? (std::min)(least, change) : change;
     }
     return least;
   }
@@ -83,7 +85,7 @@ private:
       double &way = ways(k), &size = symbols_(of_.coordinates + k);
       for (int j = 0; j < of_.coordinates; ++j) {
         const double found = symbols_(j) / slope_(of_.rate_of(j), of_.coordinates + k);
-        if (std::isfinite(found) && found > 0) way = way > 0 ? (std::min)(way, found) : found;
+        if (numeric::is_finite(found) && found > 0) way = way > 0 ? (std::min)(way, found) : found;
       }
       size = (std::max)(size, std::sqrt(reached(of_.rate_of(of_.coordinates + k)) * way));
       if (size > 0 && way > 0) rates.push_back(size / way);

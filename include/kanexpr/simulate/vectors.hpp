@@ -8,10 +8,6 @@
 /// What simulations do with vectors, in plain loops: nothing to compile beside Eigen's expressions.
 namespace kanexpr::simulated {
 
-inline bool is_finite(const Eigen::VectorXd& v) {
-  return std::all_of(v.data(), v.data() + v.size(), [](double entry) { return std::isfinite(entry); });
-}
-
 /// x + h k.
 inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::VectorXd& k) {
   Eigen::VectorXd to(x.size());

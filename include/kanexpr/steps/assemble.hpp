@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
@@ -111,7 +112,8 @@ public:
   /// Where the constraints have no finite value: what of the parameters, the inputs or the list that gave the
   /// state has none.
   mechanics::sentence gap_before(const state& x) const {
-    if (configuration_residual(x).allFinite() && velocity_residual(x).allFinite()) return {};
+    if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
+      return {};
     const bool is_of_list =
         std::any_of(x.begin(), x.end(), [](Number entry) { return gap_in(entry) >= gap::never_set; });
     const mechanics::sentence found =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/robots/sdf/link_reader.hpp>
 
 #include <sdf/Joint.hh>
@@ -162,7 +163,8 @@ private:
     into.limits = {within(axis.Lower()), within(axis.Upper()),
                    axis.Effort() < 0 ? none : within(axis.Effort()),
                    axis.MaxVelocity() < 0 ? none : within(axis.MaxVelocity())};
-    if (into.is == joint_kind::revolute && std::isinf(into.limits.lower) && std::isinf(into.limits.upper))
+    if (into.is == joint_kind::revolute && !numeric::is_finite(into.limits.lower) &&
+        !numeric::is_finite(into.limits.upper))
       into.is = joint_kind::continuous;
     into.damping = axis.Damping(), into.friction = axis.Friction();
     if (into.damping < 0) return from_.fail(line_of(j), "the damping of " + whose + " is negative");

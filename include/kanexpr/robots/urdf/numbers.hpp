@@ -1,7 +1,8 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
+
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -30,7 +31,7 @@ inline std::optional<double> number_in(std::string_view word) {
   if (end != word.data() + word.size()) return {};
   if (error == std::errc::result_out_of_range)
     return word.find("e-") == word.npos && word.find("E-") == word.npos ? std::nullopt : std::optional(0.0);
-  if (error != std::errc() || !std::isfinite(value)) return {};
+  if (error != std::errc() || !numeric::is_finite(value)) return {};
   return value;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/independent_columns.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/base_parameters.hpp>
 
 #include <cstdio>
@@ -57,7 +59,7 @@ private:
       const Eigen::VectorXd bound = dependency_(t_, x_, p_, r_) * free + bias_(t_, x_, p_, r_);
       for (int i = 0; i < speeds.dependent.size(); ++i) a_(speeds.dependent[i]) = bound(i);
     }
-    const bool is_finite = y_(t_, x_, p_, r_, a_).allFinite();
+    const bool is_finite = numeric::all_finite(y_(t_, x_, p_, r_, a_));
     for (const auto* each : {&dependency_, &bias_, &y_})
       if (!each->status()) cause_ = mechanics::sentence({each->status().view()});
     return is_finite && y_.status() && (speeds.dependent.empty() || (dependency_.status() && bias_.status()));
@@ -97,7 +99,7 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
   };
   const symbolic::matrix y = m.get(mechanics::quantity::regressor);
   if (!m.mistake().empty()) return refuse(mechanics::sentence({m.mistake()}));
-  if (!(options.tolerance > 0 && options.tolerance < 1))
+  if (!(numeric::is_finite(options.tolerance) && options.tolerance > 0 && options.tolerance < 1))
     return refuse(
         numeric::with_number("base parameters need a tolerance between 0 and 1, not ", options.tolerance));
   if (static_cast<int>(p.size()) != m.mechanism().parameters.size())
@@ -105,7 +107,7 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
         {"base parameters are asked for with ", mechanics::counted(static_cast<int>(p.size())).view(),
          " parameters of ", mechanics::counted(m.mechanism().parameters.size()).view()}));
   for (int i = 0; i < m.mechanism().parameters.size(); ++i)
-    if (!std::isfinite(p[static_cast<std::size_t>(i)]))
+    if (!numeric::is_finite(p[static_cast<std::size_t>(i)]))
       return refuse(mechanics::sentence(
           {"parameter ", m.graph().symbol_at(m.mechanism().parameters[i].node()).called.view(),
            " is not finite"}));

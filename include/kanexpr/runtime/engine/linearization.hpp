@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/engine/consistent_point.hpp>
 #include <kanexpr/runtime/engine/point_reader.hpp>
 #include <kanexpr/runtime/engine/solve_numbers.hpp>
@@ -142,7 +143,7 @@ private:
   bool has_values(const symbolic::matrix& m) {
     const auto any = [](int id) { return 0.4 + std::fmod(0.7312 * (id + 1), 1.0); };
     for (const double value : symbolic::values_at(graph(), symbolic::nodes_of(m.entries), any))
-      if (!std::isfinite(value)) return false;
+      if (!numeric::is_finite(value)) return false;
     return true;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/sundials/adaptive.hpp>
 
 #include <ida/ida.h>
@@ -113,7 +114,7 @@ private:
       size_of_rates += (ydot_[i] / unit) * (ydot_[i] / unit);
     }
     const double guess = 0.01 * std::sqrt(size_of_state / size_of_rates);
-    return std::isfinite(guess) && guess > 0 ? (std::min)(guess, 1e-3 * (options_.end - t_)) : 0;
+    return numeric::is_finite(guess) && guess > 0 ? (std::min)(guess, 1e-3 * (options_.end - t_)) : 0;
   }
 
   int solve(double target) override {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/simulate/sundials/failure.hpp>
 #include <kanexpr/simulate/sundials/least_squares.hpp>
 
@@ -55,7 +56,7 @@ public:
         KINSol(memory_, z_.get(), KIN_LINESEARCH, unknown_scale_on_.get(), equation_scale_on_.get());
     long iterations = 0;
     KINGetNumNonlinSolvIters(memory_, &iterations);
-    if (at_.allFinite()) z = at_.head(unknowns_);
+    if (numeric::all_finite(at_)) z = at_.head(unknowns_);
     return {static_cast<int>(iterations), reason_of(flag)};
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/complete_orthogonal.hpp>
 #include <kanexpr/simulate/sundials/handles.hpp>
 
@@ -78,7 +79,7 @@ inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContex
     left.setZero();
     left.head(slope.cols()) = found;
     right.head(slope.rows()) = slope.lazyProduct(found);
-    return found.allFinite() ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
+    return numeric::all_finite(found) ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
   };
   solver->ops->free = [](SUNLinearSolver s) {
     SUNLinSolFreeEmpty(s);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 
@@ -21,7 +22,7 @@ struct bounded {
   static bounded undefined() { return {std::numeric_limits<double>::quiet_NaN(), 0}; }
   /// A result that was rounded once more.
   static bounded rounded(double value, double error) {
-    if (!std::isfinite(value) || !std::isfinite(error)) return undefined();
+    if (!numeric::is_finite(value) || !numeric::is_finite(error)) return undefined();
     return {value, error + unit_roundoff * std::abs(value)};
   }
   static bounded of(const number& n) {

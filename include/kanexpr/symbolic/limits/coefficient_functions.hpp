@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/limits/coefficient.hpp>
 
 #include <optional>
@@ -37,7 +38,7 @@ inline std::optional<coefficient> apply(operation op, const coefficient& a) {
   if (!a.is_number())
     return coefficient(expression{a.owner(), apply(a.owner(), op, a.in(a.owner()).node())}, at);
   const number f = detail::function_of(op, a.value());
-  if (!std::isfinite(f.value())) return std::nullopt;
+  if (!numeric::is_finite(f.value())) return std::nullopt;
   return coefficient(f, a.is_exact() && detail::stays_exact(op, a.value(), f), at);
 }
 
@@ -68,7 +69,7 @@ inline std::optional<coefficient> power(const coefficient& base, const coefficie
     if (n.integer() && n.numerator <= largest && n.numerator >= -largest)
       return coefficient(detail::integer_power(base.value(), n.numerator), base.is_exact(), at);
     const double value = elementary::pow(base.value().value(), n.value());
-    if (!std::isfinite(value)) return std::nullopt;
+    if (!numeric::is_finite(value)) return std::nullopt;
     return coefficient(real(value), false, at);
   }
   if (base.is_number() && base.value().negative()) return std::nullopt;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <kanexpr/numeric/powers_of_two.hpp>
+
+#include <Eigen/Core>
+
+namespace kanexpr::numeric {
+
+/// Whether all entries are finite, by their bits, so that it holds with -ffast-math.
+template <class Derived>
+bool all_finite(const Eigen::DenseBase<Derived>& m) {
+  for (Eigen::Index j = 0; j < m.cols(); ++j)
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+      if (!is_finite(m.derived().coeff(i, j))) return false;
+  return true;
+}
+
+} // namespace kanexpr::numeric
