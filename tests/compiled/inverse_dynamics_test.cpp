@@ -110,6 +110,13 @@ TEST(required_inputs, are_those_that_act) {
   inputs_bring_about_the_rates<four_bar::LagrangeSystem>();
 }
 
+TEST(required_inputs, need_no_inputs) {
+  using eom = kanexpr::equations_of_motion<double_pendulum::System>;
+  const steps::point<double_pendulum::System> at = steps::plain_point<double_pendulum::System>();
+  const auto rates = eom::udot(at.x, at.p, at.r);
+  EXPECT_EQ(eom::required_inputs(at.x, at.p, {}, rates), eom::required_inputs(at.x, at.p, at.r, rates));
+}
+
 TEST(required_inputs, tell_where_they_do_not_act) {
   using eom = kanexpr::equations_of_motion<tug::System>;
   const steps::point<tug::System> at = steps::plain_point<tug::System>();

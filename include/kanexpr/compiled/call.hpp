@@ -115,7 +115,8 @@ struct call {
     keep(check_size("input", system, entries_of<Inputs>(), known.inputs));
     keep(check_size("acceleration", system, entries_of<Accelerations>(), known.speeds));
     if (std::is_same_v<Parameters, not_given>)
-      keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ", "(x, p)"));
+      keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ",
+                               std::is_same_v<Accelerations, not_given> ? "(x, p)" : "(x, p, r, a)"));
     if (std::is_same_v<Inputs, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
     if (std::is_same_v<Accelerations, not_given>)

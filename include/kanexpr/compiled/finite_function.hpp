@@ -8,9 +8,11 @@ namespace kanexpr {
 /// A function of several results, each of which comes with a status, also where nothing had to be solved: of
 /// what is not finite it says so, and names what was not finite before it.
 template <class System, auto... wanted>
-struct finite_function : function<System, wanted...> {
+struct finite_function : function<System, wanted...>, compiled::callable<finite_function<System, wanted...>> {
+  using compiled::callable<finite_function>::operator();
+
   template <class First, class... More>
-  [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
+  [[gnu::always_inline]] static auto called(const First& first, const More&... more) noexcept {
     auto found = function<System, wanted...>::template evaluate_at<true>(first, more...);
     constexpr auto each = std::index_sequence_for<decltype(wanted)...>{};
     if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time

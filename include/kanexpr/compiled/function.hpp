@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/one_system_of_a_name.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
@@ -116,7 +117,7 @@ struct derives {};
 /// speeds, any Eigen vectors of their sizes. Results to the second order are given weights and directions in
 /// the place of a: f(x, p, r, w), f(x, p, r, v) or f(x, p, r, w, v).
 template <class System, auto... wanted>
-struct function {
+struct function : compiled::callable<function<System, wanted...>> {
   using code = compiled::code<System, wanted...>;
   static constexpr std::size_t state_size =
       static_cast<std::size_t>(compiled::survey_of<System>.coordinates + compiled::survey_of<System>.speeds);
@@ -129,7 +130,7 @@ struct function {
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
 
   template <class First, class... More>
-  [[gnu::always_inline]] auto operator()(const First& first, const More&... more) const noexcept {
+  [[gnu::always_inline]] static auto called(const First& first, const More&... more) noexcept {
     return evaluate_at<false>(first, more...);
   }
 
@@ -382,6 +383,8 @@ protected:
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
     if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
       return evaluate<with_statuses>(compiled::not_given{}, first, more...);
+    else if constexpr (compiled::lacks_first<More...>)
+      static_assert(sizeof(First) == 0, "a result is asked for without a state; call it as f(t, x, p, r)");
     else
       return evaluate<with_statuses>(first, more...);
   }

@@ -97,10 +97,13 @@ struct instance_at_rates {
                                             const typename vectors::rates& a) noexcept;
 };
 
-/// A vector as it is passed out of line: itself where it is one of that type, else a copy.
+/// A vector as it is passed out of line: itself where it is one of that type, else a copy; without values
+/// where none is given.
 template <class Vector, class Given>
 decltype(auto) passed(const Given& given) {
-  if constexpr (std::is_base_of_v<Vector, Given>) {
+  if constexpr (std::is_same_v<Given, not_given>) {
+    return Vector();
+  } else if constexpr (std::is_base_of_v<Vector, Given>) {
     return static_cast<const Vector&>(given);
   } else {
     Vector copy;

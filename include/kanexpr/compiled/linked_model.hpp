@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/instance.hpp>
 #include <kanexpr/compiled/named_results.hpp>
 
@@ -126,11 +127,11 @@ struct linked_instance_at_rates : instance_at_rates<Number, Function, alignment>
 /// A function of a linked model. It is called as `function` is, and each result has a status. An argument
 /// that is left out is not a number where something depends on it.
 template <class Function>
-struct linked {
+struct linked : callable<linked<Function>> {
   using System = typename stated<Function>::System;
 
   template <class First, class... More>
-  auto operator()(const First& first, const More&... more) const noexcept {
+  static auto called(const First& first, const More&... more) noexcept {
     if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
       return at<typename First::Scalar>(0.0, first, more...);
     else

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/describe/extended.hpp>
 #include <kanexpr/joints/reactions.hpp>
@@ -22,10 +23,10 @@ template <class System, class Joint>
 struct reacting : extended<System, reactions<Joint>> {};
 
 template <class System, class Joint>
-struct reactions_function {
-  /// Called as the results of the system are, with the time first where it depends on it.
+struct reactions_function : callable<reactions_function<System, Joint>> {
+  /// As the results of the system are, with the time first where it depends on it.
   template <class... Arguments>
-  auto operator()(const Arguments&... arguments) const noexcept {
+  static auto called(const Arguments&... arguments) noexcept {
     const auto all =
         equations_of_motion<reacting<System, Joint>>::noncontributing_forces(plain(arguments)...);
     using results = decltype(all);
