@@ -157,26 +157,47 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
   EXPECT_EQ(cause(estimate.predict(0, infinite, parameters, r, of.Q)),
             "the length of the step is not finite");
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, infinite * of.Q)),
-            "the covariance of the state is not finite");
+            "the covariance of what disturbs the states is not finite");
   const Eigen::Vector3d y(0, 0, 0);
   EXPECT_EQ(cause(estimate.update(infinite * Eigen::Vector3d::Ones(), parameters, r, of.R)),
             "a measurement is not finite");
   EXPECT_EQ(cause(estimate.update(y, parameters, input_values<cart>(), of.R)), "F has no finite value");
   EXPECT_EQ(cause(estimate.update(y, parameters, r, infinite * of.R)),
-            "the covariance of the innovation is not finite");
+            "the covariance of the noise is not finite");
   EXPECT_EQ(cause(estimate.update(y, parameters, r, -1e4 * of.R)),
-            "the covariance of the noise has a negative variance");
+            "the covariance of the noise is not positive semidefinite");
   auto too_alike = of.R;
   too_alike(0, 1) = too_alike(1, 0) = 1e4;
   EXPECT_EQ(cause(estimate.update(y, parameters, r, too_alike)),
-            "the covariance of the innovation is not positive definite");
+            "the covariance of the noise is not positive semidefinite");
+  auto crooked = of.R;
+  crooked(0, 1) = 1e-3;
+  EXPECT_EQ(cause(estimate.update(y, parameters, r, crooked)),
+            "the covariance of the noise is not symmetric");
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, -of.Q)),
-            "the covariance of what disturbs the states has a negative variance");
+            "the covariance of what disturbs the states is not positive semidefinite");
+  auto indefinite = of.Q;
+  indefinite(0, 1) = indefinite(1, 0) = 10;
+  EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, indefinite)),
+            "the covariance of what disturbs the states is not positive semidefinite");
+  indefinite(1, 0) = 0;
+  EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, indefinite)),
+            "the covariance of what disturbs the states is not symmetric");
   EXPECT_TRUE(estimate.expected(parameters, r).status);
   EXPECT_EQ(estimate.expected(parameters, r)(0), 0);
   filter<double> impossible(before.x, -of.P);
   EXPECT_EQ(impossible.predict(0, 0.02, parameters, r, of.Q).cause(),
-            "the covariance of the state has a negative variance");
+            "the covariance of the state is not positive semidefinite");
+  impossible.P = of.P;
+  impossible.P(0, 1) = impossible.P(1, 0) = 10;
+  EXPECT_EQ(impossible.update(y, parameters, r, of.R).cause(),
+            "the covariance of the state is not positive semidefinite");
+  impossible.P(1, 0) = 0;
+  EXPECT_EQ(impossible.update(y, parameters, r, of.R).cause(),
+            "the covariance of the state is not symmetric");
+  impossible.P(0, 1) = infinite;
+  EXPECT_EQ(impossible.predict(0, 0.02, parameters, r, of.Q).cause(),
+            "the covariance of the state is not finite");
 }
 
 } // namespace cart

@@ -2,8 +2,10 @@
 
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/control/discretize.hpp>
+#include <kanexpr/control/weights.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
+#include <limits>
 #include <type_traits>
 
 #include <kanexpr/base/letters_aside.hpp>
@@ -114,9 +116,8 @@ private:
   template <class Parameters, class Inputs, class Noise, class Step>
   status predicted(Number from, Number h, const Parameters& p, const Inputs& r,
                    const Eigen::MatrixBase<Noise>& disturbance, const Step& step) {
-    if (has_negative_variance(P)) return status("the covariance of the state has a negative variance");
-    if (has_negative_variance(disturbance))
-      return status("the covariance of what disturbs the states has a negative variance");
+    if (const status s = mistake_in_state(numeric::as_fixed(P)); !s) return s;
+    if (const status s = mistake_in_disturbance(numeric::as_fixed(disturbance)); !s) return s;
     constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
     const auto& inputs = compiled::inputs_at(r, from, x);
     const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<Number, states, 0>(), h);
@@ -124,7 +125,7 @@ private:
     const square ad = numeric::as_fixed(linear.A);
     const square after = numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) +
                                             numeric::as_fixed(disturbance));
-    if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
+    if (const status s = mistake_in_state(after); !s) return s;
     Number to = from;
     state next = x;
     if (const status s = step(to, next, h, p, r); !s) return s;
@@ -137,7 +138,8 @@ private:
   template <class Given, class Parameters, class Inputs, class Noise>
   status updated(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
                  const Eigen::MatrixBase<Noise>& noise) {
-    if (has_negative_variance(noise)) return status("the covariance of the noise has a negative variance");
+    if (const status s = mistake_in_state(numeric::as_fixed(P)); !s) return s;
+    if (const status s = mistake_in_noise(numeric::as_fixed(noise)); !s) return s;
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
@@ -164,7 +166,7 @@ private:
     const square left = numeric::identity<Number, states>() - k * c; // Joseph's form
     const square after = numeric::symmetric(left * before * numeric::transposed(left) +
                                             k * uncertainty * numeric::transposed(k));
-    if (!numeric::is_finite(after)) return status("the covariance of the state is not finite");
+    if (const status wrong = mistake_in_state(after); !wrong) return wrong;
     x = next;
     P = numeric::as_eigen(after);
     innovation_ = numeric::as_eigen(off);
@@ -205,11 +207,30 @@ private:
       into(row++) = static_cast<Number>(found);
   }
 
-  template <class Matrix>
-  static bool has_negative_variance(const Matrix& m) {
-    bool found = false;
-    for (int i = 0; i < static_cast<int>(m.rows()); ++i) found |= m(i, i) < 0;
-    return found;
+  /// What is no covariance, as `lqr` says it of weights. That of the state is rounded in every step.
+  static status mistake_in_state(square m) {
+    constexpr Number rounding = numeric::power_of_two<Number>(-std::numeric_limits<Number>::digits / 2);
+    if (!numeric::is_finite(m)) return status("the covariance of the state is not finite");
+    if (!control::is_symmetric(m)) return status("the covariance of the state is not symmetric");
+    for (int i = 0; i < states; ++i) m(i, i) += rounding * m(i, i);
+    if (!control::is_positive_semidefinite(m))
+      return status("the covariance of the state is not positive semidefinite");
+    return {};
+  }
+  static status mistake_in_disturbance(const square& m) {
+    if (!numeric::is_finite(m)) return status("the covariance of what disturbs the states is not finite");
+    if (!control::is_symmetric(m))
+      return status("the covariance of what disturbs the states is not symmetric");
+    if (!control::is_positive_semidefinite(m))
+      return status("the covariance of what disturbs the states is not positive semidefinite");
+    return {};
+  }
+  static status mistake_in_noise(const measured_square& m) {
+    if (!numeric::is_finite(m)) return status("the covariance of the noise is not finite");
+    if (!control::is_symmetric(m)) return status("the covariance of the noise is not symmetric");
+    if (!control::is_positive_semidefinite(m))
+      return status("the covariance of the noise is not positive semidefinite");
+    return {};
   }
 
   template <class Matrix>
