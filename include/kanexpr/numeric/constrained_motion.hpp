@@ -41,14 +41,14 @@ public:
   };
 
   /// `sizes` are those of the entries of a state; `near` is some state.
-  constrained_motion(const Equations& of, const state& sizes, const state& near)
+  constrained_motion(const Equations& of, const state& sizes, const state& nearby)
       : of_(of), sizes_(sizes), by_q_(by_coordinates::Zero(of.rows_of_coordinates(), of.coordinates())),
         by_u_(by_speeds::Zero(of.rows_of_speeds(), of.speeds())),
         mass_(masses::Zero(of.speeds(), of.speeds())), qdot_(coordinates::Zero(of.coordinates())),
         force_(speeds::Zero(of.speeds())), bias_(rows_of_speeds::Zero(of.rows_of_speeds())),
         row_sizes_q_(rows_of_coordinates::Zero(by_q_.rows())),
         row_sizes_u_(rows_of_speeds::Zero(by_u_.rows())) {
-    look_around(near);
+    look_around(nearby);
   }
 
   /// How well the constraints on the speeds are told apart at a state, beside how well they can be: about 1
@@ -128,11 +128,11 @@ private:
   Eigen::Index most_rank() const { return (std::min)(by_u_.rows(), by_u_.cols()); }
 
   /// How large rows are, and how well they can be told apart, at states that need not satisfy them.
-  void look_around(const state& near) {
+  void look_around(const state& nearby) {
     state tried[looks];
     number way = 0;
     for (state& x : tried) {
-      x = near;
+      x = nearby;
       for (int i = 0; i < of_.coordinates(); ++i) {
         way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
         x(i) += (way - number(0.5)) * sizes_(i);

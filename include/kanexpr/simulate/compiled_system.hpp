@@ -80,7 +80,7 @@ public:
       told(rates, qdot), told(masses, mass), told(forces, force);
       return told(biases, bias);
     } else {
-      double all[n + o * o + o + m];
+      double all[static_cast<std::size_t>(n + o * o + o + m)];
       const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
       const double* next = all;
       const auto put = [&next](int count, double* out) { std::copy_n(next, count, out), next += count; };

@@ -13,6 +13,8 @@ template <bool with_jacobian>
 class explicit_motion final : public solvers::explicit_problem {
 public:
   explicit explicit_motion(surroundings& around) : around_(around), manifold_(around.constraints()) {}
+  explicit_motion(const explicit_motion&) = delete;
+  explicit_motion& operator=(const explicit_motion&) = delete;
 
   long rate_evaluations() const { return rate_evaluations_; }
   long projections() const { return projections_; }

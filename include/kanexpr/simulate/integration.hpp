@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/check_options.hpp>
@@ -231,7 +232,7 @@ private:
       if (!assemble_at(t, x)) return false;
       const auto is_changed = [&](std::size_t i) {
         const auto k = static_cast<Eigen::Index>(i);
-        return told(k) != state_(k);
+        return !numeric::equal(told(k), state_(k));
       };
       if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
         return fail_here(said + ", after the handler of an event");

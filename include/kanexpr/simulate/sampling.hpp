@@ -25,6 +25,8 @@ public:
   sampling(const settings& options, const time_span& span, surroundings& around)
       : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
         manifold_(around.constraints()) {}
+  sampling(const sampling&) = delete;
+  sampling& operator=(const sampling&) = delete;
 
   /// What corrections are measured by.
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }

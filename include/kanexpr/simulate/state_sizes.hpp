@@ -24,6 +24,8 @@ public:
 
   state_sizes(surroundings& around, double t, const state& x, double span)
       : state_sizes(around, t, x, trial_steps(around, t, x, span)) {}
+  state_sizes(const state_sizes&) = delete;
+  state_sizes& operator=(const state_sizes&) = delete;
 
   const state& sizes() const { return sizes_; }
 
