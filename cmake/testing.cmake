@@ -96,7 +96,7 @@ function(kanexpr_test name)
 endfunction()
 
 # A test says in its own text which of the special builds it takes part in, `// builds: sanitize no-exceptions`, whether
-# one compiler alone builds it, `// builds: g++`, and whether it is left to `./dev test all`, `// builds: g++ all`.
+# one compiler alone builds it, `// builds: g++`, and whether `./dev test` leaves it to `./dev test all`, `// builds: all`.
 function(kanexpr_test_builds file result)
   file(STRINGS ${file} builds REGEX "^// builds: " LIMIT_COUNT 1)
   string(REPLACE "// builds: " "" builds "${builds}")

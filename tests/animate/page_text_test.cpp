@@ -1,4 +1,3 @@
-// builds: g++
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>

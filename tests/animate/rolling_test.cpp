@@ -1,4 +1,3 @@
-// builds: g++
 #include "animate/disc_on_a_circle.hpp"
 
 #include <kanexpr/animate/animated.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // What shares the work of many systems may leave chunks out, run them again, and throw.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/fixed_step.hpp>

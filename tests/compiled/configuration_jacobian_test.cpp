@@ -1,4 +1,3 @@
-// builds: g++
 // The derivatives of the configuration constraints by all coordinates.
 #include "compiled/complex_steps.hpp"
 

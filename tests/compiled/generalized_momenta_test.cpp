@@ -1,4 +1,3 @@
-// builds: g++
 // ∂T/∂u of all speeds: against derivatives of the kinetic energy, and against the momenta of simple bodies.
 #include "compiled/complex_steps.hpp"
 

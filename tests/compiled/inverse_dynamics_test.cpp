@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // Inverse dynamics, gravity and the Coriolis matrix against M, f, F_r* and energies.
 #include "compiled/complex_steps.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // The derivatives of the whole right side of a bicycle by its whole state, where its front wheel is off the
 // ground and slips.
 #include "compiled/complex_steps.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // The derivatives of the whole right side by the whole state where constraints bind it.
 #include "compiled/complex_steps.hpp"
 

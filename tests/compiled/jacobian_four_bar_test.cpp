@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // The derivatives of the whole right side of a linkage by its whole state.
 #include "compiled/complex_steps.hpp"
 

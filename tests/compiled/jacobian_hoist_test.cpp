@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // The derivatives of the whole right side by the whole state where time, inputs and acceleration constraints
 // are in what binds it.
 #include "compiled/complex_steps.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // What a compiled linearization offers beside its matrices.
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

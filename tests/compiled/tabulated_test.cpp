@@ -1,4 +1,3 @@
-// builds: g++
 // A motor whose torque is tabulated over its speed, and a spring whose forces are parameters.
 
 #include <kanexpr/batch.hpp>

@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // F_r + F_r* of all speeds of a bicycle.
 #include "compiled/unreduced_forces.hpp"
 

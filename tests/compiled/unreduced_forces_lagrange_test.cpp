@@ -1,4 +1,3 @@
-// builds: g++
 #include "compiled/unreduced_forces.hpp"
 
 #include <models/four_bar.hpp>

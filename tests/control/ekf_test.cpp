@@ -1,4 +1,3 @@
-// builds: g++
 // The extended Kalman filter of a cart with a pendulum.
 #include "control/matrices.hpp"
 #include "control/references.hpp"

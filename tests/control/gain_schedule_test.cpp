@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // Gains that the compiler computes: a bicycle that is balanced by the torque at its fork.
 #include "control/matrices.hpp"
 #include "control/references.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // The models must not become dearer than they are known to be.
 #include <kanexpr/derive/cost.hpp>
 #include <models/iiwa.hpp>

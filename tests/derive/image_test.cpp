@@ -1,4 +1,3 @@
-// builds: g++
 // A derivation that is set aside and taken up again is the one that went on.
 #include <kanexpr/derive/cut.hpp>
 #include <kanexpr/derive/digest.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // Frames by modified Rodrigues parameters: against unit quaternions, and against the matrix of the book.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // Many systems at once: docs/guide/batch.md.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // Models that are compiled once: docs/guide/compiled-once.md. tests/consumer/linked has the rest.
 #include <kanexpr/kanexpr.hpp>
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Constraints: docs/guide/constraints.md.
 #include "docs/complete.hpp"
 #include "models/four_bar.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // On a board: docs/embedding.md, but for the program, which `on_board` runs.
 #include "models/simple_pendulum.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Functions of models: docs/guide/functions.md.
 #include "docs/complete.hpp"
 

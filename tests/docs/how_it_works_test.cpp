@@ -1,4 +1,3 @@
-// builds: g++
 // docs/how-it-works.md
 #include <gtest/gtest.h>
 

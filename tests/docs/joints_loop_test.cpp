@@ -1,4 +1,3 @@
-// builds: g++
 // A closed loop of joints: docs/guide/joints.md.
 #include <kanexpr/joints.hpp>
 

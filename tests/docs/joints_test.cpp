@@ -1,4 +1,3 @@
-// builds: g++
 // Joints: docs/guide/joints.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Lagrange's method: docs/guide/lagrange.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/symbolic.hpp>

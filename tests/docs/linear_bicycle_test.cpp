@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // The linearized bicycle of the README and docs/guide/linearization.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/kanexpr.hpp>

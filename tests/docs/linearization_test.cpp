@@ -1,4 +1,3 @@
-// builds: g++
 // Linearization: docs/guide/linearization.md, but for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Simulations of models that are derived while the program runs: docs/guide/builder.md and
 // docs/simulation.md.
 #include <kanexpr/runtime/builder.hpp>

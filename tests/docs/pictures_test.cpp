@@ -1,4 +1,3 @@
-// builds: g++
 // Pictures: docs/pictures.md.
 #include "models/double_pendulum.hpp"
 

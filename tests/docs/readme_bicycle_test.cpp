@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // The motions of the bicycle in the README and docs/simulation.md.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

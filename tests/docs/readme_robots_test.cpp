@@ -1,4 +1,3 @@
-// builds: g++
 // Joints and robots in the README.
 #include <iiwa_robot.hpp>
 

@@ -1,4 +1,3 @@
-// builds: g++
 // The README, but for its first program, which docs/first_program runs, and the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

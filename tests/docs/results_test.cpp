@@ -1,4 +1,3 @@
-// builds: g++
 // Results, values and their status: docs/guide/results.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc.hpp"

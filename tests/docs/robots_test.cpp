@@ -1,4 +1,3 @@
-// builds: g++
 // Robots from files: docs/robots.md.
 #include <arm_picture.hpp>
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Derivation while the program runs: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc_constrained.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Simulation: docs/simulation.md, but for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // The words of a model: docs/guide/words.md.
 #include "docs/complete.hpp"
 #include "docs/no_mistake.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 #include "ensemble/written_study.hpp"
 
 #include <kanexpr/ensemble/csv_file.hpp>

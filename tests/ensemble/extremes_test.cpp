@@ -1,4 +1,3 @@
-// builds: g++
 // What is greatest or least in a run, beside functions of time that are known.
 #include "ensemble/turning.hpp"
 

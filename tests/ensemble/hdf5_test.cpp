@@ -1,4 +1,3 @@
-// builds: g++
 // Files of HDF5 as a program sees them that reads them with HDF5 itself.
 #include "ensemble/written_study.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 #include <kanexpr/ensemble/sharing.hpp>
 
 #include <gmock/gmock.h>

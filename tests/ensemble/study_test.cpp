@@ -1,4 +1,3 @@
-// builds: g++
 // How studies are told.
 #include "ensemble/turning.hpp"
 

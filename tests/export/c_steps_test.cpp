@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: all
 // Steps of tests/export/models_in_c.cpp, compiled as C, beside the compiled ones.
 #include "bead.hpp"
 

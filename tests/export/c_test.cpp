@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: all
 // The code of tests/export/models_in_c.cpp, compiled as C, beside the compiled functions.
 #include <kanexpr/kanexpr.hpp>
 #include <models/four_bar.hpp>

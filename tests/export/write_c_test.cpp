@@ -1,4 +1,3 @@
-// builds: g++
 // Exports by builders, and what cannot be exported.
 #include <kanexpr/export.hpp>
 #include <kanexpr/runtime/builder.hpp>

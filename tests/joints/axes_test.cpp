@@ -1,4 +1,3 @@
-// builds: g++
 // Axes of any length: only where they point matters.
 #include "joints/by_hand.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // A four-bar linkage by its joints: what they carry, against Newton's and Euler's equations of its bars,
 // which are solved with the accelerations of the closed loop.
 #include <kanexpr/reactions.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 #include <models/iiwa.hpp>
 #include <models/iiwa_by_joints.hpp>
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Loops that are closed by a pin or a weld, against the same mechanism without a loop.
 #include "joints/by_hand.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // The cart under its filter and regulator, beside the same loop in NumPy and SciPy with the same noise.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"

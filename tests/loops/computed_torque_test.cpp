@@ -1,4 +1,3 @@
-// builds: g++
 // The arm under computed torque, beside the same loop by recursive Newton-Euler equations in NumPy, and
 // beside the error that the gains are to bring about.
 #include "control/matrices.hpp"

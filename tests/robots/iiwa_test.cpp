@@ -1,4 +1,3 @@
-// builds: g++
 // The iiwa of a file beside that of words written by hand: no more operations, and the same results.
 #include <iiwa_robot.hpp>
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Robots from the text of SDF files, beside the same ones from URDF, and the sentences about files that hold
 // none.
 #include <kanexpr/robots/articulation.hpp>

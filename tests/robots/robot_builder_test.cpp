@@ -1,4 +1,3 @@
-// builds: g++
 // Models of robots while the program runs, beside the numbers of Pinocchio at random states.
 #include "robots/files.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 #include "rooms/include_order.hpp"
 
 #include <gmock/gmock.h>

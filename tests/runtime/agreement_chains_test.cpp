@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum6.hpp"
 #include "models/puma.hpp"

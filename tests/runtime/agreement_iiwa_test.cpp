@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "models/iiwa.hpp"
 #include "runtime/agreement.hpp"
 

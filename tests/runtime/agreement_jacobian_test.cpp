@@ -1,4 +1,3 @@
-// builds: g++
 // The derivatives of the whole right side, and the forces of all speeds, as compiled code and as the
 // interpreted derivation, to the last bit.
 #include "models/four_bar.hpp"

@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "models/arm3.hpp"
 #include "models/double_pendulum.hpp"
 #include "models/rotating_tube.hpp"

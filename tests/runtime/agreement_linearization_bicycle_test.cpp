@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "models/bicycle.hpp"
 #include "runtime/agreement.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Linearizations as compiled code and as the interpreted derivation, to the last bit.
 #include "models/four_bar.hpp"
 #include "models/rotating_tube.hpp"

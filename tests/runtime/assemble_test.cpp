@@ -1,4 +1,4 @@
-// builds: g++ no-exceptions
+// builds: no-exceptions
 // Putting a state together: the compiled and the derived system do the same.
 #include "four_bars.hpp"
 #include "no_heap.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // A model of what a builder built, beside that of the same system described as types.
 #include "no_heap.hpp"
 #include "runtime/agreement.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Checking a state, and binding its speeds: the compiled and the derived system say the same.
 #include "four_bars.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Functions of the program in derivations at run time: printed, listed, interpreted, differentiated, with
 // limits.
 

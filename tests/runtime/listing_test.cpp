@@ -1,4 +1,3 @@
-// builds: g++
 // The code of results as text: read back by a parser of its own, it gives the values of the interpreter.
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // The regressor of inverse dynamics: against inverse dynamics itself, whose masses and inertias come another
 // way, at random states that satisfy no constraint; against a textbook's; what is derived in the compiler to
 // the last bit. Base parameters against counts and formulas of the literature, and inverse dynamics by them.

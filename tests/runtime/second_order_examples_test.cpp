@@ -1,4 +1,3 @@
-// builds: g++
 // Second derivatives of weighted rates of all examples that the other test leaves out.
 #include "runtime/second_order.hpp"
 

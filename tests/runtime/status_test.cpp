@@ -1,4 +1,3 @@
-// builds: g++
 // Where something cannot be solved: the compiled and the derived system say the same.
 #include "four_bars.hpp"
 #include "models/rolling_disc_constrained.hpp"

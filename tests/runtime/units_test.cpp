@@ -1,4 +1,3 @@
-// builds: g++
 // The same mechanisms in metres, millimetres and micrometres, kilograms and nanograms: the same answers.
 #include "four_bars.hpp"
 #include "models/n_pendulum_cart.hpp"

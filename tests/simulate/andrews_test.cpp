@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // Andrews' squeezing mechanism over its 30 ms, in which the crank turns two and a half times.
 #include "systems/andrews_reference.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // A bicycle that is pushed, beside what its linearized equations say of that.
 #include "oracles.hpp"
 

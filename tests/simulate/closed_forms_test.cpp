@@ -1,4 +1,3 @@
-// builds: g++
 // Motions that are known in closed form.
 #include <kanexpr/simulate.hpp>
 

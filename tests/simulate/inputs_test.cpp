@@ -1,4 +1,3 @@
-// builds: g++
 // Controllers, prescribed motions, and the derivatives that stiff methods need of them.
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulate/prescribe.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // A system by Lagrange's method moves as the same one by Kane's.
 #include <kanexpr/simulate.hpp>
 

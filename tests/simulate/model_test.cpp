@@ -1,4 +1,3 @@
-// builds: g++
 // Models that are derived while the program runs, and what a builder built, move as the same system of types.
 #include "runtime/built_pendulum.hpp"
 #include "simulate/falling_ball.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // A motor that turns a four-bar linkage, whose loop stays closed.
 #include <motion/four_bar.hpp>
 

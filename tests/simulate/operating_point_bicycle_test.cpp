@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 // A bicycle that circles by itself.
 #include "models/bicycle.hpp"
 

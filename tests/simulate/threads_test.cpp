@@ -1,4 +1,3 @@
-// builds: g++
 // Several threads at once: each with objects of its own, all with constants that they share.
 #include "models/pendulum_nonminimal.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // A pendulum in the two coordinates of its bob, simulated and trimmed in other units.
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Four-bar linkages put together in single precision, as on a controller.
 #include "no_heap.hpp"
 #include "runtime/four_bars.hpp"

@@ -1,4 +1,4 @@
-// builds: g++ no-exceptions
+// builds: no-exceptions
 // Integration with a fixed step that keeps to the constraints.
 #include "no_heap.hpp"
 #include "runtime/four_bars.hpp"

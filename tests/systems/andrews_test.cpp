@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "systems/andrews_reference.hpp"
 #include "systems/check_constrained.hpp"
 

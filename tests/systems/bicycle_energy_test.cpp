@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "systems/check_constrained.hpp"
 
 #include <models/bicycle.hpp>

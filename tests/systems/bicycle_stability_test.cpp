@@ -1,4 +1,3 @@
-// builds: g++
 // The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), out of the nonlinear equations of the
 // bicycle: the matrices of M q'' + v C1 q' + (g K0 + v² K2) q = f with q = (lean, steer), eigenvalues, and
 // the speeds between which it stays up by itself.

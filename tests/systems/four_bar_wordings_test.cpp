@@ -1,4 +1,3 @@
-// builds: g++
 // The same linkage in other words: other constraints that say the same, and other choices of what is
 // dependent.
 #include "systems/check_constrained.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 #include "systems/check_lagrange.hpp"
 
 #include <models/rocket.hpp>

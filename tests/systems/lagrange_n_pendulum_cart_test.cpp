@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "systems/check_lagrange.hpp"
 
 #include <models/n_pendulum_cart.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // Lagrangians that were written by hand, with forces beside them, against those that come from bodies.
 #include "systems/check_constrained.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Linearizations of systems without constraints: against the oracles, and against complex steps at random
 // operating points, most of them no equilibrium.
 #include "systems/linearized.hpp"

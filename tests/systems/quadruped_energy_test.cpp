@@ -1,4 +1,4 @@
-// builds: g++ all
+// builds: g++
 #include "systems/checked_system.hpp"
 #include "systems/robot_results.hpp"
 

@@ -1,4 +1,3 @@
-// builds: all
 #include "systems/check_constrained.hpp"
 
 #include <models/rocket.hpp>

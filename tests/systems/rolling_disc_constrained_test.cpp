@@ -1,4 +1,3 @@
-// builds: all
 #include "systems/check_constrained.hpp"
 
 #include <models/rolling_disc_constrained.hpp>

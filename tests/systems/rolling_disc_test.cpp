@@ -1,4 +1,3 @@
-// builds: all
 #include "systems/check_against_oracle.hpp"
 
 #include <models/rolling_disc.hpp>

@@ -1,4 +1,3 @@
-// builds: g++
 // Constraints that are said twice, or in place of what the library would derive.
 #include "mechanics/workbench.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Random mechanisms under random constraints against Newton's and Euler's equations with Lagrange's
 // multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], with numbers alone.
 #include "mechanics/random/bound_mechanism.hpp"

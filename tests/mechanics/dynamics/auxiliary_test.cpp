@@ -1,4 +1,3 @@
-// builds: g++
 // Forces that do no work, brought out by auxiliary speeds, against Newton's and Euler's laws by hand.
 #include "mechanics/workbench.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Lagrange's equations against Kane's of the same mechanism, by dice, and Lagrangians that no bodies have.
 #include "mechanics/random/dice.hpp"
 #include "mechanics/workbench.hpp"

@@ -1,4 +1,3 @@
-// builds: g++
 // Masses and inertias that change, F = d(mv)/dt and M = dH/dt, against momenta along the motion as Taylor
 // series, and motion that is prescribed, against closed forms.
 #include "mechanics/jet.hpp"

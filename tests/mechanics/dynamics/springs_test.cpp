@@ -1,4 +1,3 @@
-// builds: g++
 // What springs, dampers and potential energies do to motion, energy and forces of constraints.
 #include "mechanics/workbench.hpp"
 

@@ -1,4 +1,3 @@
-// builds: g++
 // Mechanisms by dice at states that satisfy no constraint: the derivatives of all rates by the whole state
 // and the inputs against complex steps, and the forces of all speeds against the multipliers.
 #include "mechanics/random/bound_mechanism.hpp"

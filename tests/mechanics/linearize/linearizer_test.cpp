@@ -1,4 +1,3 @@
-// builds: g++
 // The linearization in the states alone against the one of all equations, solved in numbers; and general
 // forms that are written by hand.
 #include "mechanics/random/bound_mechanism.hpp"

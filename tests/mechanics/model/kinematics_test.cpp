@@ -1,4 +1,3 @@
-// builds: g++
 // What a person can say of frames, points and inertias, against plain numbers.
 #include "mechanics/workbench.hpp"
 

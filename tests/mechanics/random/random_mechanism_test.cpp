@@ -1,4 +1,3 @@
-// builds: g++
 #include "build_recipe.hpp"
 #include "newton_euler_dynamics.hpp"
 #include "random_mechanism.hpp"
