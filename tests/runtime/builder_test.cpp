@@ -420,6 +420,14 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
 }
 
+TEST(builder_mistakes, hears_of_a_force_only_once) {
+  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, b.push, b.number(0), b.number(0))); }),
+            "the force at C is listed twice");
+  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, -b.push, b.number(0), b.number(0))); }), "");
+  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, b.number(0), -9.81 * b.m, b.number(0))); }),
+            "the force at P is the weight of Bob, which gravity gives it already");
+}
+
 TEST(builder_mistakes, compares_velocities_with_positions) {
   const std::string expected =
       "the velocity of point Q is not the rate of its position; if that is meant, write "
