@@ -116,6 +116,7 @@ constexpr bool is_up_to_date() {
               written.auxiliary_speeds == derived.auxiliary_speeds &&
               written.constraints == derived.constraints &&
               written.configuration_constraints == derived.configuration_constraints &&
+              written.redundant_constraints == derived.redundant_constraints &&
               written.quaternions == derived.quaternions;
   for (int i = 0; i < derived.symbols(); ++i)
     same = same && written.names[i] == derived.names[i] && written.dependent[i] == derived.dependent[i] &&

@@ -60,6 +60,9 @@ struct named_results {
   static constexpr of<quantity::configuration_residual> configuration_residual{};
   /// How large the terms are of which each of that is the sum.
   static constexpr of<quantity::configuration_terms> configuration_terms{};
+  /// What the configuration constraints leave that are called redundant.
+  static constexpr of<quantity::redundant_residual> redundant_residual{};
+  static constexpr of<quantity::redundant_terms> redundant_terms{};
   /// Its derivatives by the dependent coordinates.
   static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
   /// Its derivatives by all coordinates.
@@ -79,8 +82,8 @@ struct named_results {
   static constexpr of<quantity::dependency> dependency{};
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
-  /// Of each dependent speed the determinant of the equations that it is solved from with others: 0 where they
-  /// are singular, and of another sign behind.
+  /// Of each dependent speed the determinant of the equations that it is solved from with others: 0 where
+  /// they are singular, and of another sign behind.
   static constexpr of<quantity::constraint_pivots> constraint_pivots{};
   /// The forces of the constraints, each along the direction in which it holds a velocity zero.
   static constexpr of<quantity::multipliers> multipliers{};

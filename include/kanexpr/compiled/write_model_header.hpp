@@ -46,6 +46,7 @@ private:
     set("auxiliary_speeds", known.auxiliary_speeds);
     set("constraints", known.constraints);
     set("configuration_constraints", known.configuration_constraints);
+    set("redundant_constraints", known.redundant_constraints);
     set("quaternions", known.quaternions);
     for (int i = 0; i < known.symbols(); ++i) {
       out_ << "    s.names[" << i << "] = \"" << known.names[i].view() << "\";\n";

@@ -150,8 +150,8 @@ constexpr sentence check_words() {
     if (found) return found;
     for (std::string_view word :
          {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
-          "velocity_constraints", "acceleration_constraints", "dependent", "bodies", "lagrangian", "loads",
-          "joints", "reactions", "parameters", "inputs", "values"})
+          "velocity_constraints", "acceleration_constraints", "dependent", "redundant", "bodies",
+          "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values"})
       if (System::times_told(word) > 1)
         return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     return {};

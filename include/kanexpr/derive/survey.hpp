@@ -26,6 +26,7 @@ struct survey {
   int auxiliary_speeds = 0;
   int constraints = 0; ///< on the speeds, the rates of configuration constraints among them
   int configuration_constraints = 0;
+  int redundant_constraints = 0;
   int inertial_parameters = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< by the same order
@@ -57,6 +58,7 @@ struct survey {
     case extent_by::independent_states: return states();
     case extent_by::unknowns: return unknowns();
     case extent_by::state_and_inputs: return coordinates + speeds + inputs;
+    case extent_by::redundant_constraints: return redundant_constraints;
     case extent_by::inertial_parameters: return inertial_parameters;
     }
     return 0;

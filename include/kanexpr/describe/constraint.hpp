@@ -83,6 +83,21 @@ struct dependent : describe::system_words {
   }
 };
 
+namespace describe {
+template <int number>
+inline constexpr int number_of_constraint = number;
+}
+
+/// Configuration constraints that follow from the others wherever all of them hold, by their numbers, from 1
+/// on: `redundant<6>`. Nothing is solved with them; states are held against them.
+template <int... numbers>
+struct redundant : describe::system_words {
+  static constexpr std::string_view word = "redundant";
+  static constexpr void tell(describe::system_record& r) {
+    r.redundant = describe::list_of<int, &describe::number_of_constraint<numbers>...>::all;
+  }
+};
+
 /// Speeds that are zero at all times and are in no list of speeds. Where they enter the velocity of a point
 /// or the angular velocity of a frame they bring out forces that do no work.
 template <auto... symbols>

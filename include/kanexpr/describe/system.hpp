@@ -23,6 +23,7 @@ struct system_record {
   listing<phrase> kinematics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
+  listing<int> redundant{}; ///< numbers of configuration constraints
   listing<phrase> values{};
   listing<phrase> lagrangian{};
   listing<body_record> bodies{};

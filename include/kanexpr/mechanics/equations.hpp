@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
+#include <kanexpr/mechanics/constraints/redundant_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
@@ -61,14 +62,16 @@ public:
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
   constexpr void constrain() {
     is_constrained_ = true;
-    const given_constraints& given = system_->constraints;
-    mistake_ = check_contents_of_constraints(*m_, given);
+    const given_constraints given = without_redundant(system_->constraints);
+    mistake_ = check_redundant(system_->constraints);
+    if (!mistake_) mistake_ = check_contents_of_constraints(*m_, system_->constraints);
     if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving(), system_->loads);
     if (mistake_) return;
     constraints_ = no_constraints(*m_);
     constraints_.on_accelerations = given.on_accelerations;
     if (!given.on_velocities.empty() || !given.on_configuration.empty())
       constraints_ = form_constraints(moving(), given);
+    tell_redundant(system_->constraints, constraints_);
     configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
@@ -139,6 +142,8 @@ public:
     case quantity::configuration_residual: return column(constraints_.on_configuration);
     case quantity::configuration_terms:
       return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
+    case quantity::redundant_residual: return column(constraints_.redundant);
+    case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
     case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_by_all: return configuration_;

@@ -35,6 +35,8 @@ enum class quantity : unsigned char {
   generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints bind them, p
   configuration_residual,              ///< l
   configuration_terms,                 ///< l: how large the terms are of which that is the sum
+  redundant_residual,                  ///< what the redundant constraints leave
+  redundant_terms,                     ///< how large the terms are of which that is the sum
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
   configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
@@ -72,8 +74,9 @@ enum class extent_by : unsigned char {
   coordinates_and_speeds,    ///< n+p
   independent_speeds,        ///< p−m
   configuration_constraints, ///< l
-  speed_constraints,         ///< m
-  all_constraints,           ///< l+m
+  redundant_constraints,
+  speed_constraints, ///< m
+  all_constraints,   ///< l+m
   auxiliary_speeds,
   inputs,              ///< s
   independent_states,  ///< n−l+p−m
@@ -151,6 +154,10 @@ inline constexpr result_row results[]{
      extent_by::one, stage::constrained},
     {quantity::configuration_terms, "configuration_terms", extent_by::configuration_constraints,
      extent_by::one, stage::constrained},
+    {quantity::redundant_residual, "redundant_residual", extent_by::redundant_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::redundant_terms, "redundant_terms", extent_by::redundant_constraints, extent_by::one,
+     stage::constrained},
     {quantity::configuration_jacobian_by_dependent, "configuration_jacobian_by_dependent",
      extent_by::configuration_constraints, extent_by::configuration_constraints, stage::constrained},
     {quantity::configuration_jacobian_by_all, "configuration_jacobian_by_all",

@@ -79,6 +79,25 @@ bool is_rounding(const Vector& left, const Vector& terms) {
   return true;
 }
 
+/// Which of the constraints that nothing is solved with does not hold beside its terms, and by how much.
+template <class Constraints, class State>
+mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
+  constexpr double rounding = 1e-5; // of terms that vanish where they are usually so large
+  const auto left = c.redundant_residual(x);
+  const auto terms_at = [&](const State& at) { return c.redundant_terms(at); };
+  const auto terms = terms_at(x);
+  for (int i = 0; i < left.size(); ++i)
+    if (const double off = static_cast<double>(left(i));
+        !(std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
+          std::abs(off) <=
+              rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, c.all_coordinates())(i))))
+      return with_number(
+          mechanics::sentence({"redundant constraint ", mechanics::counted(i + 1).view(), " is off by "})
+              .view(),
+          off);
+  return {};
+}
+
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
 /// from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as
 /// it was. Where they cannot be solved for, what satisfies the constraints to rounding is left as it is.
@@ -96,6 +115,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   }
   vector q(c.coordinates());
   for (int i = 0; i < c.coordinates(); ++i) q(i) = placed(c.place_of_coordinate(i));
+  const vector from = q;
   const auto at = [&](const vector& tried) -> const State& {
     for (int i = 0; i < c.coordinates(); ++i) placed(c.place_of_coordinate(i)) = tried(i);
     return placed;
@@ -108,15 +128,13 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
         [&](const vector& tried) { return c.configuration_jacobian_by_all(at(tried)); }, options);
   report.steps = found.steps;
   report.configuration_residual = found.residual;
-  if (!found.converged && !c.configuration_holds(at(q))) {
-    State given = x;
-    if (c.normalize_quaternions(given); c.configuration_holds(given)) {
-      for (int i = 0; i < c.coordinates(); ++i) q(i) = given(c.place_of_coordinate(i));
-      report.configuration_residual = largest(c.configuration_residual(given));
+  if (!found.converged) found.converged = c.configuration_holds(at(q));
+  if (!found.converged || !((q - from).norm() <= 1e-6 * (1 + from.norm()))) {
+    if (c.configuration_holds(at(from))) { // where a search does not stay, since it is singular there
+      q = from;
+      report.configuration_residual = largest(c.configuration_residual(at(q)));
       found.converged = true;
     }
-  } else {
-    found.converged = true;
   }
   if (!found.converged) {
     report.failure =
@@ -138,6 +156,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     report.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
+  if (report.failure = redundant_off(c, placed, 1e-9); report.failure) return report;
   report.assembled = true;
   x = placed;
   return report;
@@ -166,6 +185,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
       "configuration constraint ");
   report.velocity_residual = look_at(
       c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
+  if (!report.failure) report.failure = redundant_off(c, x, tolerance);
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
   for (int i = 0; i < halves.size() && !report.failure; ++i)
     if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));

@@ -212,6 +212,8 @@ public:
   void acceleration_constraint(expression vanishes);
   /// A coordinate or speed that the constraints are to be solved for.
   void dependent(expression e);
+  /// Configuration constraints are counted from 1 on; this one follows from the others wherever all hold.
+  void redundant(int configuration_constraint);
 
 private:
   friend model kanexpr::derive(const builder& built);

@@ -24,6 +24,7 @@ public:
       if (of.known.dependent[i]) places_.push_back(i);
   }
 
+  int all_coordinates() const { return of_.known.coordinates; }
   int coordinates() const { return of_.known.configuration_constraints; }
   int place_of_coordinate(int i) const { return places_[static_cast<std::size_t>(i)]; }
 
@@ -43,6 +44,8 @@ public:
     if (left.size() != 0) of_.velocities(t_, x.data(), r_.data(), left.data(), by_speeds.data());
     return left;
   }
+  vector redundant_residual(const vector& x) const { return redundant(x).col(0); }
+  vector redundant_terms(const vector& x) const { return redundant(x).col(1); }
   bool configuration_holds(const vector& x) const { return look_(x).configuration_holds(x); }
   bool velocities_hold(const vector& x) const { return look_(x).velocities_hold(x); }
   status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
@@ -58,6 +61,11 @@ public:
   }
 
 private:
+  Eigen::MatrixXd redundant(const vector& x) const {
+    Eigen::MatrixXd both(of_.known.redundant_constraints, 2);
+    of_.redundant(t_, x.data(), r_.data(), both.data(), both.data() + both.rows());
+    return both;
+  }
   void evaluate(const vector& x) {
     vector at = x;
     if (norms_.are_bound()) norms_.normalize(at, lower::norm_range{});

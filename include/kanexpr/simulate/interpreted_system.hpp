@@ -86,6 +86,9 @@ public:
       : system(of, nothing_bound(), runtime::name_of_models, maker_of_manifold(of)), p_(p), inputs_(inputs),
         options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
     if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
+    if (of.redundant_constraints != 0)
+      redundant_.emplace(
+          m, std::initializer_list<quantity>{quantity::redundant_residual, quantity::redundant_terms});
     if (of.constraints != 0) {
       velocities_.emplace(m, velocities_and_derivatives);
       dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
@@ -123,6 +126,9 @@ public:
   void velocities(double t, const double* x, const double* r, double* left,
                   double* by_speeds) const override {
     tell(velocities_, t, x, r, left, by_speeds);
+  }
+  void redundant(double t, const double* x, const double* r, double* left, double* terms) const override {
+    tell(redundant_, t, x, r, left, terms);
   }
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
     if (!dependent_speeds_) return {};
@@ -277,8 +283,8 @@ private:
   mutable input_values<model> r_;
   const input_values<model> no_inputs_;
   mutable interpreted_results<double> rhs_;
-  mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, velocities_{},
-      dependent_speeds_{}, unreduced_{}, multipliers_{};
+  mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, redundant_{},
+      velocities_{}, dependent_speeds_{}, unreduced_{}, multipliers_{};
   mutable std::optional<multiplier_equations<double>> real_{};
   mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
 };

@@ -77,6 +77,19 @@ public:
     else
       return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
   }
+  using redundant_vector = Eigen::Matrix<Number, known.redundant_constraints, 1>;
+  redundant_vector redundant_residual(const state& x) const {
+    if constexpr (known.redundant_constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::redundant_residual>>{}(t_, x, p_, r_);
+  }
+  redundant_vector redundant_terms(const state& x) const {
+    if constexpr (known.redundant_constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::redundant_terms>>{}(t_, x, p_, r_);
+  }
   /// To rounding.
   bool configuration_holds(const state& x) const {
     return numeric::is_rounding(

@@ -51,8 +51,10 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
     if (const unknown_derivative u = find_unknown_derivative(m, held, f, 2))
       return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
                        u.what, " is not known"});
-    if (!held.holds(f, kind::coordinate))
-      return sentence({"configuration constraint ", which.view(), " holds no coordinate"});
+    if (!held.holds(f, kind::coordinate) && !given.redundant.contains(i + 1))
+      return sentence({"configuration constraint ", which.view(), " holds no coordinate",
+                       f.is_zero() ? "; redundant<" : "", f.is_zero() ? which.view() : "",
+                       f.is_zero() ? "> leaves it out" : ""});
   }
   for (int i = 0; i < given.on_velocities.size(); ++i) {
     const expression v = given.on_velocities[i].value;
@@ -108,7 +110,7 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
     if (of_configuration == none) ++on_velocities;
   return sentence(
       {on_velocities == 1 ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
-       " the rate of configuration constraint ", counted(c.repeats[i] + 1).view()});
+       " the rate of configuration constraint ", counted(c.numbers[c.repeats[i]]).view()});
 }
 
 } // namespace detail
@@ -126,19 +128,21 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   const sequence<char> holds = independent_rows(by_q, configuration.rows);
   for (int i = 0; i < configuration.rows; ++i)
     if (holds[i] == 0)
-      return sentence({"configuration constraint ", counted(i + 1).view(),
-                       i == 0 ? " binds no coordinate in any configuration"
-                       : detail::contradicts_configuration(s, c, configuration, i)
-                           ? " contradicts those before it"
-                           : " follows from those before it in every configuration"});
+      return i == 0 || detail::contradicts_configuration(s, c, configuration, i)
+                 ? sentence({"configuration constraint ", counted(c.numbers[i]).view(),
+                             i == 0 ? " binds no coordinate in any configuration"
+                                    : " contradicts those before it"})
+                 : sentence({"configuration constraint ", counted(c.numbers[i]).view(),
+                             " follows from those before it in every configuration; redundant<",
+                             counted(c.numbers[i]).view(), "> leaves it out"});
   for (int i = 0; i < c.size(); ++i) {
     bool moves = false;
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
     if (moves) continue;
     if (c.of_configuration[i] == none)
       return sentence({"velocity constraint ", counted(i + 1).view(), " holds no ", a_speed(m)});
-    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
-                     " holds no ", a_speed(m)});
+    return sentence({"the rate of configuration constraint ",
+                     counted(c.numbers[c.of_configuration[i]]).view(), " holds no ", a_speed(m)});
   }
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
@@ -153,13 +157,16 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                        : is_false ? " contradicts those before it"
                                   : " follows from those before it in every configuration",
                        i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
-    return sentence({"the rate of configuration constraint ", counted(c.of_configuration[i] + 1).view(),
+    return sentence({"the rate of configuration constraint ",
+                     counted(c.numbers[c.of_configuration[i]]).view(),
                      is_false ? " contradicts the other constraints"
                               : " follows from the other constraints in every configuration"});
   }
   if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
-    return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move"});
+    return sentence(
+        {"the constraints bind every ", a_speed(m), ": nothing is left that could move",
+         configuration.rows > 1 ? ", unless redundant<...> names some that follow from others" : ""});
   return {};
 }
 

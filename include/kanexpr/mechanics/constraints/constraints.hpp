@@ -12,6 +12,8 @@ namespace kanexpr::mechanics {
 /// constraints of the model, then the rates of its configuration constraints.
 struct constraints {
   sequence<expression> on_configuration{};       ///< as given
+  sequence<int> numbers{};                       ///< of those, as they were given, from 1 on
+  sequence<expression> redundant{};              ///< on the configuration, with which nothing is solved
   sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
   sequence<int> station{}; ///< by such constraint: the station whose velocity has no such component, or none

@@ -19,6 +19,7 @@ struct given_constraints {
   sequence<expression> rates_by_auxiliary{}; ///< what auxiliary speeds add to their rates; empty: nothing
   sequence<velocity_constraint> on_velocities{};
   sequence<expression> on_accelerations{}; ///< linear in u̇, that vanish; empty: derived from the others
+  sequence<int> redundant{}; ///< configuration constraints that follow from the others, counted from 1 on
   sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by position; empty: the library chooses
 };
 

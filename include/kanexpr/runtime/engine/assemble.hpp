@@ -23,6 +23,8 @@ public:
         first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p.data(), size_of(p)),
         r_(r.data(), size_of(r)), residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
         terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
+        redundant_(m.function(m.get(mechanics::quantity::redundant_residual))),
+        redundant_terms_(m.function(m.get(mechanics::quantity::redundant_terms))),
         jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_by_all))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
         velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
@@ -45,6 +47,8 @@ public:
   Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
   Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
+  Eigen::VectorXd redundant_residual(const Eigen::VectorXd& x) { return redundant_(t_, x, p_, r_); }
+  Eigen::VectorXd redundant_terms(const Eigen::VectorXd& x) { return redundant_terms_(t_, x, p_, r_); }
   /// To rounding.
   bool configuration_holds(const Eigen::VectorXd& x) {
     return numeric::is_rounding(
@@ -101,7 +105,8 @@ private:
   double t_;
   given_vector p_;
   given_vector r_;
-  interpreted<double> residual_, terms_, jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
+  interpreted<double> residual_, terms_, redundant_, redundant_terms_, jacobian_, velocity_residual_,
+      velocity_terms_, speeds_solved_;
 };
 
 /// Why the constraints of a model cannot be looked at in a state of so many entries; empty: they can.

@@ -281,6 +281,10 @@ KANEXPR_ENGINE void builder::dependent(expression e) {
     places.push(at);
 }
 
+KANEXPR_ENGINE void builder::redundant(int configuration_constraint) {
+  system_.constraints.redundant.push(configuration_constraint);
+}
+
 KANEXPR_ENGINE void builder::declare(frame_id frame, frame_id reference, const vector& value, bool apart) {
   constexpr std::string_view whose = "a declared angular velocity";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;

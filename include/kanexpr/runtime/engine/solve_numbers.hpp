@@ -27,9 +27,7 @@ public:
   }
 
   /// Whether M is regular.
-  explicit operator bool() const {
-    return factors_.singularity_measure() > mechanics::vanishing_measure;
-  }
+  explicit operator bool() const { return factors_.singularity_measure() > mechanics::vanishing_measure; }
 
   /// δ[q̇; u̇; λ] for each state, then each input.
   const symbolic::matrix& rates() const { return rates_; }

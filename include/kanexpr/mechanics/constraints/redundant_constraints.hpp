@@ -1,0 +1,45 @@
+#pragma once
+
+#include <kanexpr/mechanics/constraints/constraints.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+
+/// Configuration constraints that the model calls redundant.
+namespace kanexpr::mechanics {
+
+constexpr sentence check_redundant(const given_constraints& all) {
+  for (int i = 0; i < all.redundant.size(); ++i) {
+    const int number = all.redundant[i];
+    if (number < 1 || number > all.on_configuration.size())
+      return sentence({"redundant<", counted(number).view(), "> names none of the ",
+                       several(all.on_configuration.size(), "configuration constraint").view()});
+    for (int j = 0; j < i; ++j)
+      if (all.redundant[j] == number)
+        return sentence(
+            {"configuration constraint ", counted(number).view(), " is listed twice in redundant<...>"});
+  }
+  return {};
+}
+
+/// What is solved with.
+constexpr given_constraints without_redundant(const given_constraints& all) {
+  if (all.redundant.empty()) return all;
+  given_constraints kept = all;
+  kept.on_configuration.clear(), kept.rates_by_auxiliary.clear();
+  for (int i = 0; i < all.on_configuration.size(); ++i) {
+    if (all.redundant.contains(i + 1)) continue;
+    kept.on_configuration.push(all.on_configuration[i]);
+    if (!all.rates_by_auxiliary.empty()) kept.rates_by_auxiliary.push(all.rates_by_auxiliary[i]);
+  }
+  return kept;
+}
+
+/// Which of those that were given are solved with, and what the others are.
+constexpr void tell_redundant(const given_constraints& all, constraints& c) {
+  for (int i = 0; i < all.on_configuration.size(); ++i)
+    if (all.redundant.contains(i + 1))
+      c.redundant.push(all.on_configuration[i]);
+    else
+      c.numbers.push(i + 1);
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,224 @@
+// builds: g++
+// Loops that are closed by more equations than they need.
+#include <kanexpr/assemble.hpp>
+#include <kanexpr/runtime/assemble.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/simulate/model.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace kanexpr;
+using mechanics::vector;
+using runtime::builder;
+using runtime::frame_id;
+using runtime::point_id;
+using symbolic::expression;
+
+class linkage : public builder {
+public:
+  linkage() : builder("N") {}
+
+protected:
+  expression angle(int i) {
+    const std::string k = std::to_string(i);
+    const expression q = coordinate("q" + k);
+    kinematic_equation(dot(q) - speed("u" + k));
+    return q;
+  }
+  /// A rod of 1 m and 1 kg, round and thin.
+  void rod(const std::string& called, frame_id f, point_id from, const vector& to_middle, int along_axis) {
+    const point_id center = offset("G" + called, from, to_middle);
+    const double across = 1.0 / 12, along_it = 1e-3;
+    const expression i[3]{number(along_axis == 0 ? along_it : across),
+                          number(along_axis == 1 ? along_it : across),
+                          number(along_axis == 2 ? along_it : across)};
+    rigid_body(called, center, f, number(1), inertia(f, i[0], i[1], i[2]));
+  }
+};
+
+/// A bead in a plane.
+struct bead_in_a_plane : builder {
+  expression x = coordinate("x"), y = coordinate("y");
+  bead_in_a_plane() : builder("N") {
+    const expression u = speed("u"), v = speed("v");
+    kinematic_equation(dot(x) - u);
+    kinematic_equation(dot(y) - v);
+    particle("Bead", offset("P", origin("O"), along(inertial_frame(), x, y, 0)), number(1));
+  }
+};
+
+/// A four-bar linkage; in space it is closed by a hinge, with all of its five equations.
+class four_bar : public linkage {
+public:
+  four_bar(bool in_space, std::initializer_list<int> left_out = {}) {
+    frame_id f = inertial_frame();
+    point_id at = origin("O");
+    const double lengths[]{1, 2.5, 2};
+    for (int i = 0; i < 3; ++i) {
+      const std::string k = std::to_string(i);
+      f = rotated("F" + k, f, angle(i + 1), along(f, 0, 0, 1));
+      rod("Rod" + k, f, at, along(f, lengths[i] / 2, 0, 0), 0);
+      at = offset("P" + k, at, along(f, lengths[i], 0, 0));
+    }
+    const frame_id n = inertial_frame();
+    const vector gap = position_of(at, offset("Bearing", point_id{0}, along(n, 3, 0, 0)));
+    configuration_constraint(dot(gap, along(n, 1, 0, 0)));
+    configuration_constraint(dot(gap, along(n, 0, 1, 0)));
+    if (in_space) {
+      configuration_constraint(dot(gap, along(n, 0, 0, 1)));
+      configuration_constraint(dot(along(f, 0, 0, 1), along(n, 1, 0, 0)));
+      configuration_constraint(dot(along(f, 0, 0, 1), along(n, 0, 1, 0)));
+    }
+    for (const int each : left_out) redundant(each);
+    gravity(along(n, 0, -9.81, 0));
+  }
+};
+
+TEST(redundant_constraints, are_named_by_the_sentence_that_refuses_them) {
+  EXPECT_EQ(derive(four_bar(true)).mistake(),
+            "configuration constraint 3 holds no coordinate; redundant<3> leaves it out");
+  EXPECT_EQ(derive(four_bar(true, {3})).mistake(),
+            "configuration constraint 4 holds no coordinate; redundant<4> leaves it out");
+  EXPECT_EQ(derive(four_bar(false, {3})).mistake(),
+            "redundant<3> names none of the 2 configuration constraints");
+  EXPECT_EQ(derive(four_bar(true, {3, 3})).mistake(),
+            "configuration constraint 3 is listed twice in redundant<...>");
+}
+
+TEST(redundant_constraints, of_a_planar_loop_in_space_leave_its_motion) {
+  const std::initializer_list<named_value> start{{"q1", 1.2}, {"q2", -1}, {"q3", -1.8},
+                                                 {"u1", 2},   {"u2", 0},  {"u3", 0}};
+  simulation_options<model> options{.guesses_dependent = true, .relative_tolerance = 1e-11};
+  const auto planar = simulate(derive(four_bar(false)), start, {}, {0, 3}, options);
+  const auto spatial = simulate(derive(four_bar(true, {3, 4, 5})), start, {}, {0, 3}, options);
+  ASSERT_TRUE(planar) << planar.cause();
+  ASSERT_TRUE(spatial) << spatial.cause();
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(planar.state(i), spatial.state(i), 1e-9);
+}
+
+/// Bricard's loop of six hinges between rods of 1 m, of which each is at right angles to the next, as
+/// IFToMM's library of benchmarks has it. Five hinges are angles; the sixth closes the loop, which asks for
+/// five equations though four would do. `turns` makes the last hinge an angle too; then the loop is closed by
+/// six equations.
+class bricard : public linkage {
+public:
+  explicit bricard(bool turns, std::initializer_list<int> left_out = {}) {
+    constexpr int axis_of_hinge[]{1, 0, 2, 1, 0, 2};
+    // the rods of the square spiral that closes: x, −z … seen from the hinges between them
+    constexpr std::array<std::array<int, 3>, 5> ways{
+        {{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    const frame_id n = inertial_frame();
+    frame_id f = n;
+    point_id at = offset("Start", origin("O"), along(n, 1, 0, 0));
+    for (int i = 0; i < 5; ++i) {
+      const std::string k = std::to_string(i);
+      const auto [x, y, z] = ways[static_cast<std::size_t>(i)];
+      f = rotated("F" + k, f, angle(i + 1), unit(f, axis_of_hinge[i]));
+      rod("Rod" + k, f, at, along(f, 0.5 * x, 0.5 * y, 0.5 * z), x != 0 ? 0 : y != 0 ? 1 : 2);
+      at = offset("P" + k, at, along(f, x, y, z));
+    }
+    const vector gap = position_of(at, point_id{0});
+    for (int i = 0; i < 3; ++i) configuration_constraint(dot(gap, unit(n, i)));
+    if (turns) { // a body that does not move where the loop is closed
+      f = rotated("F5", f, angle(6), unit(f, axis_of_hinge[5]));
+      rod("Rod5", f, at, along(f, 0.5, 0, 0), 0);
+    }
+    const int axis = axis_of_hinge[5], next = (axis + 1) % 3, last = (axis + 2) % 3;
+    configuration_constraint(dot(unit(f, axis), unit(n, next)));
+    configuration_constraint(dot(unit(f, axis), unit(n, last)));
+    if (turns) configuration_constraint(dot(unit(f, next), unit(n, last)));
+    for (const int each : left_out) redundant(each);
+    gravity(along(n, 0, -9.81, 0));
+  }
+
+private:
+  vector unit(frame_id f, int axis) {
+    return along(f, axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+  }
+};
+
+std::vector<named_value> at_rest(bool turns) {
+  std::vector<named_value> all;
+  for (int i = 1; i <= (turns ? 6 : 5); ++i)
+    for (const char* each : {"q", "u"}) all.push_back({each + std::to_string(i), 0});
+  return all;
+}
+
+TEST(redundant_constraints, of_bricards_loop) {
+  EXPECT_EQ(
+      derive(bricard(false)).mistake(),
+      "the constraints bind every speed: nothing is left that could move, unless redundant<...> names some "
+      "that follow from others");
+  // Of six equations any may be left out that the others do not bind apart from it; of five all of them.
+  const auto moved = [](bool turns, int left_out) {
+    const auto run = simulate(derive(bricard(turns, {left_out})), at_rest(turns), {}, {0, 1},
+                              {.relative_tolerance = 1e-11});
+    EXPECT_TRUE(run) << left_out << ": " << run.cause();
+    return run.state;
+  };
+  const state<model> by_five = moved(false, 5);
+  EXPECT_GT(std::abs(by_five["q1"]), 0.1);
+  for (const char* other : {"q3", "q5"})
+    EXPECT_NEAR(by_five[other], by_five["q1"], 1e-8); // as all of them have it
+  for (int left_out = 1; left_out <= 5; ++left_out)
+    for (const bool turns : {false, true}) {
+      const state<model> other = moved(turns, left_out);
+      for (const char* each : {"q1", "q2", "q3", "q4", "q5", "u1", "u2", "u3", "u4", "u5"})
+        EXPECT_NEAR(other[each], by_five[each], 1e-8) << left_out;
+    }
+}
+
+namespace sliding {
+
+constexpr coordinate<"x"> x;
+constexpr coordinate<"y"> y;
+constexpr speed<"u"> u;
+constexpr speed<"v"> v;
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, x * N::x + y * N::y> {};
+struct Bead : particle<Bead, P, 1> {};
+struct System
+    : kane_system<inertial<N>, coordinates<x, y>, speeds<u, v>, kinematics<dot(x) == u, dot(y) == v>,
+                  configuration_constraints<x == y, x * x == y * y>, redundant<2>, dependent<y, v>,
+                  bodies<Bead>, loads<gravity<-9.81 * N::y>>> {};
+
+} // namespace sliding
+
+// A redundant constraint is solved for nothing, and states are held against it.
+TEST(redundant_constraints, hold_states) {
+  using sliding::System;
+  state<System> at{{sliding::x, 1}, {sliding::y, 1}, {sliding::u, 2}, {sliding::v, 2}};
+  EXPECT_TRUE(check_consistency<System>(at));
+  EXPECT_NEAR((equations_of_motion<System>::udot(at)[0]), -9.81 / 2, 1e-12);
+  at[sliding::y] = -1;
+  EXPECT_EQ(check_consistency<System>(at).cause(), "configuration constraint 1 is off by 2");
+  model m = derive<System>();
+  EXPECT_EQ(m.get(mechanics::quantity::redundant_residual).rows, 1);
+}
+
+// Others that call what does not follow redundant are told where it does not hold.
+TEST(redundant_constraints, that_do_not_hold_are_told) {
+  bead_in_a_plane b;
+  b.configuration_constraint(b.x - b.y);
+  b.configuration_constraint(b.x + b.y - 2);
+  b.redundant(2);
+  model m = derive(b);
+  Eigen::VectorXd at(4);
+  at << 1, 1, 0, 0;
+  EXPECT_TRUE(assemble(m, at));
+  at << 3, 3, 0, 0;
+  EXPECT_EQ(assemble(m, at).cause(), "redundant constraint 1 is off by 4");
+  EXPECT_EQ(check_consistency(m, at, Eigen::VectorXd(), Eigen::VectorXd()).cause(),
+            "redundant constraint 1 is off by 4");
+}
+
+} // namespace
