@@ -79,8 +79,7 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = infinite}), "a tolerance is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .relative_tolerance = 1}),
             "the relative tolerance is 1; it must be below 1");
-  EXPECT_EQ(cause_with({.inputs = idle, .output_every = nan}),
-            "the time between two samples is not finite");
+  EXPECT_EQ(cause_with({.inputs = idle, .output_every = nan}), "the time between two samples is not finite");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = infinite}),
             "the time between two samples is not finite");
   for (const double fine : {1e-16, 1e-300, std::numeric_limits<double>::denorm_min()})

@@ -8,7 +8,8 @@ namespace kanexpr::compiled {
 
 /// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
 template <class Inputs>
-inline constexpr bool inputs_hold = requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
+inline constexpr bool inputs_hold =
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
 
 /// The inputs at an instant, from a vector or a function.
 template <class Inputs, class Time, class State>

@@ -120,8 +120,7 @@ private:
       symbols_.check_derivative(*from.inputs[i].tokens[0].symbol);
     for (int i = 0; i < from.dependent.size && !reading_.mistake; ++i)
       constraints_.read_dependent(from.dependent[i]);
-    for (int i = 0; i < from.redundant.size; ++i)
-      reading_.into.constraints.redundant.push(from.redundant[i]);
+    for (int i = 0; i < from.redundant.size; ++i) reading_.into.constraints.redundant.push(from.redundant[i]);
   }
 
   reading reading_;
