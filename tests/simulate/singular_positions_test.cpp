@@ -3,6 +3,7 @@
 // solved for what is dependent.
 #include "steps/double_four_bar.hpp"
 
+#include <kanexpr/assemble.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/simulate/model.hpp>
 
@@ -69,6 +70,21 @@ TEST(singular_positions, can_be_begun_at) {
     const auto run = simulate<integrator::explicit_runge_kutta>(m, cranks(q, other, q, -2), {}, {0, 1});
     ASSERT_TRUE(run) << run.cause();
     EXPECT_NEAR(energy(run.state), energy(run.trajectory[0].x), 1e-5);
+  }
+}
+
+TEST(singular_positions, say_which_constraints_repeat_others) {
+  using double_four_bar::System;
+  auto at = double_four_bar::upright();
+  EXPECT_TRUE(check_independence<System>(at));
+  EXPECT_EQ(check_independence<System>(at).rank, 4);
+  at = state<System>::Zero();
+  model m = derive<System>();
+  for (const independence& found :
+       {check_independence<System>(at), check_independence(m, Eigen::VectorXd(at))}) {
+    EXPECT_EQ(found.cause(), "constraint 1 on the speeds repeats others here");
+    EXPECT_EQ(found.rank, 2);
+    EXPECT_EQ(found.repeated, (std::vector{1, 3})); // along the bars
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/numeric/assembly.hpp>
+#include <kanexpr/numeric/independence.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 #include <span>
@@ -42,6 +43,16 @@ consistency check_consistency(model& m, const Eigen::VectorXd& x, const Paramete
                               double t = 0, double tolerance = 1e-9) {
   return runtime::check_consistency(m, {x.data(), static_cast<std::size_t>(x.size())}, runtime::entries_of(p),
                                     runtime::entries_of(r), t, tolerance);
+}
+
+/// Whether the constraints on the speeds are independent at a state, or which of them follow from those
+/// before them there: rows of `constraint_jacobian`.
+template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
+independence check_independence(model& m, const Eigen::VectorXd& x, const Parameters& p = {},
+                                const Inputs& r = {}, double t = 0) {
+  auto jacobian = m.function(m.constraint_jacobian());
+  const Eigen::VectorXd parameters = p, inputs = r;
+  return numeric::independence_of(jacobian(t, x, parameters, inputs));
 }
 
 } // namespace kanexpr

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/numeric/independent_columns.hpp>
+
+#include <string>
+#include <vector>
+
+namespace kanexpr {
+
+/// Whether the constraints on the speeds are independent at a state.
+struct independence {
+  int rank = 0;
+  std::vector<int>
+      repeated{}; ///< rows of the constraint Jacobian that follow from those before them, from 1 on
+  mechanics::sentence failure{};
+
+  explicit operator bool() const { return !failure; }
+  /// Which constraint repeats others, as a sentence; empty: none.
+  std::string cause() const { return std::string(failure.view()); }
+};
+
+namespace numeric {
+
+/// Of the rows of a Jacobian, in their order.
+inline independence independence_of(const Eigen::MatrixXd& jacobian) {
+  independence found;
+  if (!jacobian.allFinite()) {
+    found.failure = mechanics::sentence({"the constraints on the speeds are not finite at this state"});
+    return found;
+  }
+  const independent_columns rows = independent_columns_of(jacobian.transpose(), 1e-9);
+  found.rank = static_cast<int>(rows.kept.size());
+  std::size_t next = 0;
+  for (int i = 0; i < jacobian.rows(); ++i)
+    if (next < rows.kept.size() && rows.kept[next] == i)
+      ++next;
+    else
+      found.repeated.push_back(i + 1);
+  if (!found.repeated.empty())
+    found.failure = mechanics::sentence(
+        {"constraint ", mechanics::counted(found.repeated[0]).view(), " on the speeds repeats others here"});
+  return found;
+}
+
+} // namespace numeric
+
+} // namespace kanexpr
