@@ -129,4 +129,32 @@ TEST(named_values, are_no_numbers) {
   EXPECT_EQ(mistake_of(Eigen::VectorXd::Zero(5)), "the state vector of System has 6 entries, not 5");
 }
 
+TEST(named_values, give_no_body_a_negative_mass) {
+  using namespace four_bar;
+  kanexpr::parameter_values<System> p = kanexpr::parameter_values<System>::Ones();
+  EXPECT_EQ(mistake_of_parameters(p), "");
+  p[I2] = -1;
+  EXPECT_EQ(mistake_of_parameters(p), "parameter I2, a moment of inertia, is negative");
+  p[m1] = -2;
+  EXPECT_EQ(mistake_of_parameters(p), "parameter m1, the mass of a body, is negative");
+  p[I2] = p[m1] = 0;
+  p[l1] = -1; // a length along an axis
+  EXPECT_EQ(mistake_of_parameters(p), "");
+  EXPECT_EQ(mistake_of_parameters({{l0, 2},
+                                   {l1, 1},
+                                   {l2, 2},
+                                   {l3, 1},
+                                   {d1, 1},
+                                   {d2, 1},
+                                   {d3, 1},
+                                   {m1, 1},
+                                   {m2, -2},
+                                   {m3, 1},
+                                   {I1, 1},
+                                   {I2, 1},
+                                   {I3, 1},
+                                   {g, 9.81}}),
+            "parameter m2, the mass of a body, is negative");
+}
+
 } // namespace

@@ -133,6 +133,8 @@ TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
                          const simulation_options<model>& o) { return simulate(b, x, p, {0, 1}, o).cause(); };
   EXPECT_EQ(cause({{"q", 0.3}}, numbers, idle), "speed u has no value");
   EXPECT_EQ(cause(start, {{"m", 1}, {"l", 1}, {"g", 9.81}}, idle), "parameter c has no value");
+  EXPECT_EQ(cause(start, {{"m", -2}, {"l", 1}, {"g", 9.81}, {"c", 0}}, idle),
+            "parameter m, the mass of a body, is negative");
   EXPECT_EQ(cause(start, {{"m", 1}, {"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0}}, idle),
             "parameter m has two values");
   EXPECT_EQ(cause(start, {{"mm", 1}}, idle), "the model has no parameter mm");

@@ -30,6 +30,8 @@ struct survey {
   int inertial_parameters = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< by the same order
+  bool is_mass[room]{};         ///< of a body, by itself
+  bool is_moment[room]{};       ///< of inertia, by itself
   int quaternions = 0;          ///< whose norm 1 the motion keeps
   int quaternion_of[room]{};    ///< by coordinate: the number of its quaternion, from 1 on; 0: none
 

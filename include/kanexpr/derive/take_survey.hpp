@@ -7,6 +7,13 @@
 
 namespace kanexpr::deriving {
 
+constexpr bool is_moment_of(const mechanics::body& b, const expression& parameter) {
+  for (const mechanics::dyadic::part& part : b.inertia.parts)
+    for (int i = 0; i < 3 && part.left == part.right; ++i)
+      if (part.value(i, i) == parameter) return true;
+  return false;
+}
+
 constexpr void survey::take(derived_system& system) {
   take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
 }
@@ -24,6 +31,11 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
     for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
   if (!is_sound) return;
+  for (int i = 0; i < parameters; ++i)
+    for (const mechanics::body& b : m.bodies) {
+      is_mass[coordinates + speeds + i] |= b.mass == m.parameters[i];
+      is_moment[coordinates + speeds + i] |= !b.effective && is_moment_of(b, m.parameters[i]);
+    }
   for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
     ++quaternions;
     for (int place : places) quaternion_of[place] = quaternions;

@@ -37,6 +37,14 @@ KANEXPR_ENGINE void values_reader::look_for_infinite() {
     mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
 }
 
+KANEXPR_ENGINE void values_reader::look_for_negative() {
+  for (int i = 0; i < range_.size && !mistake_; ++i)
+    if (const int place = range_.first + i;
+        values_[i] < 0 && (known_.is_mass[place] || known_.is_moment[place]))
+      fail({symbol_called(known_, place).view(),
+            known_.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,", " is negative"});
+}
+
 KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {
   for (int place = 0; place < known_.symbols(); ++place)
     if (known_.names[place].view() == name) return place;
