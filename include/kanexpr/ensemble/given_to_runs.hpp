@@ -5,7 +5,6 @@
 #include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
-#include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <algorithm>
 #include <array>
@@ -50,15 +49,14 @@ private:
   static constexpr compiled::symbol_range range = compiled::range_of(which, known);
 
   void read(const runs& of, std::vector<named_value> same, bool is_set_later) {
-    const run_values first(of, 0);
     for (std::size_t i = 0; i < of.varied().size(); ++i) {
       const varied_name& what = of.varied()[i];
       if (what.is_factor()) continue;
       for (int k = 0; k < range.size; ++k)
         if (known.names[range.first + k].view() == what.name()) {
           places_.emplace_back(i, k);
-          // Where a number is not finite the run fails, the first like others.
-          same.push_back({what.name(), numeric::is_finite(first.all()[i]) ? first.all()[i] : 0.0});
+          // A run whose number is wrong fails, the first like others.
+          same.push_back({what.name(), 0.0});
         }
     }
     if (is_set_later) {

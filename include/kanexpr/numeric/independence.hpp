@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/independent_columns.hpp>
 
 #include <string>
@@ -25,7 +26,7 @@ namespace numeric {
 /// Of the rows of a Jacobian, in their order.
 inline independence independence_of(const Eigen::MatrixXd& jacobian) {
   independence found;
-  if (!jacobian.allFinite()) {
+  if (!all_finite(jacobian)) {
     found.failure = mechanics::sentence({"the constraints on the speeds are not finite at this state"});
     return found;
   }
