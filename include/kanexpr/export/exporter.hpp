@@ -310,6 +310,7 @@ private:
     case extent_by::configuration_constraints:
     case extent_by::speed_constraints:
     case extent_by::all_constraints:
+    case extent_by::redundant_constraints:
     case extent_by::auxiliary_speeds:
     case extent_by::unknowns:
     case extent_by::state_and_inputs:
