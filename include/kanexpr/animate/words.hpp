@@ -54,7 +54,7 @@ struct seen_from {
 };
 
 /// The ground, a plane across `up`, `height` above the model's origin.
-template <auto height = 0>
+template <auto height = 0.0>
 struct ground {
   static constexpr std::string_view word = "ground";
   static constexpr std::string_view size_names[]{"height"};
