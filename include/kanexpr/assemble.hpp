@@ -5,4 +5,5 @@
 #include <kanexpr/compiler.hpp>
 
 #include <kanexpr/steps/assemble.hpp>
+#include <kanexpr/steps/check_independence.hpp>
 #include <kanexpr/version.hpp>

@@ -5,7 +5,6 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/numeric/independence.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <algorithm>
@@ -188,21 +187,6 @@ consistency check_consistency(const state<System, Number>& x, const Parameters& 
   if (report) return report;
   if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
-}
-
-/// Whether the constraints on the speeds are independent at a state, or which of them follow from those
-/// before them there, as at a position where all bars of a linkage are in line: rows of
-/// `constraint_jacobian`.
-template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
-          class Inputs = input_values<System, Number>>
-independence check_independence(const state<System, Number>& x, const Parameters& p = {},
-                                const Inputs& r = {}, std::type_identity_t<Number> t = 0) {
-  using jacobian = out_of_line<
-      function<System, mechanics::quantity::velocity_residual, mechanics::quantity::constraint_jacobian>>;
-  if constexpr (compiled::survey_of<System>.constraints == 0)
-    return {};
-  else
-    return numeric::independence_of(std::get<1>(jacobian{}(t, x, p, r)).template cast<double>());
 }
 
 } // namespace kanexpr
