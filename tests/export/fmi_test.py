@@ -384,10 +384,10 @@ near(off_constraints(start), [0, 0], 1e-14)
 assert slider.attributes["e2"]["initial"] == slider.attributes["u2"]["initial"] == "approx"
 assert slider.attributes["e1"]["initial"] == "exact"
 motion, x = [], start
-for k in range(20):
+for k in range(9):
     x = sliding.runge_kutta_4(x, 1 / 8, [-0.2])
     motion.append(x)
-assert stepped(slider, {}, 20) == motion
+assert stepped(slider, {}, 9) == motion
 
 # A tool that loses the constraints is asked to come back to them, by its own tolerance.
 for tolerance, drift, is_far in ((None, 1e-7, True), (None, 1e-9, False), (1e-4, 1e-5, False), (1e-4, 1e-3, True)):

@@ -53,11 +53,11 @@ TEST(built_model, does_not_read_past_the_end_of_a_vector) {
   const Eigen::Matrix<double, 1, 1> r(0.6);
   const no_heap::guard guard;
   EXPECT_TRUE(std::isnan(udot(x, p.head<2>(), r)(0)));
-  EXPECT_EQ(udot.status().cause(), "the parameter vector has 2 entries, and none for g");
+  EXPECT_EQ(udot.status().view(), "the parameter vector has 2 entries, and none for g");
   EXPECT_TRUE(std::isnan(udot(x, p, r.head(0))(0)));
-  EXPECT_EQ(udot.status().cause(), "the input vector has 0 entries, and none for T");
+  EXPECT_EQ(udot.status().view(), "the input vector has 0 entries, and none for T");
   EXPECT_TRUE(std::isnan(udot(x.head(0), p, r)(0)));
-  EXPECT_EQ(udot.status().cause(), "the state vector has 0 entries, and none for q");
+  EXPECT_EQ(udot.status().view(), "the state vector has 0 entries, and none for q");
   EXPECT_TRUE(std::isfinite(udot(x, p, r)(0)));
   EXPECT_TRUE(udot.status());
 }

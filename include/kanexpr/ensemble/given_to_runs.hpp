@@ -49,6 +49,7 @@ private:
   static constexpr compiled::symbol_range range = compiled::range_of(which, known);
 
   void read(const runs& of, std::vector<named_value> same, bool is_set_later) {
+    static_cast<void>(run_values(of, 0)); // throws where a distribution of the user does
     for (std::size_t i = 0; i < of.varied().size(); ++i) {
       const varied_name& what = of.varied()[i];
       if (what.is_factor()) continue;

@@ -6,6 +6,7 @@
 #include <kanexpr/numeric/newton.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -53,17 +54,22 @@ double largest(const Vector& v) {
 }
 
 /// How large the terms of some constraints are at a state, also where they happen to vanish: the largest
-/// there and at a few others around it.
+/// there and at a few others around it, as far away as coordinates are from zero, in whatever units.
 template <class Terms, class State>
 auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
   auto most = terms(x);
   State beside = x;
-  number way = 0;
+  number way = 0, largest = 0, least = 0;
+  for (int i = 0; i < coordinates; ++i) largest = (std::max)(largest, number(std::abs(x(i))));
+  const auto counts = [&](int i) { return std::abs(x(i)) > number(1e-9) * largest; };
+  for (int i = 0; i < coordinates; ++i)
+    if (counts(i)) least = least > 0 ? (std::min)(least, number(std::abs(x(i)))) : number(std::abs(x(i)));
+  if (!(largest > 0)) least = 1; // an angle
   for (int looks = 0; looks < 3; ++looks) {
     for (int i = 0; i < coordinates; ++i) {
       way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
-      beside(i) = x(i) + (way - number(0.5)) * (1 + std::abs(x(i)));
+      beside(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
     }
     most = most.cwiseMax(terms(beside)).eval();
   }
@@ -74,6 +80,7 @@ auto usual_terms(const Terms& terms, const State& x, int coordinates) {
 template <class Vector>
 bool is_rounding(const Vector& left, const Vector& terms) {
   constexpr auto rounding = 64 * std::numeric_limits<typename Vector::Scalar>::epsilon();
+  if (!all_finite(left) || !all_finite(terms)) return false;
   for (Eigen::Index i = 0; i < left.size(); ++i)
     if (!(std::abs(left(i)) <= rounding * terms(i))) return false;
   return true;
