@@ -22,7 +22,8 @@ public:
   }
   constexpr void take(double content) { take(std::bit_cast<std::uint64_t>(content)); }
   constexpr void take(std::string_view content) {
-    take(static_cast<std::uint64_t>(content.size()));
+    const std::uint64_t size = content.size();
+    take(size);
     for (char letter : content) take(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
   }
 

@@ -34,6 +34,15 @@ constexpr scalar<1> operand(Operand x) {
     return number(x);
 }
 
+/// The same where a whole number 0 is told of by what is wrong around it.
+template <class Operand>
+constexpr auto operand_with_zeros(const Operand& x) {
+  if constexpr (plain_number<Operand>)
+    return constant(x);
+  else
+    return operand(x);
+}
+
 template <class Operand>
 concept written = requires(const Operand& x) { operand(x); };
 
