@@ -36,7 +36,7 @@ int main(int count, char** words) {
   state<Driven> free;
   free[u2] = 0.1, free[u3] = 3 / rear_radius, free[u6] = 3 / front_radius;
   double t = 0;
-  while (std::abs(free[q2]) < 0.7 && t < 20)
+  while (std::abs(free[q2]) < 0.6 && t < 20) // at 0.65 the handlebars would stand across
     if (const status s =
             runge_kutta_4<Driven>{}(t, free, period, parameter_values<Driven>(), input_values<Driven>(0, 0));
         !s)
