@@ -1,5 +1,5 @@
 // expect: the velocity of point Q is not the rate of its position; if that is meant, write
-// expect: velocity_apart_from_position<...>
+// expect: velocity_apart_from_position
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, s * A::x>, velocity<N, v * A::x> {};

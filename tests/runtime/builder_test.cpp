@@ -431,7 +431,7 @@ TEST(builder_mistakes, hears_of_a_force_only_once) {
 TEST(builder_mistakes, compares_velocities_with_positions) {
   const std::string expected =
       "the velocity of point Q is not the rate of its position; if that is meant, write "
-      "velocity_apart_from_position<...>";
+      "velocity_apart_from_position";
   const auto slides = [](auto& b, bool apart) {
     const auto place = b.offset("Q", b.o, b.along(b.rod, b.x, 0, 0));
     b.particle("Bead", place, b.m);

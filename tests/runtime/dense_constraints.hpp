@@ -29,10 +29,10 @@ template <int i>
 using spring = force<P<i>, -k * q<i> * N::x>;
 
 template <int i>
-constexpr double n = i; // a whole number 0 is no factor
+constexpr double n = i; // a whole number 0 may be a quotient that was cut off
 template <int i>
-constexpr auto bound = u<0> * cos(q<0> + i) + u<1> * (a + sin(n<i> * q<1>)) + u<2> * cos(n<i> * q<2> - a) +
-                           u<3> * (i - q<3>)+u<4> * sin(q<4> + i * i) + u<5> * (a - n<i> * q<5>) ==
+constexpr auto bound = u<0> * cos(q<0> + n<i>) + u<1> * (a + sin(n<i> * q<1>)) + u<2> * cos(n<i> * q<2> - a) +
+                           u<3> * (n<i> - q<3>)+u<4> * sin(q<4> + n<i * i>) + u<5> * (a - n<i> * q<5>) ==
                        sin(n<i> * t);
 
 struct System

@@ -47,7 +47,7 @@ public:
       if (m_.points[p].moves_by_declaration() && !m_.points[p].moves_apart &&
           !m_.points[p].offset.is_zero() && !moves_as_placed(p))
         fail({"the velocity of point ", m_.points[p].called.view(),
-              " is not the rate of its position; if that is meant, write velocity_apart_from_position<...>"});
+              " is not the rate of its position; if that is meant, write velocity_apart_from_position"});
     return found_;
   }
 

@@ -26,7 +26,7 @@ public:
       if (is_to_agree(m_.points[p]) && !agrees(p))
         return sentence({"the velocity of point ", m_.points[p].called.view(),
                          " is not the rate of its position; if that is meant, write "
-                         "velocity_apart_from_position<...>"});
+                         "velocity_apart_from_position"});
     return {};
   }
 
