@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace kanexpr::ensembles {
 
@@ -19,8 +20,15 @@ public:
     std::error_code none;
     const std::string end = std::filesystem::weakly_canonical(end_of_links(path), none).string();
     for (const char* beside : {"", ".new", ".lock"})
-      if (const auto [other, is_free] = taken_.emplace(end + beside, as); !is_free)
-        return outcome(path + " cannot be " + as + ": " + other->second + " takes that name");
+      if (const auto [other, is_free] = taken_.emplace(end + beside, as); !is_free) {
+        std::string mistake = path;
+        mistake.append(" cannot be ")
+            .append(as)
+            .append(": ")
+            .append(other->second)
+            .append(" takes that name");
+        return outcome(std::move(mistake));
+      }
     return {};
   }
 
