@@ -1,6 +1,7 @@
 // builds: g++
 // Mechanisms that pass positions where their constraints depend on each other, or where these cannot be
 // solved for what is dependent.
+#include "simulate/led_bars.hpp"
 #include "steps/double_four_bar.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -100,6 +101,11 @@ TEST(singular_positions, of_the_choice_of_dependent_speeds_are_none_of_the_motio
     const double kinetic = (s.x["u1"] * s.x["u1"] + s.x["u2"] * s.x["u2"]) / 2;
     ASSERT_NEAR(kinetic - 9.81 * s.x["q1"], 4.5, 1e-5) << s.t;
   }
+}
+
+TEST(singular_positions, end_a_motion_that_has_no_way_on) {
+  led_bars::ends_where_they_are_stretched<integrator::explicit_runge_kutta>();
+  led_bars::ends_where_they_are_stretched<integrator::adams>();
 }
 
 } // namespace
