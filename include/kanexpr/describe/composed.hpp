@@ -34,18 +34,9 @@ constexpr auto composed(symbolic::composition f, const Operands&... x) {
   return all;
 }
 
-/// An operand which may be the whole number 0 where others beside it are not.
-template <class Operand>
-constexpr auto operand_beside(bool all_are_zero, const Operand& x) {
-  if constexpr (plain_number<Operand>)
-    return all_are_zero ? number(x) : constant(x);
-  else
-    return x;
-}
-
 template <class... Operands>
 constexpr auto composed_with_zeros(symbolic::composition f, const Operands&... x) {
-  return composed(f, operand_beside(false, x)...);
+  return composed(f, with_zeros(x)...);
 }
 
 /// What tabulated<...> and periodic<...> are, to be called with an expression.
@@ -53,7 +44,7 @@ template <symbolic::composition is, auto... points>
 struct table_word {
   template <written Operand>
   constexpr auto operator()(const Operand& x) const {
-    return composed(is, x, operand_beside(has_no_values, points)...);
+    return has_no_values ? composed(is, x, points...) : composed(is, x, with_zeros(points)...);
   }
 
 private:
@@ -97,7 +88,8 @@ template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto clamp(const Operands&... x) {
   const bool is_of_zeros = ((!describe::plain_number<Operands> || describe::is_whole_zero(x)) && ...);
-  return describe::composed(symbolic::composition::clamp, describe::operand_beside(is_of_zeros, x)...);
+  return is_of_zeros ? describe::composed(symbolic::composition::clamp, x...)
+                     : describe::composed_with_zeros(symbolic::composition::clamp, x...);
 }
 
 /// `smooth_abs(x, width)`: x tanh(x/width)

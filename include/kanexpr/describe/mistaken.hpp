@@ -16,11 +16,11 @@ concept operands_of_a_model =
 
 template <template <int> class Kind, class Operand>
 constexpr auto misused(const Operand& x, misuse what) {
-  return followed_by<Kind>(operand_with_zeros(x).tokens, misused(what));
+  return followed_by<Kind>(operand(with_zeros(x)).tokens, misused(what));
 }
 template <template <int> class Kind, class Left, class Right>
 constexpr auto misused(const Left& x, const Right& y, misuse what) {
-  return followed_by<Kind>(operand_with_zeros(x).tokens, operand_with_zeros(y).tokens, misused(what));
+  return followed_by<Kind>(operand(with_zeros(x)).tokens, operand(with_zeros(y)).tokens, misused(what));
 }
 
 template <class Left, class Right>

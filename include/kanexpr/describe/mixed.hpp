@@ -38,12 +38,12 @@ concept no_vectors = written<Left> && written<Right> && (no_vector<Left> || no_v
 /// An equation has lost its sign; of other operands the reader can say what they are.
 template <template <int> class Kind, class Operand>
 constexpr auto meaningless(const Operand& x, const token& last) {
-  return followed_by<Kind>(operand_with_zeros(x).tokens,
+  return followed_by<Kind>(operand(with_zeros(x)).tokens,
                            equates<Operand, Operand> ? misused(misuse::inner_equation) : last);
 }
 template <template <int> class Kind, class Left, class Right>
 constexpr auto meaningless(const Left& x, const Right& y, const token& last) {
-  return followed_by<Kind>(operand_with_zeros(x).tokens, operand_with_zeros(y).tokens,
+  return followed_by<Kind>(operand(with_zeros(x)).tokens, operand(with_zeros(y)).tokens,
                            equates<Left, Right> ? misused(misuse::inner_equation) : last);
 }
 

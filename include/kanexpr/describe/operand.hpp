@@ -34,13 +34,13 @@ constexpr scalar<1> operand(Operand x) {
     return number(x);
 }
 
-/// The same where a whole number 0 is told of by what is wrong around it.
+/// What is given, where a whole number 0 may stand.
 template <class Operand>
-constexpr auto operand_with_zeros(const Operand& x) {
+constexpr auto with_zeros(const Operand& x) {
   if constexpr (plain_number<Operand>)
     return constant(x);
   else
-    return operand(x);
+    return x;
 }
 
 template <class Operand>

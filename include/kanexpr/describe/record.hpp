@@ -47,13 +47,6 @@ constexpr auto with_numbers_as_scalars(const Written& value) {
   else
     return value;
 }
-template <class Written>
-constexpr auto with_any_numbers_as_scalars(const Written& value) {
-  if constexpr (plain_number<Written>)
-    return constant(value);
-  else
-    return value;
-}
 
 template <auto value>
 struct stored {
@@ -88,7 +81,7 @@ inline constexpr phrase given_phrases[sizeof...(values) + 9]{phrase_of<values>..
 
 /// The same of values among which 0 is common, and which are checked in another way.
 template <auto... values>
-inline constexpr auto& given_phrases_with_zeros = given_phrases<with_any_numbers_as_scalars(values)...>;
+inline constexpr auto& given_phrases_with_zeros = given_phrases<with_zeros(values)...>;
 
 /// A list of records in static storage.
 template <class Record>
