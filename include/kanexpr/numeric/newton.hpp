@@ -42,8 +42,9 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   // no change of the Jacobian is less than its rounding
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
+  if (!all_finite(f)) return report;
   if (x.size() == 0 || equal(report.residual, 0.0)) report.converged = true;
-  if (report.converged || !all_finite(f)) return report;
+  if (report.converged) return report;
 
   bool goes_on = true;
   while (goes_on && report.steps < options.most_steps) {
