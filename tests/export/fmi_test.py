@@ -460,12 +460,24 @@ one.set({"l1": 1.0})
 assert one.get("q1", "q2", "q3") == before, "nothing has moved"
 one.free()
 
-# Threads with an instance each
-alone, together = [stepped(slider, {"u1": 0.1 * k}, 40) for k in range(4)], [None] * 4
+# A step across a position where the height cannot be solved for e2 is discarded.
+one = Instance(slider, "CoSimulation").initialize()
+statuses = [one.step(k / 8, 1 / 8)[0] for k in range(10)]
+assert statuses == [OK] * 9 + [DISCARD]
+assert one.told[-1] == (DISCARD, "the step passes a position where the constraints cannot be solved for the dependent speeds")
+one.free()
+
+
+# Threads with an instance each, five times
+def motions(k):
+    return [stepped(slider, {"u1": 0.1 * k}, 9) for _ in range(5)]
+
+
+alone, together = [motions(k) for k in range(4)], [None] * 4
 
 
 def work(k):
-    together[k] = stepped(slider, {"u1": 0.1 * k}, 40)
+    together[k] = motions(k)
 
 
 threads = [threading.Thread(target=work, args=[k]) for k in range(4)]
