@@ -10,6 +10,7 @@
 
 #include <kanexpr/steps/assemble.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -197,6 +198,101 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
   impossible.P(0, 1) = infinite;
   EXPECT_EQ(impossible.predict(0, 0.02, parameters, r, of.Q).cause(),
             "the covariance of the state is not finite");
+}
+
+// Whether no combination of states has a variance below zero, beside what rounding leaves of their variances.
+template <class Covariance>
+bool is_covariance(const Covariance& given) {
+  const Eigen::Matrix4d P = given.template cast<double>();
+  if (P != P.transpose() || (P.diagonal().array() < 0).any()) return false;
+  const Eigen::Vector4d size =
+      P.diagonal().unaryExpr([](double x) { return x > 0 ? 1 / std::sqrt(x) : 1.0; });
+  const Eigen::Matrix4d correlation = size.asDiagonal() * P * size.asDiagonal();
+  constexpr double rounding =
+      40 * static_cast<double>(std::numeric_limits<typename Covariance::Scalar>::epsilon());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(correlation).eigenvalues()(0) >= -rounding;
+}
+
+// States that depend on each other in any units, sensors that are better by up to sixteen digits than what is
+// known, and disturbances of few states: what is taken up is never refused, and stays a covariance.
+template <class T>
+void keep_a_covariance() {
+  normal random;
+  using vector = Eigen::Vector<T, 4>;
+  const auto draw = [&] { return static_cast<T>(random()); };
+  const auto drawn_size = [&] { return static_cast<T>(std::pow(10, 1.5 * random())); };
+  const auto semidefinite = [&](int rank) {
+    Eigen::Matrix<T, 4, 4> m = Eigen::Matrix<T, 4, 4>::Zero();
+    for (int k = 0; k < rank; ++k) {
+      const vector column = vector::NullaryExpr(draw);
+      m += drawn_size() * drawn_size() * column * column.transpose();
+    }
+    const vector units = vector::NullaryExpr(drawn_size);
+    m = units.asDiagonal() * m * units.asDiagonal();
+    return Eigen::Matrix<T, 4, 4>((m + m.transpose()) / 2);
+  };
+  const parameter_values<cart, T> p = parameters.template cast<T>();
+  const input_values<cart, T> r(T(1));
+  for (int run = 0; run < 300; ++run) {
+    const auto start = semidefinite(1 + run % 4);
+    basic_ekf<cart, T, q<0>, q<1>> estimate(state<cart, T>(0, T(1.5), 0, 0), start);
+    for (int k = 0; k < 10; ++k) {
+      const auto Q = semidefinite(1 + k % 4);
+      const status predicted = estimate.predict(T(0), T(1e-3), p, r, Q);
+      ASSERT_TRUE(predicted) << predicted.cause() << "\n" << estimate.P << "\n" << Q;
+      ASSERT_TRUE(is_covariance(estimate.P)) << estimate.P;
+      Eigen::Matrix<T, 2, 2> R = Eigen::Matrix<T, 2, 2>::Zero();
+      for (int i = 0; i < 2; ++i)
+        R(i, i) = estimate.P(i, i) * static_cast<T>(std::pow(10, -16 * std::abs(std::sin(run + k + i))));
+      const auto before = estimate.P;
+      const status updated = estimate.update(estimate.expected(p, r), p, r, R);
+      if (!updated) {
+        EXPECT_EQ(updated.cause(), "the covariance of the innovation is not positive definite");
+        EXPECT_EQ(estimate.P, before);
+      }
+      ASSERT_TRUE(is_covariance(estimate.P)) << estimate.P << "\nfrom\n" << before << "\nby\n" << R;
+      for (int i = 0; i < 4; ++i) EXPECT_LE(estimate.P(i, i), before(i, i) * T(1.0001));
+    }
+  }
+}
+TEST(ekf, keeps_a_covariance_whatever_is_known) {
+  keep_a_covariance<double>();
+  keep_a_covariance<float>();
+}
+
+// Of variances that are rounded nothing is refused that is one; nearly parallel disturbances leave small
+// pivots.
+TEST(ekf, tells_an_indefinite_covariance_from_a_rounded_one) {
+  normal random;
+  const input_values<cart> r(1.0);
+  for (int run = 0; run < 1000; ++run) {
+    const double aside = std::pow(10, -8 * std::abs(random())), units = std::pow(10, 3 * random());
+    Eigen::Matrix<double, 4, 2> by = Eigen::Matrix<double, 4, 2>::Random();
+    by.row((run + 1) % 4) = by.row(run % 4) + aside * by.row((run + 2) % 4);
+    const Eigen::Vector4d in(units, 1, 1 / units, 1);
+    const Eigen::Matrix4d m = in.asDiagonal() * Eigen::Matrix4d(by * by.transpose()) * in.asDiagonal();
+    ekf<cart, q<0>> estimate(state<cart>(0, 1.5, 0, 0), m);
+    const status predicted = estimate.predict(0, 1e-3, parameters, r, m);
+    EXPECT_TRUE(predicted) << predicted.cause() << "\n" << m;
+    // Along the least of its directions it is made negative.
+    const Eigen::Vector4d size = m.diagonal().cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> of(size.cwiseInverse().asDiagonal() * m *
+                                                            size.cwiseInverse().asDiagonal());
+    const Eigen::Vector4d least = size.cwiseProduct(of.eigenvectors().col(0));
+    const auto less = [&](double part) { return Eigen::Matrix4d(m - part * least * least.transpose()); };
+    estimate.P = m;
+    EXPECT_EQ(estimate.predict(0, 1e-3, parameters, r, less(1e-12)).cause(),
+              "the covariance of what disturbs the states is not positive semidefinite");
+    estimate.P = less(1e-6);
+    EXPECT_EQ(estimate.predict(0, 1e-3, parameters, r, m).cause(),
+              "the covariance of the state is not positive semidefinite");
+    EXPECT_EQ(
+        estimate.update(Eigen::Matrix<double, 1, 1>(0), parameters, r, Eigen::Matrix<double, 1, 1>(1e-4))
+            .cause(),
+        "the covariance of the state is not positive semidefinite");
+    estimate.P = less(1e-10); // as it may be written and read
+    EXPECT_TRUE(estimate.predict(0, 1e-3, parameters, r, m));
+  }
 }
 
 } // namespace cart

@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/weights.hpp>
+#include <kanexpr/numeric/semidefinite_factors.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
 #include <limits>
@@ -44,6 +45,11 @@ inline constexpr bool is_of_filter =
 /// (`linearization<System>::places`); the dependent ones follow by the constraints, and quaternions keep norm
 /// 1. Nothing is allocated or thrown. Where something cannot be solved, or would not be finite, the status
 /// says so, and the filter stays as it was.
+///
+/// P may be set at any time, so each call factorizes it, P = L D Lᵀ, and refuses what is no covariance, as it
+/// does Q and R. What it makes of P are sums of squares: A L D (A L)ᵀ + Q, and by Joseph's form V D Vᵀ + U E
+/// Uᵀ with V = L − K C L, R = M E Mᵀ and U = K M. D and E are not negative, so no rounding makes a variance
+/// negative, nor the covariance indefinite beside its own variances, whatever has cancelled on the way.
 template <class System, class Number, auto... measured>
 class basic_ekf {
   using lin = linearization<System>;
@@ -116,16 +122,19 @@ private:
   template <class Parameters, class Inputs, class Noise, class Step>
   status predicted(Number from, Number h, const Parameters& p, const Inputs& r,
                    const Eigen::MatrixBase<Noise>& disturbance, const Step& step) {
-    if (const status s = mistake_in_state(numeric::as_fixed(P)); !s) return s;
-    if (const status s = mistake_in_disturbance(numeric::as_fixed(disturbance)); !s) return s;
+    const square before = numeric::as_fixed(P), noise = numeric::as_fixed(disturbance);
+    if (const status s = mistake_in(before, of_state); !s) return s;
+    if (const status s = mistake_in(noise, of_disturbance); !s) return s;
+    const factors<states> known = factors_of_state(before);
+    if (!known) return status(of_state.negative);
+    if (!factors<states>(noise, rounding<states>, rounding<states>)) return status(of_disturbance.negative);
     constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
     const auto& inputs = compiled::inputs_at(r, from, x);
     const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<Number, states, 0>(), h);
     if (!linear) return compiled::not_finite<System>::cause_of(linear.status, x, p, inputs);
     const square ad = numeric::as_fixed(linear.A);
-    const square after = numeric::symmetric(ad * numeric::as_fixed(P) * numeric::transposed(ad) +
-                                            numeric::as_fixed(disturbance));
-    if (const status s = mistake_in_state(after); !s) return s;
+    const square after = known.squares(known.times_lower(ad), noise);
+    if (!numeric::is_finite(after)) return status(of_state.infinite);
     Number to = from;
     state next = x;
     if (const status s = step(to, next, h, p, r); !s) return s;
@@ -138,22 +147,26 @@ private:
   template <class Given, class Parameters, class Inputs, class Noise>
   status updated(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
                  const Eigen::MatrixBase<Noise>& noise) {
-    if (const status s = mistake_in_state(numeric::as_fixed(P)); !s) return s;
-    if (const status s = mistake_in_noise(numeric::as_fixed(noise)); !s) return s;
+    const square before = numeric::as_fixed(P);
+    const measured_square uncertainty = numeric::as_fixed(noise);
+    if (const status s = mistake_in(before, of_state); !s) return s;
+    if (const status s = mistake_in(uncertainty, of_noise); !s) return s;
+    const factors<states> known = factors_of_state(before);
+    if (!known) return status(of_state.negative);
+    const factors<measurements> sensed(uncertainty, rounding<measurements>, rounding<measurements>);
+    if (!sensed) return status(of_noise.negative);
     const sight now = seen(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
     const numeric::fixed_matrix<Number, measurements, 1> off = numeric::as_fixed(y - now.values);
     const measured_by_states c = numeric::as_fixed(now.slopes);
-    const measured_square uncertainty = numeric::as_fixed(noise);
-    const square before = numeric::as_fixed(P);
     if (!numeric::is_finite(off)) return status("a measurement is not finite");
-    const measured_by_states cp = c * before;
-    const measured_square s = numeric::symmetric(cp * numeric::transposed(c) + uncertainty);
+    const measured_by_states seen_factors = known.times_lower(c);
+    const measured_square s = known.squares(seen_factors, uncertainty);
     if (!numeric::is_finite(s)) return status("the covariance of the innovation is not finite");
-    const numeric::positive_factors<Number, measurements> factors(s);
-    if (!factors) return status("the covariance of the innovation is not positive definite");
-    const auto k = numeric::transposed(factors.solve(cp));
+    const numeric::positive_factors<Number, measurements> solved(s);
+    if (!solved) return status("the covariance of the innovation is not positive definite");
+    const auto k = numeric::transposed(solved.solve(c * before));
     const auto change = k * off;
     state next = x;
     for (int i = 0; i < states; ++i) next(lin::places[static_cast<std::size_t>(i)]) += change(i);
@@ -163,10 +176,9 @@ private:
     for (int i = 0; i < static_cast<int>(next.size()); ++i)
       if (!lower::scalar_math<Number>::is_finite(next(i)))
         return status("the state after the update is not finite");
-    const square left = numeric::identity<Number, states>() - k * c; // Joseph's form
-    const square after = numeric::symmetric(left * before * numeric::transposed(left) +
-                                            k * uncertainty * numeric::transposed(k));
-    if (const status wrong = mistake_in_state(after); !wrong) return wrong;
+    const square after = sensed.squares(sensed.times_lower(k), // Joseph's form
+                                        known.squares(known.lower() - k * seen_factors));
+    if (!numeric::is_finite(after)) return status(of_state.infinite);
     x = next;
     P = numeric::as_eigen(after);
     innovation_ = numeric::as_eigen(off);
@@ -207,30 +219,35 @@ private:
       into(row++) = static_cast<Number>(found);
   }
 
-  /// What is no covariance, as `lqr` says it of weights. That of the state is rounded in every step.
-  static status mistake_in_state(square m) {
-    constexpr Number rounding = numeric::power_of_two<Number>(-std::numeric_limits<Number>::digits / 2);
-    if (!numeric::is_finite(m)) return status("the covariance of the state is not finite");
-    if (!control::is_symmetric(m)) return status("the covariance of the state is not symmetric");
-    for (int i = 0; i < states; ++i) m(i, i) += rounding * m(i, i);
-    if (!control::is_positive_semidefinite(m))
-      return status("the covariance of the state is not positive semidefinite");
-    return {};
+  template <int order>
+  using factors = numeric::semidefinite_factors<Number, order>;
+  template <int order>
+  static constexpr Number rounding = 8 * Number(order) * std::numeric_limits<Number>::epsilon();
+
+  /// The state's covariance may have been rounded more, as when it was written and read.
+  static factors<states> factors_of_state(const square& m) {
+    constexpr Number of_half = numeric::power_of_two<Number>(-std::numeric_limits<Number>::digits / 2);
+    const factors<states> found(m, rounding<states> / 8, rounding<states>);
+    return found ? found : factors<states>(m, of_half, of_half);
   }
-  static status mistake_in_disturbance(const square& m) {
-    if (!numeric::is_finite(m)) return status("the covariance of what disturbs the states is not finite");
-    if (!control::is_symmetric(m))
-      return status("the covariance of what disturbs the states is not symmetric");
-    if (!control::is_positive_semidefinite(m))
-      return status("the covariance of what disturbs the states is not positive semidefinite");
-    return {};
-  }
-  static status mistake_in_noise(const measured_square& m) {
-    if (!numeric::is_finite(m)) return status("the covariance of the noise is not finite");
-    if (!control::is_symmetric(m)) return status("the covariance of the noise is not symmetric");
-    if (!control::is_positive_semidefinite(m))
-      return status("the covariance of the noise is not positive semidefinite");
-    return {};
+
+  /// What is no covariance, as `lqr` says it of weights.
+  struct sentences {
+    std::string_view infinite, crooked, negative;
+  };
+  static constexpr sentences of_state{"the covariance of the state is not finite",
+                                      "the covariance of the state is not symmetric",
+                                      "the covariance of the state is not positive semidefinite"},
+      of_disturbance{"the covariance of what disturbs the states is not finite",
+                     "the covariance of what disturbs the states is not symmetric",
+                     "the covariance of what disturbs the states is not positive semidefinite"},
+      of_noise{"the covariance of the noise is not finite", "the covariance of the noise is not symmetric",
+               "the covariance of the noise is not positive semidefinite"};
+
+  template <int order>
+  static status mistake_in(const numeric::fixed_matrix<Number, order, order>& m, const sentences& of) {
+    if (!numeric::is_finite(m)) return status(of.infinite);
+    return control::is_symmetric(m) ? status() : status(of.crooked);
   }
 
   template <class Matrix>

@@ -120,6 +120,11 @@ constexpr Number largest_entry(const fixed_matrix<Number, rows, columns>& m) {
 /// Whether all entries are finite, by their bits, so that it holds with -ffast-math.
 template <class Number, int rows, int columns>
 constexpr bool is_finite(const fixed_matrix<Number, rows, columns>& m) {
+  if (!std::is_constant_evaluated()) { // where a sum may overflow
+    Number sum = 0;
+    for (int i = 0; i < rows * columns; ++i) sum += m.entries[i];
+    if (is_finite(sum)) return true;
+  }
   for (int i = 0; i < rows * columns; ++i)
     if (!is_finite(m.entries[i])) return false;
   return true;

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <kanexpr/numeric/fixed_matrix.hpp>
+
+#include <limits>
+
+namespace kanexpr::numeric {
+
+/// M = L D Lᵀ of a symmetric matrix that is positive semidefinite but for rounding, with D ≥ 0. In which
+/// units its rows are does not matter. The lower half of M is read.
+///
+/// The next pivot is the largest beside its entry of the diagonal of M. Where the largest is below `least` of
+/// that entry, all that is left is what rounding made of zero, and must be smaller than `rounding`; of it the
+/// diagonal is kept, where it is positive.
+template <class Number, int order>
+class semidefinite_factors {
+public:
+  using square = fixed_matrix<Number, order, order>;
+
+  constexpr semidefinite_factors(const square& m, Number least, Number rounding) : l_(m) {
+    Number share[room]{}; // one over the diagonal, or zero where that is
+    for (int i = 0; i < order; ++i) {
+      row_[i] = i;
+      share[i] = m(i, i) > std::numeric_limits<Number>::min() ? 1 / m(i, i) : Number(0);
+    }
+    for (int k = 0; k < order; ++k) {
+      int next = k;
+      Number most = l_(k, k) * share[k];
+      for (int i = k + 1; i < order; ++i)
+        if (const Number part = l_(i, i) * share[i]; part > most) next = i, most = part;
+      if (next != k) exchange(k, next, share);
+      const Number pivot = l_(k, k);
+      if (most > least) {
+        d_[k] = pivot;
+        eliminate(k);
+        continue;
+      }
+      d_[k] = pivot > 0 ? pivot : Number(0);
+      drop(k, pivot, rounding, share);
+    }
+  }
+
+  constexpr explicit operator bool() const { return are_; }
+
+  /// A L.
+  template <int rows>
+  constexpr fixed_matrix<Number, rows, order> times_lower(const fixed_matrix<Number, rows, order>& a) const {
+    fixed_matrix<Number, rows, order> product;
+    for (int j = 0; j < order; ++j)
+      for (int i = 0; i < rows; ++i) {
+        Number sum = a(i, row_[j]);
+        for (int k = j + 1; k < order; ++k) sum += a(i, row_[k]) * l_(k, j);
+        product(i, j) = sum;
+      }
+    return product;
+  }
+  constexpr square lower() const {
+    square l;
+    for (int j = 0; j < order; ++j) {
+      l(row_[j], j) = 1;
+      for (int i = j + 1; i < order; ++i) l(row_[i], j) = l_(i, j);
+    }
+    return l;
+  }
+
+  /// S + W D Wᵀ, of the lower half of S. Without S it is a sum of squares: symmetric, with no negative number
+  /// on the diagonal, and of each entry rounding takes a part of the root of the two on the diagonal at most
+  /// (by Cauchy and Schwarz).
+  template <int rows>
+  constexpr fixed_matrix<Number, rows, rows> squares(const fixed_matrix<Number, rows, order>& w,
+                                                     fixed_matrix<Number, rows, rows> s = {}) const {
+    for (int j = 0; j < rows; ++j) {
+      Number weighted[room]{};
+      for (int k = 0; k < order; ++k) weighted[k] = d_[k] * w(j, k);
+      for (int i = j; i < rows; ++i) {
+        for (int k = 0; k < order; ++k) s(i, j) += w(i, k) * weighted[k];
+        s(j, i) = s(i, j);
+      }
+    }
+    return s;
+  }
+
+private:
+  static constexpr std::size_t room = fixed_matrix<Number, order, 1>::room;
+
+  template <class Value>
+  static constexpr void swap(Value& a, Value& b) {
+    const Value kept = a;
+    a = b, b = kept;
+  }
+  /// Two rows and columns, k < next.
+  constexpr void exchange(int k, int next, Number (&share)[room]) {
+    swap(row_[k], row_[next]);
+    swap(share[k], share[next]);
+    swap(l_(k, k), l_(next, next));
+    for (int j = 0; j < k; ++j) swap(l_(k, j), l_(next, j));
+    for (int j = k + 1; j < next; ++j) swap(l_(j, k), l_(next, j));
+    for (int i = next + 1; i < order; ++i) swap(l_(i, k), l_(i, next));
+  }
+  constexpr void eliminate(int k) {
+    Number left[room]{};
+    for (int i = k + 1; i < order; ++i) left[i] = l_(i, k);
+    for (int i = k + 1; i < order; ++i) {
+      l_(i, k) = left[i] / d_[k];
+      for (int j = k + 1; j <= i; ++j) l_(i, j) -= l_(i, k) * left[j];
+    }
+  }
+
+  constexpr void drop(int k, Number pivot, Number rounding, const Number (&share)[room]) {
+    constexpr Number smallest = std::numeric_limits<Number>::min();
+    are_ = are_ && pivot * share[k] >= -rounding && (share[k] > 0 || pivot >= 0);
+    for (int i = k + 1; i < order; ++i) {
+      const Number beside = l_(i, k);
+      are_ = are_ &&
+             (share[i] > 0 && share[k] > 0 ? beside * share[i] * (beside * share[k]) <= rounding * rounding
+                                           : constant_elimination_math::magnitude(beside) <= smallest);
+      l_(i, k) = 0;
+    }
+  }
+
+  square l_; ///< below the diagonal, with its rows in the order of the pivots
+  Number d_[room]{};
+  int row_[room]{};
+  bool are_ = true;
+};
+
+} // namespace kanexpr::numeric
