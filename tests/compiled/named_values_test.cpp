@@ -157,4 +157,44 @@ TEST(named_values, give_no_body_a_negative_mass) {
             "parameter m2, the mass of a body, is negative");
 }
 
+namespace longer_masses {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"l"> l;
+constexpr parameter<"rho"> rho;
+constexpr parameter<"V"> V;
+constexpr parameter<"k"> k;
+constexpr parameter<"I"> I;
+constexpr parameter<"T"> T;
+
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, l * A::x> {};
+struct Q : offset<Q, P, l * A::x> {};
+struct Bob : particle<Bob, P, rho * V> {};
+struct Rod : rigid_body<Rod, Q, A, k * l * l + 2, inertia<A, 1, I / 2, I - k * T>> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>,
+                            parameters<T, l, rho, V, k, I>, bodies<Bob, Rod>> {};
+
+} // namespace longer_masses
+
+TEST(named_values, give_no_body_a_negative_mass_by_an_expression) {
+  using namespace longer_masses;
+  const auto mistake = [](const kanexpr::given_parameters<System>& p) {
+    return std::string(p.mistake.view());
+  };
+  EXPECT_EQ(mistake({{T, 1}, {l, 1}, {rho, 3}, {V, 2}, {k, 1}, {I, 2}}), "");
+  EXPECT_EQ(mistake({{T, 0.1}, {l, -1}, {rho, -3}, {V, -2}, {k, 3}, {I, 0.1 * 3}}), ""); // up to rounding
+  EXPECT_EQ(mistake({{T, 1}, {l, 1}, {rho, 3}, {V, -2}, {k, 1}, {I, 2}}), "the mass of Bob is negative");
+  EXPECT_EQ(mistake({{T, 1}, {l, 2}, {rho, 3}, {V, 2}, {k, -1}, {I, 2}}), "the mass of Rod is negative");
+  EXPECT_EQ(mistake({{T, -1}, {l, 1}, {rho, 3}, {V, 2}, {k, 1}, {I, -0.1}}),
+            "a moment of inertia of Rod is negative");
+  EXPECT_EQ(mistake({{T, 3}, {l, 1}, {rho, 3}, {V, 2}, {k, 1}, {I, 2}}),
+            "a moment of inertia of Rod is negative");
+}
+
 } // namespace

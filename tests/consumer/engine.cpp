@@ -23,7 +23,7 @@ int main() {
   kanexpr::runtime::builder b("N");
   const auto free = b.coordinate("q"), rate = b.speed("u");
   b.kinematic_equation(b.dot(free) - rate);
-  const auto along_x = b.along(b.inertial_frame(), free, b.number(0), b.number(0));
+  const auto along_x = b.along(b.inertial_frame(), free, b.number(0.0), b.number(0.0));
   b.particle("Bob", b.offset("P", b.origin("O"), along_x), b.number(2));
   is_good = is_good && kanexpr::symbolic::print(kanexpr::derive(b).mass_matrix()) == "[2]";
   return is_good ? 0 : 1;

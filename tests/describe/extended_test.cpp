@@ -84,9 +84,9 @@ constexpr input<"H"> H;
 struct Unlisted
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<l, m>,
                   bodies<Bob>, loads<gravity<-9.81 * N::y>, torque<A, T * N::z>>> {};
-struct UnlistedPushed
-    : extended<Unlisted, loads<force<P, F * N::x>, force<P, G * N::y>>, inputs<G, H>, inputs<F>> {};
-struct PushedAgain : extended<UnlistedPushed, inputs<input<"K">{}>> {};
+struct UnlistedPushed : extended<Unlisted, loads<force<P, F * N::x>, force<P, G * N::y>>, inputs<G, H>,
+                                 inputs<F>, used_elsewhere<H>> {};
+struct PushedAgain : extended<UnlistedPushed, inputs<input<"K">{}>, used_elsewhere<input<"K">{}>> {};
 
 } // namespace arm
 

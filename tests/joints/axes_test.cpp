@@ -45,7 +45,7 @@ struct Basis : pin<Basis<by>, Ground, axis<scaled<by>(own::y)>, ball> {};
 template <scale by>
 struct All : kane_system<inertial<Ground>,
                          joints<Pin<by>, Slide<by>, Sleeve<by>, Nut<by>, Cross<by>, Puck<by>, Basis<by>>,
-                         parameters<length>,
+                         parameters<length>, used_elsewhere<length>, // by some
                          loads<weight, motor<Pin<by>, 1.3>, motor<Slide<by>, -0.7>, motor<Nut<by>, 0.4>,
                                motor<Basis<by>, 0.9>, joint_friction<Pin<by>, 0.2>>> {};
 

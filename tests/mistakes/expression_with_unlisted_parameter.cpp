@@ -1,5 +1,5 @@
-// expect: parameter c, which an expression holds, is not among those of System; list them all:
-// parameters<...>
+// expect: parameter c, which an expression holds, is not among those of System; write
+// used_elsewhere<c>
 #include "pendulum.hpp"
 
 constexpr parameter<"c"> c;

@@ -32,7 +32,7 @@ struct pendulum_on_cart : builder {
   point_id o, pivot, bob;
 
   pendulum_on_cart() : builder("N") {
-    const expression zero = number(0);
+    const expression zero = number(0.0);
     rod = rotated("R", n, theta, along(n, 0, 0, 1));
     o = origin("O");
     pivot = offset("C", o, along(n, x, zero, zero));
@@ -84,7 +84,7 @@ TEST(builder, gives_the_equations_of_what_was_built) {
 TEST(builder, takes_a_body_without_mass) {
   for (const bool by_parameter : {false, true}) {
     pendulum_on_cart b;
-    const expression none = by_parameter ? b.parameter("none") : b.number(0), zero = b.number(0);
+    const expression none = by_parameter ? b.parameter("none") : b.number(0.0), zero = b.number(0.0);
     b.rigid_body("Wheel", b.bob, b.rod, none, b.inertia(b.rod, zero, zero, b.number(0.07)));
     ASSERT_EQ(b.check().view(), "");
     equations derived(b.system());
@@ -275,7 +275,7 @@ std::string told(Mistake mistake) {
 TEST(builder, takes_numbers_beside_expressions) {
   pendulum_on_cart b;
   const vector mixed = b.along(b.rod, 0, -b.length, 2.5),
-               plain = b.along(b.rod, b.number(0), -b.length, b.number(2.5));
+               plain = b.along(b.rod, b.number(0.0), -b.length, b.number(2.5));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(mixed.parts[0].value[i], plain.parts[0].value[i]);
   b.rigid_body("Rod", b.bob, b.rod, b.m, b.inertia(b.rod, 0, 0, b.m * b.length * b.length));
   EXPECT_EQ(print(1.5 - (0.5 + b.x / 2.5) / 0.25 + 2.5 * b.m - 0.75),
@@ -361,18 +361,18 @@ TEST(builder_mistakes, knows_names_that_are_used_twice) {
 
 TEST(builder_mistakes, knows_what_a_name_is) {
   EXPECT_EQ(told([](auto& b) { b.parameter(""); }), "one of the symbols has no name");
-  EXPECT_EQ(told([](auto& b) { b.parameter(std::string(60, 'k')); }), "");
+  EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter(std::string(60, 'k'))); }), "");
   EXPECT_EQ(told([](auto& b) { b.speed(std::string(61, 'u')); }),
             "the name " + std::string(61, 'u') + " is longer than a name can be, 60 letters");
   EXPECT_EQ(told([](auto& b) { b.input("th'"); }), "the name th' holds a prime, which stands for a rate");
   EXPECT_EQ(told([](auto& b) { b.rotated("R'", b.n, b.theta, b.along(b.n, 0, 0, 1)); }),
             "the name R' holds a prime, which stands for a rate");
   EXPECT_EQ(told([](auto& b) { b.parameter("2m"); }), "the name 2m does not begin with a letter");
-  EXPECT_EQ(told([](auto& b) { b.parameter("θ"); }), "");
+  EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("θ")); }), "");
   for (const char* called : {"a\"b", "a\nb", "a\x7f"})
     EXPECT_EQ(told([&](auto& b) { b.parameter(called); }),
               "the name of one of the symbols holds a quote or a control character");
-  EXPECT_EQ(told([](auto& b) { b.parameter("t"); }), "");
+  EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("t")); }), "");
   EXPECT_EQ(told([](auto& b) { b.parameter("t"), b.time(); }), "the name t is used twice");
   EXPECT_EQ(told([](auto& b) { b.time(), b.time(), b.parameter("t"); }), "the name t is used twice");
 }
@@ -391,7 +391,7 @@ TEST(builder_mistakes, keep_the_ends_of_names) {
 }
 
 TEST(builder_mistakes, looks_at_axes_and_sequences) {
-  EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.n, 0, 0, 0)); }),
+  EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.n, 0.0, 0, 0)); }),
             "frame A is turned about an axis of no length");
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.rod, 1, 0, 0)); }),
             "frame A is turned about an axis that is not fixed in N");
@@ -405,26 +405,26 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
 TEST(builder_mistakes, hears_how_something_moves_only_once) {
   EXPECT_EQ(told([](auto& b) {
               b.fixed_in(b.bob, b.rod);
-              b.velocity(b.bob, b.n, b.along(b.n, 0, 0, 0));
+              b.velocity(b.bob, b.n, b.along(b.n, 0.0, 0, 0));
             }),
             "point P is given two motions");
-  EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0, 0, 0)); }),
+  EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0.0, 0, 0)); }),
             "point O is an origin, fixed in the inertial frame, and is given a motion");
-  EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0, 0, 0)); }),
+  EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0.0, 0, 0)); }),
             "the inertial frame N is given an angular velocity");
   EXPECT_EQ(told([](auto& b) {
               for (int i = 0; i < 2; ++i)
-                b.angular_velocity(b.rod, b.n, b.along(b.n, b.number(0), b.number(0), b.omega));
+                b.angular_velocity(b.rod, b.n, b.along(b.n, b.number(0.0), b.number(0.0), b.omega));
             }),
             "frame R is given two angular velocities");
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
 }
 
 TEST(builder_mistakes, hears_of_a_force_only_once) {
-  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, b.push, b.number(0), b.number(0))); }),
+  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, b.push, b.number(0.0), b.number(0.0))); }),
             "the force at C is listed twice");
-  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, -b.push, b.number(0), b.number(0))); }), "");
-  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, b.number(0), -9.81 * b.m, b.number(0))); }),
+  EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, -b.push, b.number(0.0), b.number(0.0))); }), "");
+  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, b.number(0.0), -9.81 * b.m, b.number(0.0))); }),
             "the force at P is the weight of Bob, which gravity gives it already");
 }
 
@@ -459,7 +459,7 @@ TEST(builder_mistakes, looks_at_constraints) {
   EXPECT_EQ(
       told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(frame_id{4}, 1, 0, 0)); }),
       "a vector names frame number 4, which does not exist");
-  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0, 0, 0)); }),
+  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0.0, 0, 0)); }),
             "a velocity constraint is given a direction of no length");
   EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
   EXPECT_EQ(told([](auto& b) { b.dependent(b.m); }),
@@ -492,7 +492,7 @@ TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
 TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
   EXPECT_EQ(told([](auto& b) {
               const frame_id a = b.rotated("A", b.rod, b.x, b.along(b.rod, 1, 0, 0));
-              b.angular_velocity(b.rod, a, b.along(b.n, 0, 0, 0));
+              b.angular_velocity(b.rod, a, b.along(b.n, 0.0, 0, 0));
             }),
             "the angular velocity of frame R is given in A, which turns with R");
   EXPECT_EQ(told([](auto& b) { b.coordinate("y"); }),
@@ -501,16 +501,51 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
             "the mass of A changes with speed omega");
 }
 
+// To C++ 1/2 is the whole number 0.
+TEST(builder_mistakes, takes_no_whole_zero) {
+  const std::string which = ", which is what 1/2 is in C++; write ",
+                    meant = ", and 0.0 for a zero that is meant";
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.number(1 / 2)); }),
+            "number is given 0" + which + "0.5" + meant);
+  EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + b.number(0.0)); }), "");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.x * b.x); }),
+            "a potential energy holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, b.m * 1 / 3 * (b.x + 1 / 2), 0)); }),
+            "a vector holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, 0, 1 / 2)); }),
+            "a vector is given nothing but 0" + which + "0.5" + meant);
+  EXPECT_EQ(
+      told([](auto& b) { b.rigid_body("Rod", b.bob, b.rod, b.m, b.inertia(b.rod, 1 / 12, 0, 1 / 12)); }),
+      "an inertia is given nothing but 0" + which + "0.5" + meant);
+  EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0.0, 0, 0)); }), "");
+}
+
+TEST(builder_mistakes, finds_what_is_made_and_used_by_nothing) {
+  EXPECT_EQ(told([](auto& b) { b.parameter("d"); }),
+            "parameter d is made and nothing in the system uses it; if that is meant, write used_elsewhere");
+  EXPECT_EQ(told([](auto& b) { b.input("T"); }),
+            "input T is made and nothing in the system uses it; if that is meant, write used_elsewhere");
+  EXPECT_EQ(told([](auto& b) {
+              const expression r = b.prescribed("r");
+              b.force(b.bob, b.along(b.n, b.dot(r), 0, 0)); // its other rates are there with it
+            }),
+            "");
+  EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.v - b.parameter("w")); }), "");
+  EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("d")), b.used_elsewhere(b.input("T")); }), "");
+  EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.x); }),
+            "used_elsewhere is given something that is neither a parameter nor an input");
+}
+
 TEST(builder_mistakes, takes_no_number_that_is_none) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, std::nan(""), 0, 1)); }),
             "a number is given that is not finite");
-  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (0 / (b.m - b.m))); }),
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (0.0 / (b.m - b.m))); }),
             "a potential energy holds a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + acos(b.number(2)) * b.x); }),
             "A holds a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m / (b.m - b.m)); }),
             "A holds a number that is not finite");
-  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * power(b.number(0), b.number(-1))); }),
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * power(b.number(0.0), b.number(-1))); }),
             "a potential energy holds a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (b.number(1e200) * b.number(1e200))); }),
             "a potential energy holds a number that is not finite");
@@ -546,7 +581,7 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
             skew);
   const auto quaternion = [](double e0, double e3) {
     return told(
-        [&](auto& b) { b.quaternion("A", b.n, b.number(e0), b.number(0), b.number(0), b.number(e3)); });
+        [&](auto& b) { b.quaternion("A", b.n, b.number(e0), b.number(0.0), b.number(0.0), b.number(e3)); });
   };
   EXPECT_EQ(quaternion(0.6, 0.8), "");
   const std::string no_unit = "the quaternion of frame A does not have unit length";
@@ -559,7 +594,7 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
 TEST(builder_mistakes, looks_at_orientations_by_functions_of_angles) {
   const std::string no_unit = "the quaternion of frame A does not have unit length";
   const auto quaternion = [](auto e0, auto e3) {
-    return told([&](auto& b) { b.quaternion("A", b.n, e0(b), b.number(0), b.number(0), e3(b)); });
+    return told([&](auto& b) { b.quaternion("A", b.n, e0(b), b.number(0.0), b.number(0.0), e3(b)); });
   };
   const auto half_cosine = [](auto& b) { return cos(b.theta / 2); };
   const auto half_sine = [](auto& b) { return sin(b.theta / 2); };
@@ -664,8 +699,11 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
                    return d;
                  }),
             "the inertia of A is not symmetric");
-  EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
-            "a potential energy is zero; 1/2 of whole numbers is 0 in C++");
+  EXPECT_EQ(
+      told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
+      "a potential energy holds an operation with the number 0, which is what 1/2 is in C++; write x/2 or "
+      "0.5*x, and 0.0 for a zero that is meant");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(0.0 * b.m * b.theta); }), "a potential energy is zero");
   EXPECT_EQ(told([&](auto& b) {
               b.rigid_body("A", b.bob, b.rod, b.m, of({1, 2, 3.1, 0, 0, 0})(b));
               b.effective_inertia("A");
@@ -673,7 +711,7 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
             "");
   EXPECT_EQ(told([](auto& b) { b.effective_inertia("B"); }),
             "there is no body B whose inertia could be an effective one");
-  const auto nothing = [](auto& b) { return b.number(0); };
+  const auto nothing = [](auto& b) { return b.number(0.0); };
   EXPECT_EQ(body(nothing, of({1, 2, 3, 0, 0, 0})), "");
   EXPECT_EQ(body(nothing, of({0, 0, 0, 0, 0, 0})), "body A has no mass");
 }
@@ -691,7 +729,7 @@ TEST(builder_mistakes, looks_at_what_vanishes) {
   EXPECT_EQ(told([](auto& b) { b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o))); }),
             "zero_along of a configuration constraint is given no direction");
   EXPECT_EQ(told([](auto& b) {
-              b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o), b.along(b.n, 0, 0, 0)));
+              b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o), b.along(b.n, 0.0, 0, 0)));
             }),
             "a configuration constraint is given a direction of no length");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.zero_along(b.along(b.n, b.v, 0, 0))); }),

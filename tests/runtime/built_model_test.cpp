@@ -134,12 +134,12 @@ struct train : builder {
     const auto o = origin("O");
     const expression lead = coordinate("lead"), u = speed("v"), l = parameter("l");
     kinematic_equation(dot(lead) - u);
-    particle("Lead", offset("Front", o, along(n, lead, number(0), number(0))), number(2));
+    particle("Lead", offset("Front", o, along(n, lead, number(0.0), number(0.0))), number(2));
     for (int i = 0; i < carts; ++i) {
       const std::string cart = std::to_string(i + 1);
       const expression q = coordinate("cart" + cart), v = speed("speed" + cart);
       kinematic_equation(dot(q) - v);
-      particle("Cart" + cart, offset("P" + cart, o, along(n, q, number(0), number(0))), number(1));
+      particle("Cart" + cart, offset("P" + cart, o, along(n, q, number(0.0), number(0.0))), number(1));
       velocity_constraint(v * l - u);
       dependent(v);
     }

@@ -39,7 +39,7 @@ struct slider_crank : builder {
   explicit slider_crank(const units& in) : builder("N") {
     const expression turn = coordinate("turn"), swing = coordinate("swing"), way = coordinate("way");
     const expression w1 = speed("w1"), w2 = speed("w2"), v = speed("v");
-    const expression zero = number(0), crank = number(0.3 * in.length), rod = number(1.1 * in.length);
+    const expression zero = number(0.0), crank = number(0.3 * in.length), rod = number(1.1 * in.length);
     const frame_id n = inertial_frame(), a = rotated("A", n, turn, along(n, 0, 0, 1)),
                    b = rotated("B", n, swing, along(n, 0, 0, 1));
     const point_id o = origin("O"), pin = offset("Pin", o, along(a, crank, zero, zero)),
@@ -109,7 +109,7 @@ TEST(units, of_a_redundant_constraint_do_not_matter) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     slider_crank b({scale, 1, 1});
     const expression turn = b.mechanism().coordinates[0], swing = b.mechanism().coordinates[1];
-    const expression rod = b.number(1.1 * scale), crank = b.number(0.3 * scale), zero = b.number(0);
+    const expression rod = b.number(1.1 * scale), crank = b.number(0.3 * scale), zero = b.number(0.0);
     b.velocity_constraint(b.number(7e-5) *
                           (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
     b.velocity_constraint(b.number(3e5) *
@@ -182,7 +182,7 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     builder b("N");
     const expression a = b.coordinate("a"), x = b.coordinate("x"), c = b.coordinate("c");
     const expression wa = b.speed("wa"), v = b.speed("v"), wc = b.speed("wc");
-    const expression zero = b.number(0), one = b.number(1), radius = b.parameter("radius"),
+    const expression zero = b.number(0.0), one = b.number(1), radius = b.parameter("radius"),
                      about = b.number(scale * scale);
     const frame_id n = b.inertial_frame(), wheel = b.rotated("A", n, a, b.along(n, 0, 0, 1)),
                    other = b.rotated("C", n, c, b.along(n, 0, 0, 1));
@@ -217,7 +217,7 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
 std::string mistake_of_slab(double inertia, bool spins) {
   builder b("N");
   const expression x = b.coordinate("x"), y = b.coordinate("y"), turn = b.coordinate("turn");
-  const expression m = b.parameter("m"), d = b.parameter("d"), zero = b.number(0);
+  const expression m = b.parameter("m"), d = b.parameter("d"), zero = b.number(0.0);
   const frame_id n = b.inertial_frame(), a = b.rotated("A", n, turn, b.along(n, 0, 0, 1));
   const point_id o = b.origin("O"), p = b.offset("P", o, b.along(n, x, y, zero)),
                  center = b.offset("Center", p, b.along(a, d, zero, zero));

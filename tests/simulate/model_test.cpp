@@ -126,6 +126,20 @@ TEST(simulated_model, keeps_a_trajectory_like_that_of_the_system) {
   EXPECT_TRUE(path.along(derive(other).mass_matrix()).empty());
 }
 
+TEST(simulated_model, takes_no_mass_that_is_negative_by_an_expression) {
+  kanexpr::runtime::builder b("N");
+  const auto n = b.inertial_frame();
+  const expression x = b.coordinate("x"), v = b.speed("v"), whole = b.parameter("m"), lost = b.parameter("k");
+  b.kinematic_equation(b.dot(x) - v);
+  const auto at = b.offset("P", b.origin("O"), b.along(n, x, 0, 0));
+  b.particle("Tank", at, whole - 2 * lost);
+  const auto cause = [&](double m, double k) {
+    return simulate(b, {{"x", 0}, {"v", 1}}, {{"m", m}, {"k", k}}, {0, 1}).cause();
+  };
+  EXPECT_EQ(cause(3, 1), "");
+  EXPECT_EQ(cause(1, 1), "the mass of Tank is negative");
+}
+
 TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
   const pendulum b;
   const simulation_options<model> idle{.inputs = {{"T", 0}}};
@@ -223,8 +237,9 @@ TEST(simulated_model, bounces_as_the_system) {
   const auto height = b.coordinate("h"), rate = b.speed("v"), mass = b.parameter("m"), g = b.parameter("g");
   b.kinematic_equation(b.dot(height) - rate);
   const auto ground = b.inertial_frame();
-  b.particle("Ball", b.offset("P", b.origin("O"), b.along(ground, b.number(0), b.number(0), height)), mass);
-  b.gravity(b.along(ground, b.number(0), b.number(0), -g));
+  b.particle("Ball", b.offset("P", b.origin("O"), b.along(ground, b.number(0.0), b.number(0.0), height)),
+             mass);
+  b.gravity(b.along(ground, b.number(0.0), b.number(0.0), -g));
   model ball = derive(b);
   const auto run = simulate(
       ball, start, numbers, {0, 3},
@@ -287,7 +302,7 @@ struct built : builder {
     };
     const auto ground_length = parameter("l0");
     const auto l = numbered("l"), d = numbered("d"), m = numbered("m"), i = numbered("I");
-    const auto g = parameter("g"), motor = input("T"), zero = number(0);
+    const auto g = parameter("g"), motor = input("T"), zero = number(0.0);
     const auto ground = inertial_frame();
     const char* const bars[]{"A", "B", "C"};
     const char *const ends[]{"P1", "P2", "P3"}, *const centers[]{"G1", "G2", "G3"};

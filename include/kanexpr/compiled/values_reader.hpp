@@ -24,7 +24,7 @@ public:
   /// Every symbol needs a value except the dependent ones, which the constraints give.
   void look_for_missing();
   void look_for_infinite();
-  /// What bodies have by themselves.
+  /// Masses and moments of inertia.
   void look_for_negative();
 
   bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }

@@ -53,7 +53,10 @@ private:
       if (known.dependent[i]) out_ << "    s.dependent[" << i << "] = true;\n";
       if (known.quaternion_of[i] != 0)
         out_ << "    s.quaternion_of[" << i << "] = " << known.quaternion_of[i] << ";\n";
+      if (known.is_mass[i]) out_ << "    s.is_mass[" << i << "] = true;\n";
+      if (known.is_moment[i]) out_ << "    s.is_moment[" << i << "] = true;\n";
     }
+    add(known.inertial);
     out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::sentence mistake{};\n"
             "  static constexpr bool follows_from_unparsed = false;\n};\n"
             "template <>\nstruct kanexpr::equations_of_motion<"
@@ -64,6 +67,27 @@ private:
             "  requires(!requires { sizeof(kanexpr::compiled::derives<"
          << spelled << ", wanted...>); })\nstruct kanexpr::function<" << spelled
          << ", wanted...> : kanexpr::compiled::not_derived_here {};\n";
+  }
+  void add(const deriving::inertial_values& known) {
+    set("inertial.steps", known.steps);
+    for (int i = 0; i < known.steps; ++i) {
+      out_ << "    s.inertial.operation[" << i << "] = static_cast<kanexpr::symbolic::operation>("
+           << static_cast<int>(known.operation[i]) << ");\n";
+      set("inertial.a", i, known.a[i]);
+      set("inertial.b", i, known.b[i]);
+      if (known.operation[i] == symbolic::operation::constant)
+        out_ << "    s.inertial.number[" << i << "] = " << std::hexfloat << known.number[i]
+             << std::defaultfloat << ";\n";
+    }
+    set("inertial.count", known.count);
+    for (int i = 0; i < known.count; ++i) {
+      set("inertial.step_of", i, known.step_of[i]);
+      if (known.is_moment[i]) out_ << "    s.inertial.is_moment[" << i << "] = true;\n";
+      out_ << "    s.inertial.body[" << i << "] = \"" << known.body[i].view() << "\";\n";
+    }
+  }
+  void set(const char* member, int place, int value) {
+    if (value != 0) out_ << "    s." << member << "[" << place << "] = " << value << ";\n";
   }
   void set(const char* member, int value) {
     if (value != 0) out_ << "    s." << member << " = " << value << ";\n";

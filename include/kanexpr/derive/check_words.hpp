@@ -151,7 +151,7 @@ constexpr sentence check_words() {
     for (std::string_view word :
          {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
           "velocity_constraints", "acceleration_constraints", "dependent", "redundant", "bodies",
-          "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values"})
+          "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values", "used_elsewhere"})
       if (System::times_told(word) > 1)
         return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     return {};

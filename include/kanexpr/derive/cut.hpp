@@ -67,10 +67,11 @@ constexpr sentence check_symbols(std::string_view system, const survey& known, c
   };
   for (const list& l :
        {list{"parameter", m.parameters, known.parameters}, list{"input", m.inputs, known.inputs}})
-    if (l.symbols.size() > l.known)
-      return sentence({l.kind, " ", m.g->symbol_at(l.symbols[l.known].node()).called.view(),
-                       ", which an expression holds, is not among those of ", system,
-                       "; list them all: ", l.kind, "s<...>"});
+    if (l.symbols.size() > l.known) {
+      const std::string_view called = m.g->symbol_at(l.symbols[l.known].node()).called.view();
+      return sentence({l.kind, " ", called, ", which an expression holds, is not among those of ", system,
+                       "; write used_elsewhere<", called, ">"});
+    }
   return {};
 }
 

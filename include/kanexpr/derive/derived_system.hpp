@@ -42,6 +42,7 @@ public:
   /// Looks for mistakes in what was read.
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
+    if (!mistake()) reader_.check_listed_are_used();
   }
 
   /// Reads loads that speak of motion and the constraints, and forms what the equations start from.

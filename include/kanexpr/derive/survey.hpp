@@ -1,11 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derive/inertial_values.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::mechanics {
-struct mechanism;
 class equations;
 } // namespace kanexpr::mechanics
 
@@ -32,6 +32,7 @@ struct survey {
   bool dependent[room]{};       ///< by the same order
   bool is_mass[room]{};         ///< of a body, by itself
   bool is_moment[room]{};       ///< of inertia, by itself
+  inertial_values inertial{};   ///< masses and moments that are longer expressions
   int quaternions = 0;          ///< whose norm 1 the motion keeps
   int quaternion_of[room]{};    ///< by coordinate: the number of its quaternion, from 1 on; 0: none
 

@@ -25,6 +25,7 @@ struct system_record {
   listing<phrase> dependent{}, auxiliary{};
   listing<int> redundant{}; ///< numbers of configuration constraints
   listing<phrase> values{};
+  listing<phrase> used_elsewhere{}; ///< parameters and inputs
   listing<phrase> lagrangian{};
   listing<body_record> bodies{};
   listing<load_record> loads{};
@@ -94,6 +95,16 @@ struct inputs : describe::system_words {
   static constexpr std::string_view word = "inputs";
   static constexpr void tell(describe::system_record& r) {
     r.inputs = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
+  }
+};
+
+/// Parameters and inputs that only expressions hold which are asked for later, such as outputs and pictures:
+/// `used_elsewhere<k, F>`. Any other that is listed and that nothing in the system uses is a mistake.
+template <auto... symbols>
+struct used_elsewhere : describe::system_words {
+  static constexpr std::string_view word = "used_elsewhere";
+  static constexpr void tell(describe::system_record& r) {
+    r.used_elsewhere = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/describe/expression.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 #include <kanexpr/runtime/model.hpp>
@@ -34,18 +35,38 @@ KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 
 namespace kanexpr::runtime {
 
+/// A number as it was given: to C++ 1/2 is the whole number 0, which nobody gives on purpose.
+class given_number {
+public:
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+  given_number(Number value)
+      : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
+
+  double value() const { return value_; }
+  bool is_whole_zero() const { return is_whole_zero_; }
+
+private:
+  double value_;
+  bool is_whole_zero_;
+};
+
 /// A number among expressions.
 class number_or_expression {
 public:
   template <class Number>
     requires std::is_arithmetic_v<Number>
-  number_or_expression(Number value) : held_(static_cast<double>(value)) {}
+  number_or_expression(Number value) : held_(given_number(value)) {}
   number_or_expression(expression e) : held_(e) {}
 
-  const std::variant<double, expression>& held() const { return held_; }
+  const std::variant<given_number, expression>& held() const { return held_; }
+  bool is_whole_zero() const {
+    const given_number* const number = std::get_if<given_number>(&held_);
+    return number != nullptr && number->is_whole_zero();
+  }
 
 private:
-  std::variant<double, expression> held_;
+  std::variant<given_number, expression> held_;
 };
 
 /// A vector that has no part along some directions.
@@ -83,6 +104,9 @@ public:
   expression input(std::string_view r);
   /// A quantity that is known as a function of time: three inputs in a row, r, dot(r) and dot(dot(r)).
   expression prescribed(std::string_view r);
+  /// A parameter or an input is there for expressions that are asked for later: any other that nothing in the
+  /// system uses is a mistake.
+  void used_elsewhere(expression parameter_or_input);
   /// A speed that is zero at all times and brings out a force that does no work.
   expression auxiliary_speed(std::string_view u);
   /// Lagrange's method: the rates of the coordinates, which are there already, take the place of speeds.
@@ -90,7 +114,8 @@ public:
   /// In place of bodies, after `rates_as_speeds`.
   void lagrangian(expression energy);
   expression time() { return inspect_.take_time(), m_.time; }
-  expression number(double value);
+  /// 0.0 where it is 0.
+  expression number(given_number value);
 
   /// The rate of a coordinate, speed or prescribed quantity.
   expression dot(expression e);
@@ -103,7 +128,7 @@ public:
 
   // ---- vectors and dyadics
 
-  /// By its components, numbers or expressions: `b.along(A, l, 0, 0)`.
+  /// By its components, numbers or expressions: `b.along(A, l, 0, 0)`. That of no length is `{}`.
   vector along(frame_id axes, const number_or_expression& x, const number_or_expression& y,
                const number_or_expression& z);
   expression dot(const vector& a, const vector& b);
@@ -219,6 +244,8 @@ private:
   friend model kanexpr::derive(const builder& built);
 
   expression of(const number_or_expression& given);
+  /// Whether not all of some numbers are a whole 0.
+  bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
   bool may_vanish(const vector& v, const vector& direction, std::string_view whose);
   void declare(frame_id frame, frame_id reference, const vector& value, bool apart);
 
@@ -243,6 +270,7 @@ private:
   mechanics::multibody_system system_;
   mechanics::mechanism& m_ = system_.mechanism;
   inspector inspect_;
+  symbolic::sequence<expression> used_elsewhere_{};
 };
 
 } // namespace kanexpr::runtime

@@ -41,10 +41,15 @@ public:
     return exists(place(p), m_.points.size(), "point", whom);
   }
 
+  bool fail_by_whole_zero(std::string_view given) { return fail({given, what_it_is, "write 0.5", for_zero}); }
+
   /// Whether everything in there belongs to this mechanism.
   bool own(expression e, std::string_view whose) {
     if (!e.lives_in(*m_.g))
       return fail({whose, " has an expression that belongs to another mechanism or to none"});
+    if (m_.g->takes_whole_zero())
+      return fail(
+          {whose, " holds an operation with the number 0", what_it_is, "write x/2 or 0.5*x", for_zero});
     return !numbers_.holds_no_number(e) || fail({whose, " holds a number that is not finite"});
   }
   bool own(const mechanics::components& v, std::string_view whose) {
@@ -106,6 +111,8 @@ private:
   }
 
   static constexpr std::string_view name_of_time = "t";
+  static constexpr std::string_view what_it_is = ", which is what 1/2 is in C++; ",
+                                    for_zero = ", and 0.0 for a zero that is meant";
 
   const mechanics::mechanism& m_;
   mechanics::finiteness numbers_{};

@@ -181,7 +181,7 @@ TEST(springs, are_looked_at) {
             "a spring lies between point T and itself");
   EXPECT_EQ(mistake([](arm& a) { a.damper(a.tip, a.tip, a.number(1)); }),
             "a damper lies between point T and itself");
-  EXPECT_EQ(mistake([](arm& a) { a.spring(a.o, a.offset("Z", a.o, a.along(a.n, 0, 0, 0)), a.number(1)); }),
+  EXPECT_EQ(mistake([](arm& a) { a.spring(a.o, a.offset("Z", a.o, a.along(a.n, 0.0, 0, 0)), a.number(1)); }),
             "the spring between O and Z has no length in any configuration");
   EXPECT_EQ(mistake([](arm& a) { a.damper(a.tip, a.origin("M"), a.number(1)); }),
             "the damper between T and M hangs on two origins, O and M, whose distance is not known");

@@ -43,6 +43,12 @@ KANEXPR_ENGINE void values_reader::look_for_negative() {
         values_[i] < 0 && (known_.is_mass[place] || known_.is_moment[place]))
       fail({symbol_called(known_, place).view(),
             known_.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,", " is negative"});
+  const deriving::inertial_values& longer = known_.inertial;
+  if (mistake_ || longer.count == 0 || range_.first != known_.first_of(symbolic::symbol_kind::parameter))
+    return;
+  if (const int i = longer.first_negative(values_); i >= 0)
+    fail({longer.is_moment[i] ? "a moment of inertia of " : "the mass of ", longer.body[i].view(),
+          " is negative"});
 }
 
 KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {

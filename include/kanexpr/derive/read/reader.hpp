@@ -53,9 +53,14 @@ public:
     if (!reading_.takes_rates_as_speeds()) joints_.read_kinematics();
     kinematics_.add_simple();
     constraints_.visit_constraints();
+    for (int i = 0; i < from.used_elsewhere.size && !reading_.mistake; ++i)
+      symbols_.mention_elsewhere(from.used_elsewhere[i]);
     if (!reading_.mistake) symbols_.place_added_inputs();
     symbols_.check_values_are_used();
   }
+
+  /// After `read`: whether anything mentions what is listed.
+  constexpr void check_listed_are_used() { symbols_.check_listed_are_used(); }
 
   /// From here on phrases may speak of positions, velocities and derivatives.
   constexpr void know(mechanics::known_motion& of) { reading_.known = &of; }
@@ -111,11 +116,11 @@ private:
     for (int i = 0; i < from.parameters.size; ++i)
       if (const symbol_record* s = symbols_.listed_symbol(
               from.parameters[i], symbolic::symbol_kind::parameter, symbol_list::parameters))
-        m_.parameter(s->called);
+        symbols_.place_parameter(*s);
     for (int i = 0; i < from.inputs.size; ++i)
       if (const symbol_record* s =
               symbols_.listed_symbol(from.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
-        symbols_.place_input(*s);
+        symbols_.place_listed_input(*s);
     for (int i = 0; i < from.inputs.size && !reading_.mistake; ++i)
       symbols_.check_derivative(*from.inputs[i].tokens[0].symbol);
     for (int i = 0; i < from.dependent.size && !reading_.mistake; ++i)

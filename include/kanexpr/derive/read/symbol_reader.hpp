@@ -42,11 +42,12 @@ public:
           bound_is_used_[i] = 1;
           return is_the_same(r, "parameter"), bound_values_[i];
         }
-      return mentioned(m_.parameters, r, reading_.from.parameters.size != 0, "parameter", whom);
+      return mentioned(m_.parameters, used_parameters_, r, reading_.from.parameters.size != 0, "parameter",
+                       whom);
     case symbol_kind::input:
       place_added_inputs(r, whom);
       if (reading_.from.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
-      return mentioned(m_.inputs, r, reading_.from.inputs.size != 0, "input", whom);
+      return mentioned(m_.inputs, used_inputs_, r, reading_.from.inputs.size != 0, "input", whom);
     }
     return m_.zero();
   }
@@ -99,7 +100,18 @@ public:
     return s;
   }
 
-  /// An input of the list. A prescribed quantity and its rate know each other, in whatever order they come.
+  /// A parameter of the list.
+  constexpr void place_parameter(const symbol_record& r) {
+    used_parameters_.expect(m_.parameters.size());
+    m_.parameter(r.called);
+  }
+  /// An input of the list.
+  constexpr void place_listed_input(const symbol_record& r) {
+    used_inputs_.expect(m_.inputs.size());
+    place_input(r);
+  }
+
+  /// An input. A prescribed quantity and its rate know each other, in whatever order they come.
   constexpr void place_input(const symbol_record& r) {
     const expression placed = m_.input(r.called);
     if (r.order == describe::unprescribed) return;
@@ -116,7 +128,7 @@ public:
     if (added.size == 0 || are_added_inputs_placed()) return;
     for (int i = 0; i < added.size; ++i)
       if (const symbol_record* s = listed_symbol(added[i], symbolic::symbol_kind::input, symbol_list::inputs))
-        place_input(*s);
+        place_listed_input(*s);
     for (int i = 0; i < added.size && !reading_.mistake; ++i) check_derivative(*added[i].tokens[0].symbol);
   }
 
@@ -171,6 +183,18 @@ public:
       if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
     return false;
   }
+  /// A parameter or an input that a model needs for what is asked for later.
+  constexpr void mention_elsewhere(const phrase& p) {
+    using symbolic::symbol_kind;
+    constexpr std::string_view whom = "used_elsewhere<...>";
+    const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
+    const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
+    if (s == nullptr || (s->kind != symbol_kind::parameter && s->kind != symbol_kind::input))
+      return reading_.fail({whom, " holds something that is neither a parameter nor an input",
+                            name_in(p).empty() ? "" : ", with ", name_in(p)});
+    symbol(*s, whom);
+  }
+
   /// After all that the model says was read.
   constexpr void check_values_are_used() {
     for (int i = 0; i < bound_.size(); ++i)
@@ -178,8 +202,58 @@ public:
         reading_.fail({"values<...> gives a value to parameter ", bound_[i].view(),
                        ", which nothing in the system holds"});
   }
+  /// The same of what is listed.
+  constexpr void check_listed_are_used() {
+    for (int i = 0; i < used_parameters_.size(); ++i)
+      if (!used_parameters_[i]) fail_by_unused("parameter", m_.parameters[i]);
+    for (int i = 0; i < used_inputs_.size(); ++i)
+      if (!used_inputs_[i] && !is_derivative_used(i)) fail_by_unused("input", m_.inputs[i]);
+  }
 
 private:
+  /// Which symbols of a list were mentioned, by their places.
+  class uses {
+  public:
+    constexpr int size() const { return mentioned_.size(); }
+    constexpr bool operator[](int place) const { return mentioned_[place] != 0; }
+    /// A symbol that is listed, behind others that may be in no list.
+    constexpr void expect(int place) {
+      while (mentioned_.size() < place) mentioned_.push(1);
+      mentioned_.push(0);
+    }
+    constexpr void mark(int place) {
+      if (place < mentioned_.size()) mentioned_[place] = 1;
+    }
+
+  private:
+    sequence<char> mentioned_{};
+  };
+
+  constexpr void fail_by_unused(std::string_view kind, const expression& symbol) {
+    const std::string_view called = m_.g->symbol_at(symbol.node()).called.view();
+    reading_.fail({kind, " ", called,
+                   " is listed and nothing in the system uses it; if that is meant, write ",
+                   "used_elsewhere<", called, ">"});
+  }
+
+  /// A prescribed quantity is listed with its derivatives, of which a model may use any.
+  constexpr bool is_derivative_used(int input) const {
+    for (const bool upwards : {true, false}) {
+      expression at = m_.inputs[input];
+      for (bool is_any = true; is_any;) {
+        is_any = false;
+        for (const mechanics::prescribed_rate& p : m_.prescribed_rates) {
+          if (!((upwards ? p.quantity : p.rate) == at)) continue;
+          at = upwards ? p.rate : p.quantity;
+          is_any = true;
+          if (used_inputs_[m_.inputs.find(at)]) return true;
+          break;
+        }
+      }
+    }
+    return false;
+  }
+
   constexpr bool are_added_inputs_placed() const {
     const auto& added = reading_.from.added_inputs;
     const symbol_record* first = added.size == 0 || added[0].size == 0 ? nullptr : added[0].tokens[0].symbol;
@@ -248,10 +322,13 @@ private:
     return m_.zero();
   }
 
-  constexpr expression mentioned(sequence<expression>& known, const symbol_record& r, bool complete,
-                                 std::string_view kind, std::string_view whom) {
-    for (const expression& e : known)
-      if (m_.g->symbol_at(e.node()).called == r.called) return is_the_same(r, kind), e;
+  constexpr expression mentioned(const sequence<expression>& known, uses& used, const symbol_record& r,
+                                 bool complete, std::string_view kind, std::string_view whom) {
+    for (int i = 0; i < known.size(); ++i)
+      if (m_.g->symbol_at(known[i].node()).called == r.called) {
+        used.mark(i);
+        return is_the_same(r, kind), known[i];
+      }
     if (complete) {
       reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
                      " holds, is not in the list of ", kind, "s"});
@@ -294,6 +371,7 @@ private:
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};
+  uses used_parameters_{}, used_inputs_{}; ///< until a model is read
   bool is_time_claimed_ = false;
 };
 

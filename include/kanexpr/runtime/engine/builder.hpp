@@ -13,6 +13,7 @@
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/engine/derived_from_builder.hpp>
 #include <kanexpr/runtime/engine/own_graph.hpp>
+#include <kanexpr/runtime/engine/unused_symbols.hpp>
 
 namespace kanexpr::runtime {
 
@@ -22,7 +23,16 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*grap
 }
 
 KANEXPR_ENGINE sentence(builder::check)() const {
-  return mistake() ? mistake() : mechanics::check_system(system_);
+  if (mistake()) return mistake();
+  const sentence found = mechanics::check_system(system_);
+  return found ? found : check_uses(system_, used_elsewhere_);
+}
+
+KANEXPR_ENGINE void builder::used_elsewhere(expression parameter_or_input) {
+  if (m_.parameters.contains(parameter_or_input) || m_.inputs.contains(parameter_or_input))
+    used_elsewhere_.push(parameter_or_input);
+  else
+    inspect_.fail({"used_elsewhere is given something that is neither a parameter nor an input"});
 }
 
 KANEXPR_ENGINE expression builder::coordinate(std::string_view q) {
@@ -66,9 +76,10 @@ KANEXPR_ENGINE void builder::lagrangian(expression energy) {
   system_.loads.lagrangian = energy;
 }
 
-KANEXPR_ENGINE expression builder::number(double value) {
-  if (!symbolic::is_finite(value)) inspect_.fail({"a number is given that is not finite"});
-  return m_.number(value);
+KANEXPR_ENGINE expression builder::number(given_number value) {
+  if (value.is_whole_zero()) inspect_.fail_by_whole_zero("number is given 0");
+  if (!symbolic::is_finite(value.value())) inspect_.fail({"a number is given that is not finite"});
+  return m_.number(value.value());
 }
 
 KANEXPR_ENGINE expression builder::dot(expression e) {
@@ -100,13 +111,21 @@ KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {
 }
 
 KANEXPR_ENGINE expression builder::of(const number_or_expression& given) {
-  if (const double* value = std::get_if<double>(&given.held())) return number(*value);
+  if (const given_number* value = std::get_if<given_number>(&given.held())) return number(value->value());
   return std::get<expression>(given.held());
+}
+
+KANEXPR_ENGINE bool builder::not_all_zero(std::initializer_list<const number_or_expression*> given,
+                                          std::string_view whose) {
+  for (const number_or_expression* each : given)
+    if (!each->is_whole_zero()) return true;
+  return inspect_.fail_by_whole_zero(whose);
 }
 
 KANEXPR_ENGINE vector builder::along(frame_id axes, const number_or_expression& x,
                                      const number_or_expression& y, const number_or_expression& z) {
   vector v;
+  if (!not_all_zero({&x, &y, &z}, "a vector is given nothing but 0")) return v;
   const mechanics::components value{of(x), of(y), of(z)};
   if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
   return v;
@@ -122,6 +141,7 @@ KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression
                                        const number_or_expression& yy, const number_or_expression& zz,
                                        const number_or_expression& xy, const number_or_expression& yz,
                                        const number_or_expression& zx) {
+  if (!not_all_zero({&xx, &yy, &zz, &xy, &yz, &zx}, "an inertia is given nothing but 0")) return {};
   mechanics::symmetric scalars;
   scalars.xx = of(xx), scalars.yy = of(yy), scalars.zz = of(zz);
   scalars.xy = of(xy), scalars.yz = of(yz), scalars.zx = of(zx);
@@ -131,7 +151,7 @@ KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression
 
 KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression& xx,
                                        const number_or_expression& yy, const number_or_expression& zz) {
-  return inertia(axes, xx, yy, zz, m_.zero(), m_.zero(), m_.zero());
+  return inertia(axes, xx, yy, zz, 0, 0, 0);
 }
 
 KANEXPR_ENGINE frame_id builder::rotated(std::string_view called, frame_id parent, expression angle,
@@ -333,15 +353,14 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
 namespace kanexpr {
 
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
-  return model(
-      std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.mistake()));
+  return model(std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.check()));
 }
 
 KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
   const auto own = std::make_shared<symbolic::graph>();
   mechanics::multibody_system system(built.system());
   move_to(*own, system);
-  return model(std::make_shared<derived_from_builder>(own, system, built.mistake()));
+  return model(std::make_shared<derived_from_builder>(own, system, built.check()));
 }
 
 } // namespace kanexpr

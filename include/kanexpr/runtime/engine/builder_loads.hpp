@@ -36,7 +36,7 @@ KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
 
 KANEXPR_ENGINE void builder::potential_energy(expression energy) {
   if (!inspect_.own(energy, "a potential energy")) return;
-  if (energy.is_zero()) inspect_.fail({"a potential energy is zero; 1/2 of whole numbers is 0 in C++"});
+  if (energy.is_zero()) inspect_.fail({"a potential energy is zero"});
   system_.loads.potential_energies.push({energy});
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/derive/read/reader.hpp>
-#include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/derived.hpp>
 
@@ -11,7 +10,7 @@
 
 namespace kanexpr::runtime {
 
-/// Derived from a system that was built, of which it keeps a copy.
+/// Derived from a system that was built, of which it keeps a copy, unless `mistake` was found in it.
 class derived_from_builder final : public derived {
 public:
   derived_from_builder(std::shared_ptr<symbolic::graph> g, const mechanics::multibody_system& built,
@@ -19,7 +18,6 @@ public:
       : graph_(std::move(g)), system_(built), mistake_(mistake) {
     if (built.mechanism.derived_by == mechanics::method::lagrange)
       no_words_.derived_by = describe::method::lagrange;
-    if (!mistake_) mistake_ = mechanics::check_system(system_);
     if (mistake_) return;
     equations_.emplace(system_);
     reader_.know(equations_->known());

@@ -51,14 +51,15 @@ public:
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
   }
-  friend constexpr expression operator+(expression a, int b) { return a + a.number(exactly(b)); }
-  friend constexpr expression operator-(expression a, int b) { return a - a.number(exactly(b)); }
-  friend constexpr expression operator+(int a, expression b) { return b.number(exactly(a)) + b; }
-  friend constexpr expression operator*(expression a, int b) { return a * a.number(exactly(b)); }
-  friend constexpr expression operator*(int a, expression b) { return b.number(exactly(a)) * b; }
-  friend constexpr expression operator-(int a, expression b) { return b.number(exactly(a)) - b; }
-  friend constexpr expression operator/(expression a, int b) { return a / a.number(exactly(b)); }
-  friend constexpr expression operator/(int a, expression b) { return b.number(exactly(a)) / b; }
+  // to C++ 1/2 is the whole number 0
+  friend constexpr expression operator+(expression a, int b) { return a + a.whole(b); }
+  friend constexpr expression operator-(expression a, int b) { return a - a.whole(b); }
+  friend constexpr expression operator+(int a, expression b) { return b.whole(a) + b; }
+  friend constexpr expression operator*(expression a, int b) { return a * a.whole(b); }
+  friend constexpr expression operator*(int a, expression b) { return b.whole(a) * b; }
+  friend constexpr expression operator-(int a, expression b) { return b.whole(a) - b; }
+  friend constexpr expression operator/(expression a, int b) { return a / a.whole(b); }
+  friend constexpr expression operator/(int a, expression b) { return b.whole(a) / b; }
   // beside them, as a decimal number would become an int
   template <std::floating_point Real>
   friend constexpr expression operator+(expression a, Real b) {
@@ -97,6 +98,11 @@ public:
   }
 
 private:
+  constexpr expression whole(int value) const {
+    if (value == 0 && !__builtin_is_constant_evaluated() && is_given()) graph_->note_whole_zero();
+    return number(exactly(value));
+  }
+
   // without initializers, which the compiler would run for each that there is room for; {} is zero of no
   // graph
   graph* graph_;

@@ -59,6 +59,14 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
+  /// That a program has put the whole number 0 into an expression, which `takes_whole_zero` tells once.
+  void note_whole_zero() { holds_whole_zero_ = true; }
+  bool takes_whole_zero() {
+    const bool held = holds_whole_zero_;
+    holds_whole_zero_ = false;
+    return held;
+  }
+
   /// The functions of the program that are called here.
   constexpr sequence<const external_function*>& externals() { return externals_; }
   constexpr const sequence<const external_function*>& externals() const { return externals_; }
@@ -200,6 +208,7 @@ private:
   sequence<symbol> symbols_{};
   sequence<const external_function*> externals_{};
   bool holds_lists_ = false;
+  bool holds_whole_zero_ = false;
 };
 
 } // namespace kanexpr::symbolic

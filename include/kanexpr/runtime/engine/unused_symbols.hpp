@@ -1,0 +1,45 @@
+#pragma once
+
+#include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/runtime/engine/each_expression.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+
+namespace kanexpr::runtime {
+
+/// A parameter or an input that nothing in a system uses, nor anything `elsewhere`. A prescribed quantity and
+/// its rates are used together.
+inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
+                                      const symbolic::sequence<symbolic::expression>& elsewhere) {
+  const mechanics::mechanism& m = system.mechanism;
+  symbolic::sequence<int> nodes;
+  const auto collect = [&](const symbolic::expression& e) {
+    if (e.lives_in(*m.g)) nodes.push(e.node());
+  };
+  const each_expression each{collect};
+  each(m.kinematics);
+  each(m.frames);
+  each(m.points);
+  each(m.bodies);
+  each(system.loads);
+  each(system.constraints);
+  each(elsewhere);
+  symbolic::sequence<char> used = symbolic::live_nodes(*m.g, nodes);
+  for (int i = 0; i < 2; ++i) // upwards, then down again
+    for (const mechanics::prescribed_rate& p : m.prescribed_rates) {
+      char &quantity = used[p.quantity.node()], &rate = used[p.rate.node()];
+      quantity = rate = static_cast<char>(quantity | rate);
+    }
+  struct list {
+    std::string_view kind;
+    const symbolic::sequence<symbolic::expression>& symbols;
+  };
+  for (const list& l : {list{"parameter", m.parameters}, list{"input", m.inputs}})
+    for (const symbolic::expression& e : l.symbols)
+      if (used[e.node()] == 0)
+        return mechanics::sentence({l.kind, " ", m.g->symbol_at(e.node()).called.view(),
+                                    " is made and nothing in the system uses it; if that is meant, write ",
+                                    "used_elsewhere"});
+  return {};
+}
+
+} // namespace kanexpr::runtime

@@ -1,0 +1,9 @@
+// expect: parameter d is listed and nothing in the system uses it; if that is meant, write used_elsewhere<d>
+#include "pendulum.hpp"
+
+constexpr parameter<"d"> d; // a damper that the loads forget
+
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                            loads<weight>, parameters<m, l, g, d>> {};
+
+int main() { use<System>(); }
