@@ -2,8 +2,13 @@
 #include "robots/files.hpp"
 
 #include <arm_robot.hpp>
+#include <balancer.hpp>
+#include <balancer_with_symbols.hpp>
 #include <floating.hpp>
 #include <gripper_robot.hpp>
+
+#include <kanexpr/robots/read_urdf.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +54,24 @@ TEST(compiled_robots, agree_with_pinocchio) {
   agrees<arm_robot::System>("arm.fixed", {});
   agrees<::floating::System>("walker.floating", {});
   agrees<gripper_robot::System>("gripper.fixed", gripper_robot::values());
+}
+
+// What gravity does not act on, beside the model of the program.
+TEST(compiled_robots, let_links_without_gravity_float) {
+  const robots::read_robot read = robots::read_urdf(robot_files::path_of("balancer.urdf"));
+  ASSERT_TRUE(read) << read.cause();
+  const robots::robot_builder built(read.robot);
+  model there = derive(built);
+  auto udot = there.function(there.udot());
+  Eigen::Vector<double, 6> x;
+  x << 0.4, -1.1, 0.3, 0.7, -0.2, 0.9;
+  const Eigen::Vector3d r(0.5, 0.3, -0.8);
+  const Eigen::Vector3d wanted = udot(x, Eigen::VectorXd(), r);
+  using by_numbers = equations_of_motion<::balancer::System>;
+  using by_symbols = equations_of_motion<::balancer_with_symbols::System>;
+  EXPECT_LT((by_numbers::udot(x, by_numbers::parameters(), r) - wanted).norm(), 1e-12 * wanted.norm());
+  EXPECT_LT((by_symbols::udot(x, ::balancer_with_symbols::values(), r) - wanted).norm(),
+            1e-12 * wanted.norm());
 }
 
 // A joint of the arm in two lines, and what is folded away is still there to be asked for.

@@ -95,7 +95,7 @@ std::set<std::string> words_in(const std::string& header) {
 // A namespace hides the word of the library that has its name.
 TEST(header_writer, writes_robots_that_are_called_as_words_of_the_library) {
   std::set<std::string> words;
-  for (const char* file : {"arm.urdf", "carts.urdf", "gripper.urdf", "walker.urdf"})
+  for (const char* file : {"arm.urdf", "balancer.urdf", "carts.urdf", "gripper.urdf", "walker.urdf"})
     for (const base_kind base : {base_kind::fixed, base_kind::floating}) {
       robot r = robot_of(file);
       for (joint& j : r.joints) j.friction = j.damping = j.rotor_inertia = 1;

@@ -213,11 +213,28 @@ TEST(read_urdf, notes_what_is_left_out) {
   EXPECT_THAT(
       in_robot(two_links + joint_with("<dynamics damping='1'/>", "planar")).notes,
       ElementsAre("line 3: the dynamics of joint j are left out, as it has more than one coordinate"));
-  EXPECT_THAT(in_robot("<link name='a'/><gazebo reference='a'><gravity>0</gravity><mu1>1</mu1></gazebo>"
+  EXPECT_THAT(in_robot("<link name='a'/><gazebo reference='j'><gravity>0</gravity><mu1>1</mu1></gazebo>"
                        "\n<gazebo><turnGravityOff>false</turnGravityOff><static>1</static></gazebo>")
                   .notes,
-              ElementsAre("line 2: <gravity>0</gravity> of a, a word for Gazebo, is left out",
+              ElementsAre("line 2: <gravity>0</gravity> of j, a word for Gazebo, is left out",
                           "line 3: <static>1</static>, a word for Gazebo, is left out"));
+}
+
+TEST(read_urdf, knows_links_on_which_gravity_does_not_act) {
+  const std::string ball =
+      "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+  const std::string masses =
+      "<link name='a'>" + ball + "</link><link name='b'>" + ball + "</link>" + joint_with("");
+  const std::string lighter = "<gazebo reference='b'><turnGravityOff>true</turnGravityOff></gazebo>";
+  const read_robot one = in_robot(masses + lighter);
+  EXPECT_THAT(one.notes, IsEmpty());
+  EXPECT_FALSE(one.robot.gravity);
+  EXPECT_FALSE(one.robot.links[0].weightless);
+  EXPECT_TRUE(one.robot.links[1].weightless);
+  const read_robot none =
+      in_robot(masses + lighter + "<gazebo reference='a'><gravity>false</gravity></gazebo>");
+  EXPECT_THAT(none.notes, IsEmpty());
+  EXPECT_EQ(none.robot.gravity, vector3{});
 }
 
 TEST(read_urdf, says_that_not_all_notes_are_listed) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace {
@@ -139,6 +140,48 @@ TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   EXPECT_TRUE(along({}).isZero(0));
   r.gravity = vector3{0, 0, std::nan("")};
   EXPECT_EQ(robot_builder(r).cause(), "the gravity of the robot is not finite");
+}
+
+// Against weights at the mass centres of the links, without gravity.
+TEST(robot_builder, lets_links_without_gravity_float) {
+  const robot r = robot_of("balancer.urdf");
+  robot heavy = r;
+  for (robots::link& l : heavy.links) l.weightless = false;
+  for (const base_kind base : {base_kind::fixed, base_kind::floating})
+    for (const binding bind : {binding::numbers, binding::parameters}) {
+      const robot_builder ours(r, {.base = base, .bind = bind});
+      robot_builder by_hand(heavy, {.base = base, .gravity = 0});
+      ASSERT_EQ(ours.cause(), "");
+      symbolic::matrix energy(by_hand.graph(), 1, 1);
+      for (const robots::link& l : r.links) {
+        if (l.weightless || by_hand.body_of(l.name).empty()) continue; // that of the ground is empty
+        const auto weight = by_hand.along(by_hand.inertial_frame(), 0, 0, -9.81 * l.inertial->mass);
+        const vector3& c = l.inertial->center.at;
+        const auto at = by_hand.offset("Weight_" + l.name, by_hand.origin_of(l.name),
+                                       by_hand.along(by_hand.frame_of(l.name), c[0], c[1], c[2] + 0.0));
+        by_hand.force(at, weight);
+        energy(0, 0) = energy(0, 0) - by_hand.dot(weight, by_hand.position_of(at, by_hand.origin_of("")));
+      }
+      ASSERT_EQ(by_hand.cause(), "");
+      model m = derive(ours), n = derive(by_hand);
+      auto udot = m.function(m.udot()), expected = n.function(n.udot());
+      auto height = m.function(m.get(quantity::potential_energy)), expected_height = n.function(energy);
+      ASSERT_EQ(m.mistake() + n.mistake(), "");
+      Eigen::VectorXd p(static_cast<Eigen::Index>(ours.values().size()));
+      for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = ours.values()[static_cast<std::size_t>(i)].second;
+      std::mt19937_64 source(7);
+      std::uniform_real_distribution<double> values(-1, 1);
+      for (int i = 0; i < 5; ++i) {
+        Eigen::VectorXd x(base == base_kind::fixed ? 6 : 19), inputs(3);
+        for (double& e : x) e = values(source);
+        for (double& e : inputs) e = values(source);
+        if (base == base_kind::floating) x.segment(3, 4).normalize();
+        const Eigen::VectorXd found = udot(x, p, inputs), wanted = expected(x, Eigen::VectorXd(), inputs);
+        EXPECT_LT((found - wanted).norm(), 1e-12 * wanted.norm());
+        const double high = height(x, p)(0), wanted_height = expected_height(x)(0);
+        EXPECT_NEAR(high, wanted_height, 1e-12 * std::abs(wanted_height));
+      }
+    }
 }
 
 // The cart carries along what floats off it, along the axis of the rail.

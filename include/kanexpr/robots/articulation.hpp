@@ -14,8 +14,11 @@ struct moving_body {
   double mass = 0;
   vector3 center{};
   inertia_matrix inertia{}; ///< about the mass centre
+  double weightless = 0;    ///< of the mass, what gravity does not act on
+  vector3 weightless_center{};
 
   bool has_mass() const { return mass > 0 || inertia.largest() > 0; }
+  bool is_weightless() const { return weightless >= mass; }
 };
 
 /// A link, in the axes of the moving body that it is a part of.
@@ -60,6 +63,16 @@ inline inertia_matrix turned(const rotation& by, const inertia_matrix& i) {
   return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
 }
 
+/// Adds a mass to others.
+inline void add_mass(double& mass, vector3& center, double added, const vector3& at) {
+  const double whole = mass + added;
+  if (mass > 0 && added > 0)
+    for (std::size_t i = 0; i < 3; ++i) center[i] = (mass * center[i] + added * at[i]) / whole;
+  else if (added > 0)
+    center = at;
+  mass = whole;
+}
+
 /// Adds the mass of a link. The mass centre of a body of one link is that of the link to the last digit.
 inline void add(moving_body& to, const inertial& of, const pose& at) {
   const pose center = product(at, of.center);
@@ -68,10 +81,9 @@ inline void add(moving_body& to, const inertial& of, const pose& at) {
     to.mass = of.mass, to.center = center.at, to.inertia = inertia;
     return;
   }
-  const double whole = to.mass + of.mass;
-  vector3 middle = of.mass > 0 ? center.at : to.center;
-  if (to.mass > 0 && of.mass > 0)
-    for (std::size_t i = 0; i < 3; ++i) middle[i] = (to.mass * to.center[i] + of.mass * center.at[i]) / whole;
+  double whole = to.mass;
+  vector3 middle = to.center;
+  add_mass(whole, middle, of.mass, center.at);
   to.inertia = sum(sum(to.inertia, of_point(to.mass, to.center - middle)),
                    sum(inertia, of_point(of.mass, center.at - middle)));
   to.mass = whole, to.center = middle;
@@ -120,8 +132,12 @@ private:
     }
     const auto link = static_cast<std::size_t>(s.link);
     into_.links[link] = {s.body, s.at};
-    if (const auto& of = robot_.links[link].inertial)
-      detail::add(into_.bodies[static_cast<std::size_t>(s.body)], *of, s.at);
+    if (const auto& of = robot_.links[link].inertial) {
+      moving_body& b = into_.bodies[static_cast<std::size_t>(s.body)];
+      detail::add(b, *of, s.at);
+      if (robot_.links[link].weightless)
+        detail::add_mass(b.weightless, b.weightless_center, of->mass, product(s.at, of->center).at);
+    }
     const std::vector<int>& next = outward_[link];
     for (auto j = next.rbegin(); j != next.rend(); ++j) {
       const joint& by = robot_.joints[static_cast<std::size_t>(*j)];
@@ -137,6 +153,22 @@ private:
 };
 
 inline articulation articulation_of(const robot& r) { return folding(r).fold(); }
+
+/// Of a robot with links on which gravity does not act: where it acts on none that can fall, there is none.
+/// What is fixed in a link that is called the world cannot fall.
+inline void settle_gravity(robot& r) {
+  const articulation moving = articulation_of(r);
+  const bool in_world = r.links[static_cast<std::size_t>(r.root)].name == "world";
+  bool any = false, all = true;
+  for (const moving_body& b : moving.bodies) {
+    if (in_world && b.joint < 0) continue;
+    any = any || b.weightless > 0;
+    all = all && b.is_weightless();
+  }
+  if (!any || !all) return;
+  r.gravity = vector3{};
+  for (link& l : r.links) l.weightless = false;
+}
 
 /// How a joint follows one with a coordinate of its own: q = multiplier · q_leader + offset.
 inline mimicry followed_by(const robot& r, int joint) {

@@ -32,7 +32,7 @@ public:
       write_folded(b);
       out_ += '\n';
     }
-    loads_.insert(loads_.begin(), "gravity<" + gravity() + ">");
+    write_gravity();
     return head(called, from) + symbols() +
            "/// The ground, its axes and its origin.\nstruct N : inertial_ground<N> {};\n\n" + out_ +
            system() + limits() + at_rest() + values() + "\n} // namespace " + called + "\n";
@@ -52,6 +52,29 @@ private:
   }
   const moving_body& parent_of(const moving_body& b) const {
     return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
+  }
+
+  void write_gravity() {
+    const std::string free_fall = gravity();
+    loads_.insert(loads_.begin(), "gravity<" + free_fall + ">");
+    if (options_.bind == binding::numbers && is_zero(gravity_of(robot_, options_))) return;
+    for (const moving_body& b : plan_.what.bodies)
+      if (b.weightless > 0 && !(b.joint < 0 && options_.base == base_kind::fixed)) write_lift(b, free_fall);
+  }
+
+  /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
+  void write_lift(const moving_body& b, const std::string& free_fall) {
+    const std::string &on = type(b.link), called = name(b.link) + "_weightless";
+    const std::string symbols = b.is_weightless() ? name(b.link) : called; // whose there are
+    const auto known = values_.size();
+    const std::string mass = value("m_" + symbols, b.weightless);
+    const std::string at = options_.bind == binding::numbers
+                               ? text::along(on, b.weightless_center)
+                               : symbols_along(on, symbols, b.weightless_center);
+    if (b.is_weightless()) values_.resize(known);
+    write_struct(called, "offset", {on, at});
+    loads_.push_back("potential_energy<" + mass + " * dot(" + free_fall + ", position_of<" + called +
+                     ", N>)>");
   }
 
   std::string gravity() {
@@ -184,17 +207,18 @@ private:
     welds_.push_back(called);
   }
 
-  std::string symbols_along(const std::string& called, const vector3& v) {
+  std::string symbols_along(const std::string& axes, const std::string& called, const vector3& v) {
     const std::string x = value("x_" + called, v[0]), y = value("y_" + called, v[1]),
                       z = value("z_" + called, v[2]);
-    return x + " * own::x + " + y + " * own::y + " + z + " * own::z";
+    return x + " * " + axes + "::x + " + y + " * " + axes + "::y + " + z + " * " + axes + "::z";
   }
 
   std::string body_of(const moving_body& b) {
     const std::string& called = name(b.link);
     const bool numbers = options_.bind == binding::numbers;
     const std::string mass = value("m_" + called, b.mass);
-    const std::string center = numbers ? text::along("own", b.center) : symbols_along(called, b.center);
+    const std::string center =
+        numbers ? text::along("own", b.center) : symbols_along("own", called, b.center);
     const inertia_matrix& i = b.inertia;
     std::vector<std::string> scalars{"own", value("ixx_" + called, i.xx), value("iyy_" + called, i.yy),
                                      value("izz_" + called, i.zz)};
@@ -246,6 +270,7 @@ private:
                                  "body",
                                  "by",
                                  "coordinate",
+                                 "dot",
                                  "effective_inertia",
                                  "floating",
                                  "force_between",
@@ -261,12 +286,15 @@ private:
                                  "kane_system",
                                  "loads",
                                  "motor",
+                                 "offset",
                                  "own",
                                  "parameter",
                                  "parameter_values",
                                  "parameters",
                                  "pin",
                                  "planar",
+                                 "position_of",
+                                 "potential_energy",
                                  "prismatic",
                                  "rigid_body",
                                  "rotated",

@@ -123,8 +123,8 @@ inline plan plan_of(const robot& r, const model_options& options) {
   identifiers names;
   for (const char* taken : {"N", "O", "System"}) names.reserve(taken);
   for (const link& l : r.links) {
-    p.links.push_back(names.type(
-        l.name, {"", "_home", "_origin", "_start", "_base", "_center", "_body", "_rotor", "_shape"}));
+    p.links.push_back(names.type(l.name, {"", "_home", "_origin", "_start", "_base", "_center", "_body",
+                                          "_rotor", "_shape", "_weightless"}));
     note_name(p, p.links.back(), l.name);
   }
   if (options.base == base_kind::floating) p.joints.push_back(floating(-1, ""));

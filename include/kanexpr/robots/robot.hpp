@@ -43,6 +43,7 @@ struct link {
   std::string name{};
   std::optional<robots::inertial> inertial{};
   std::vector<shape> visual{}, collision{};
+  bool weightless = false; ///< gravity does not act on it
 };
 
 enum class joint_kind : unsigned char {

@@ -65,6 +65,11 @@ private:
     expression drive{};
   };
 
+  struct weight {
+    expression mass{};
+    point_id center{};
+  };
+
   std::size_t place_of(std::string_view link) const {
     const auto found = places_.find(link);
     return found == places_.end() ? frames_.size() - 1 : found->second;
@@ -100,6 +105,12 @@ private:
   }
   point_id moved(const std::string& called, point_id from, frame_id axes, const vector3& by) {
     return is_zero(by) ? from : offset(called, from, along_numbers(axes, by));
+  }
+
+  vector symbols_along(const std::string& called, frame_id axes, const vector3& v) {
+    const expression x = value("x_" + called, v[0]), y = value("y_" + called, v[1]),
+                     z = value("z_" + called, v[2]);
+    return along(axes, x, y, z);
   }
 
   void add_symbols() {
@@ -198,14 +209,14 @@ private:
     const frame_id axes = frame(b.link);
     const inertia_matrix& i = b.inertia;
     const expression m = value("m_" + called, b.mass);
-    const expression x = value("x_" + called, b.center[0]), y = value("y_" + called, b.center[1]),
-                     z = value("z_" + called, b.center[2]);
+    const vector to_center = symbols_along(called, axes, b.center);
     const expression xx = value("ixx_" + called, i.xx), yy = value("iyy_" + called, i.yy),
                      zz = value("izz_" + called, i.zz), xy = value("ixy_" + called, i.xy),
                      yz = value("iyz_" + called, i.yz), zx = value("izx_" + called, i.zx);
     const bool is_at_origin = options_.bind == binding::numbers && is_zero(b.center);
     const point_id center =
-        is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), along(axes, x, y, z));
+        is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), to_center);
+    weights_[b.link] = {m, center};
     rigid_body(called + "_body", center, axes, m, inertia(axes, xx, yy, zz, xy, yz, zx));
     if (options_.bind == binding::numbers && is_of_no_body(i)) effective_inertia(called + "_body");
   }
@@ -219,13 +230,31 @@ private:
     const vector axis = along(inertial_frame(), 0, 0, 1);
     const frame_id axes = rotated(called, inertial_frame(), motion_of(b.joint).q[0], axis);
     const expression own = value("j_" + name(b.link), felt);
-    rigid_body(called, origins_.back(), axes, number(0), inertia(axes, 0, 0, own));
+    rigid_body(called, origins_.back(), axes, number(0.0), inertia(axes, 0, 0, own));
   }
 
   void fall(const vector3& g) {
     const bool numbers = options_.bind == binding::numbers;
     const vector to = along_numbers(inertial_frame(), numbers ? g : direction_of_gravity(g));
-    gravity(numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to);
+    const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to;
+    gravity(free_fall);
+    if (numbers && is_zero(g)) return;
+    for (const moving_body& b : plan_.what.bodies)
+      if (b.weightless > 0 && !is_on_ground(b)) lift(b, free_fall);
+  }
+
+  /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
+  void lift(const moving_body& b, const vector& free_fall) {
+    weight lifted;
+    if (b.is_weightless()) {
+      lifted = weights_.at(b.link);
+    } else {
+      const std::string called = name(b.link) + "_weightless";
+      lifted.mass = value("m_" + called, b.weightless);
+      lifted.center =
+          offset(called, origin(b.link), symbols_along(called, frame(b.link), b.weightless_center));
+    }
+    potential_energy(lifted.mass * builder::dot(free_fall, position_of(lifted.center, origins_.back())));
   }
 
   void place_folded() {
@@ -246,6 +275,7 @@ private:
   std::vector<point_id> origins_{};
   std::map<std::string, std::size_t, std::less<>> places_{};
   std::vector<std::pair<std::string, double>> values_{};
+  std::map<int, weight> weights_{}; ///< of bodies, by their links
 };
 
 inline robot_builder::robot_builder(robot r, const model_options& options)

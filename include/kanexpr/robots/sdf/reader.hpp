@@ -48,7 +48,7 @@ public:
     Pose3d stands;
     if (!model->SemanticPose().Resolve(stands).empty()) stands = model->RawPose();
     return read_links(*model, "", stands) && read_joints(*model, "") &&
-           (!options_.mimic || joints_.read_mimics()) && is_robot(*model) && (take_weights(), true);
+           (!options_.mimic || joints_.read_mimics()) && is_robot(*model) && (settle_gravity(robot), true);
   }
 
   robots::robot robot{};
@@ -90,8 +90,7 @@ private:
       if (!link_reader(from_).read(l, called, read)) return false;
       links_.places.emplace(called, static_cast<int>(robot.links.size()));
       links_.poses.push_back(stands * at);
-      if (l.Element() && !l.Element()->Get<bool>("gravity", true).first)
-        weightless_.emplace(robot.links.size(), line_of(l));
+      read.weightless = l.Element() && !l.Element()->Get<bool>("gravity", true).first;
       robot.links.push_back(std::move(read));
     }
     for (std::uint64_t i = 0; i < m.ModelCount(); ++i) {
@@ -136,27 +135,8 @@ private:
     return wrong.empty() || from_.fail(line_of(m), wrong);
   }
 
-  /// Gravity acts on all links or on none; on those that are fixed in the world it does nothing.
-  void take_weights() {
-    if (weightless_.empty()) return;
-    const articulation moving = articulation_of(robot);
-    const bool in_world = robot.links[static_cast<std::size_t>(robot.root)].name == "world";
-    const auto can_fall = [&](std::size_t link) {
-      return robot.links[link].inertial && !(in_world && moving.links[link].body == 0);
-    };
-    bool any_falls = false;
-    for (std::size_t l = 0; l < robot.links.size(); ++l)
-      any_falls = any_falls || (can_fall(l) && !weightless_.contains(l));
-    if (!any_falls) robot.gravity = vector3{};
-    for (const auto& [link, line] : weightless_)
-      if (any_falls && can_fall(link))
-        from_.note(line, "link " + shown(robot.links[link].name) +
-                             " is one on which gravity does not act; here it does, as on the other links");
-  }
-
   urdf::document& from_;
   reading_options options_;
-  std::map<std::size_t, int> weightless_{}; ///< links and their lines
   placed_links links_{};
   joint_reader joints_{from_, links_, robot};
 };

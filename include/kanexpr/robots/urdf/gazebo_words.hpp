@@ -1,13 +1,19 @@
 #pragma once
 
+#include <kanexpr/robots/robot.hpp>
 #include <kanexpr/robots/urdf/document.hpp>
 
+#include <algorithm>
 #include <string_view>
 
 namespace kanexpr::robots::urdf {
 
-/// Notes the words for Gazebo that change how a robot moves; they are left out as the others are.
-inline void note_gazebo(document& from, const element& e) {
+/// Takes from the words for Gazebo on which links gravity does not act, and notes the others that change how
+/// a robot moves; they are left out.
+inline void read_gazebo(document& from, const element& e, robot& into) {
+  const char* const reference = e.Attribute("reference");
+  const auto of_link = std::ranges::find_if(
+      into.links, [&](const link& l) { return reference != nullptr && l.name == reference; });
   constexpr std::pair<std::string_view, bool> words[]{{"gravity", false},        {"turnGravityOff", true},
                                                       {"kinematic", true},       {"static", true},
                                                       {"springStiffness", true}, {"dampingFactor", true}};
@@ -16,11 +22,15 @@ inline void note_gazebo(document& from, const element& e) {
     std::string_view text = each->GetText() ? each->GetText() : "";
     const std::string_view value = next_word(text);
     const bool is_no = value == "false" || number_in(value) == 0;
-    for (const auto& [word, matters] : words)
-      if (is == word && !value.empty() && is_no != matters)
+    for (const auto& [word, matters] : words) {
+      if (is != word || value.empty() || is_no == matters) continue;
+      if ((is == "gravity" || is == "turnGravityOff") && of_link != into.links.end())
+        of_link->weightless = true;
+      else
         from.note(*each, "<" + shown(is) + ">" + shown(value) + "</" + shown(is) + ">" +
-                             (e.Attribute("reference") ? " of " + shown(e.Attribute("reference")) : "") +
+                             (reference != nullptr ? " of " + shown(reference) : "") +
                              ", a word for Gazebo, is left out");
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/reading_options.hpp>
 #include <kanexpr/robots/urdf/gazebo_words.hpp>
@@ -24,9 +25,10 @@ public:
     from_.know_elements(*root,
                         {"link", "joint", "transmission", "gazebo", "material", "sensor", "ros2_control"},
                         "the robot");
+    if (!read_links(*root)) return false;
     for (const element* e = root->FirstChildElement("gazebo"); e; e = e->NextSiblingElement("gazebo"))
-      note_gazebo(from_, *e);
-    return read_links(*root) && read_joints(*root) && is_tree(*root);
+      read_gazebo(from_, *e, robot);
+    return read_joints(*root) && is_tree(*root) && (settle_gravity(robot), true);
   }
 
   robots::robot robot{};
