@@ -68,7 +68,7 @@ template <int i>
 struct Joint : offset<Joint<i>, Joint<i - 1>,
                       a<i - 1> * Link<i - 1>::x + b<i - 1> * Link<i - 1>::y + d<i - 1> * Link<i - 1>::z> {};
 template <>
-struct Joint<1> : offset<Joint<1>, O, 0 * N::x> {};
+struct Joint<1> : offset<Joint<1>, O, 0.0 * N::x> {};
 
 template <int i>
 struct Center : offset<Center<i>, Joint<i>, x<i> * Link<i>::x + y<i> * Link<i>::y + z<i> * Link<i>::z> {};

@@ -24,7 +24,7 @@ constexpr parameter<"g"> g;
 struct N : inertial_frame<N> {}; // x points down
 struct A : rotated<A, N, q, N::z> {};
 struct O : origin<O, N> {};
-struct Pivot : offset<Pivot, O, 0 * N::x>, velocity<N, ux * N::x + uy * N::y> {};
+struct Pivot : offset<Pivot, O, 0.0 * N::x>, velocity<N, ux * N::x + uy * N::y> {};
 struct P : offset<P, Pivot, l * A::x> {};
 struct Bob : particle<Bob, P, m> {};
 

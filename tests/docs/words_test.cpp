@@ -120,7 +120,7 @@ struct R : rotated<R, L, q4, L::y> {};
 struct O : origin<O, N> {};
 struct P : offset<P, O, l * A::x> {};
 struct Q : offset<Q, O, l * N::y> {};
-struct G : offset<G, O, 0 * N::x> {};
+struct G : offset<G, O, 0.0 * N::x> {};
 struct Beyond : rigid_body<Beyond, G, B, m, inertia<B, 0, 0, I>> {};
 
 #include <docs/guide/words/bodies.cpp>

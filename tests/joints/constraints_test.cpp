@@ -9,8 +9,8 @@ using namespace by_hand;
 
 // Two flywheels by gears, with a rack, and a belt to a third.
 template <int i>
-struct Wheel : pin<Wheel<i>, Ground, axis<own::z>, body<1, 0 * own::x, inertia<own, 1, 1, 0.1 * i>>> {};
-struct Rack : prismatic<Rack, Ground, axis<own::x>, body<3, 0 * own::x>> {};
+struct Wheel : pin<Wheel<i>, Ground, axis<own::z>, body<1, 0.0 * own::x, inertia<own, 1, 1, 0.1 * i>>> {};
+struct Rack : prismatic<Rack, Ground, axis<own::x>, body<3, 0.0 * own::x>> {};
 struct Geared
     : kane_system<
           inertial<Ground>, joints<Wheel<1>, Wheel<2>, Wheel<3>, Rack>,
@@ -32,7 +32,7 @@ TEST(constraints, couple_joints) {
 }
 
 // A ring of radius r and tube s that rolls upright and straight on under a torque: T / (I + m (r + s)²).
-struct Ring : floating<Ring, Ground, body<2, 0 * own::x, inertia<own, 0.3, 0.5, 0.3>>> {};
+struct Ring : floating<Ring, Ground, body<2, 0.0 * own::x, inertia<own, 0.3, 0.5, 0.3>>> {};
 struct Rolling : kane_system<inertial<Ground>, joints<Ring>,
                              configuration_constraints<touches<Ring, Ground, Ring::y, 0.4, 0.05>>,
                              velocity_constraints<rolls_on<Ring, Ground, Ring::y, 0.4, 0.05>>,
@@ -60,7 +60,7 @@ TEST(constraints, let_a_wheel_roll) {
 // On a table that slides and turns, a wheel that does not spin relative to it rests on it.
 struct Slide : prismatic<Slide, Ground, axis<Ground::x>> {};
 struct Table
-    : pin<Table, Slide, axis<own::z>, at<0.1 * Ground::y>, body<3, 0 * own::x, inertia<own, 1, 1, 1>>> {};
+    : pin<Table, Slide, axis<own::z>, at<0.1 * Ground::y>, body<3, 0.0 * own::x, inertia<own, 1, 1, 1>>> {};
 struct On_table : kane_system<inertial<Ground>, joints<Slide, Table, Ring>,
                               configuration_constraints<touches<Ring, Table, Ring::y, 0.4, 0.05>>,
                               velocity_constraints<rolls_on<Ring, Table, Ring::y, 0.4, 0.05>>,
@@ -83,11 +83,11 @@ TEST(constraints, let_a_wheel_roll_on_what_moves) {
 }
 
 // A pendulum on a rod of length l: the angle of a bar is the same from a bob in a plane.
-struct Bob : planar<Bob, Ground, axis<Ground::x, Ground::y>, body<2, 0 * own::x, inertia<own, 1, 1, 1>>> {};
+struct Bob : planar<Bob, Ground, axis<Ground::x, Ground::y>, body<2, 0.0 * own::x, inertia<own, 1, 1, 1>>> {};
 struct Hung
     : kane_system<inertial<Ground>, joints<Bob>, configuration_constraints<rod_of_length<Bob, Ground, 0.8>>,
                   loads<gravity<9.81 * Ground::x>>> {};
-struct Loop : pin<Loop, Ground, axis<Ground::z>, at<0 * Ground::x, -0.8 * own::x>> {};
+struct Loop : pin<Loop, Ground, axis<Ground::z>, at<0.0 * Ground::x, -0.8 * own::x>> {};
 struct Closed : kane_system<inertial<Ground>, joints<Bob, Loop>,
                             configuration_constraints<coincident<Bob, Loop, Ground::x, Ground::y>>,
                             loads<gravity<9.81 * Ground::x>>> {};

@@ -35,9 +35,9 @@ TEST(universal, turns_about_two_axes) { expect_same_motion<pendulum::System, pen
 namespace shafts {
 constexpr parameter<"beta"> beta;
 constexpr input<"T"> T;
-struct First : pin<First, Ground, axis<own::x>, body<1, 0 * own::x, inertia<own, 0.3, 1, 1>>> {};
+struct First : pin<First, Ground, axis<own::x>, body<1, 0.0 * own::x, inertia<own, 0.3, 1, 1>>> {};
 struct Second
-    : universal<Second, First, axis<First::y, own::z>, body<1, 0 * own::x, inertia<own, 0.2, 0.7, 0.7>>> {};
+    : universal<Second, First, axis<First::y, own::z>, body<1, 0.0 * own::x, inertia<own, 0.2, 0.7, 0.7>>> {};
 constexpr auto across = cos(beta) * Ground::y - sin(beta) * Ground::x;
 struct System
     : kane_system<

@@ -383,7 +383,7 @@ void f() { use<System>(); }
 
 // expect: joint Link is given an axis of no length
 namespace n53 {
-struct Link : prismatic<Link, Ground, axis<0 * Ground::x>, mass> {};
+struct Link : prismatic<Link, Ground, axis<0.0 * Ground::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n53

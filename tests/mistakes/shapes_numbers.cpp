@@ -24,6 +24,22 @@ struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n3
 
+// expect: the offset of point Tip holds the factor 0, which is what 1/2 is in C++; write q/2 or
+// expect: rational<1, 2>*q, and 0.0 for a zero that is meant
+namespace n3v {
+struct Tip : offset<Tip, O, 1 / 2 * A::x> {};
+struct System : loaded<force<Tip, F * N::x>> {};
+void f() { use<System>(); }
+} // namespace n3v
+
+// expect: the inertia of Rod holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q,
+// expect: and 0.0 for a zero that is meant
+namespace n3d {
+struct Rod : rigid_body<Rod, P, A, m, 1 / 2 * outer(A::z, A::z)> {};
+struct System : pendulum_with<Rod> {};
+void f() { use<System>(); }
+} // namespace n3d
+
 // expect: the force at P holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q, and
 // expect: 0.0 for a zero that is meant
 namespace n4 {

@@ -2,6 +2,6 @@
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
-                            velocity_constraints<zero_along<velocity_of<P>, 0 * N::x>>> {};
+                            velocity_constraints<zero_along<velocity_of<P>, 0.0 * N::x>>> {};
 
 int main() { use<System>(); }

@@ -282,6 +282,9 @@ TEST(builder, takes_numbers_beside_expressions) {
             print(b.number(1.5) - (b.number(0.5) + b.x / b.number(2.5)) / b.number(0.25) +
                   b.number(2.5) * b.m - b.number(0.75)));
   EXPECT_EQ(print(0.5 / b.m + b.x * (b.m + 0.25)), print(b.number(0.5) / b.m + b.x * (b.m + b.number(0.25))));
+  // not cut to an int
+  EXPECT_EQ(print(b.m * 9.81 + b.x * 0.5F), print(9.81 * b.m + 0.5 * b.x));
+  EXPECT_EQ(print(b.m * 5'000'000'000 + 3U * b.x), print(5e9 * b.m + 3.0 * b.x));
   EXPECT_EQ(b.check().view(), "");
   EXPECT_EQ(print(b.dot(mixed, b.along(b.n, 1, 0, 0))), "l*sin(theta)");
 }

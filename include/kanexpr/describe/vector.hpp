@@ -67,12 +67,14 @@ constexpr vector<left_size + right_size + 1> operator/(const vector<left_size>& 
                                                             describe::with(describe::token_kind::divide));
 }
 template <describe::plain_number Number, int size>
-constexpr auto operator*(Number s, const vector<size>& v) {
-  return describe::constant(s) * v;
+constexpr vector<size + 2> operator*(Number s, const vector<size>& v) {
+  return describe::join<vector<size + 2>>(
+      describe::constant(s).tokens, v.tokens,
+      describe::done_with(s, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
 template <int size, describe::plain_number Number>
-constexpr auto operator*(const vector<size>& v, Number s) {
-  return describe::constant(s) * v;
+constexpr vector<size + 2> operator*(const vector<size>& v, Number s) {
+  return s * v;
 }
 template <int size, describe::plain_number Number>
 constexpr auto operator/(const vector<size>& v, Number s) {
@@ -133,12 +135,14 @@ constexpr dyadic<left_size + right_size + 1> operator*(const dyadic<left_size>& 
   return s * d;
 }
 template <describe::plain_number Number, int size>
-constexpr auto operator*(Number s, const dyadic<size>& d) {
-  return describe::constant(s) * d;
+constexpr dyadic<size + 2> operator*(Number s, const dyadic<size>& d) {
+  return describe::join<dyadic<size + 2>>(
+      describe::constant(s).tokens, d.tokens,
+      describe::done_with(s, describe::token_kind::multiply, describe::misuse::zero_factor));
 }
 template <int size, describe::plain_number Number>
-constexpr auto operator*(const dyadic<size>& d, Number s) {
-  return describe::constant(s) * d;
+constexpr dyadic<size + 2> operator*(const dyadic<size>& d, Number s) {
+  return s * d;
 }
 template <int left_size, int right_size>
 constexpr dyadic<left_size + right_size + 1> operator/(const dyadic<left_size>& d,

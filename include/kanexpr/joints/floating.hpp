@@ -23,7 +23,7 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
                                 Joint::template u<1> * basis(Joint::child_frame(), 1) +
                                 Joint::template u<2> * basis(Joint::child_frame(), 2);
   template <class Joint>
-  static constexpr auto bound_drift = 0 * basis(Joint::child_frame(), 0);
+  static constexpr auto bound_drift = 0.0 * basis(Joint::child_frame(), 0);
 
   template <class Joint>
   static constexpr void move(point_record& r) {

@@ -258,7 +258,7 @@ struct joint : axes<Self>, place_words, joint_words {
       r.parent = base_point();
       Kind::template move<Self>(r);
     } else if constexpr (!is_off_parent) {
-      r.offset = phrase_of<0 * basis(parent_frame(), 0)>;
+      r.offset = phrase_of<0.0 * basis(parent_frame(), 0)>;
     }
     return r;
   }
@@ -346,7 +346,7 @@ private:
     if constexpr (is_off_child)
       return -by_axes_of(seen_by, word<joint_word::at>::in_child);
     else
-      return 0 * basis(seen_by, 0);
+      return 0.0 * basis(seen_by, 0);
   }
 };
 

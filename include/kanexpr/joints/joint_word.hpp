@@ -151,7 +151,7 @@ struct by {
 /// The body that moves with the child: its mass, its mass centre as a vector from the child's point, and its
 /// inertia about the mass centre; without an inertia a particle, and without a centre at the child's point.
 /// `own` means the axes of the child, also in `inertia<own, Ixx, …>`.
-template <auto mass, auto center = 0 * own::x, class... Inertia>
+template <auto mass, auto center = 0.0 * own::x, class... Inertia>
 struct body {
   static constexpr describe::joint_word joint_word = describe::joint_word::body;
   static constexpr bool fits = sizeof...(Inertia) <= 1;

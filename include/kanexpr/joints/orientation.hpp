@@ -38,7 +38,7 @@ struct free_orientation {
   static constexpr auto spin = Joint::template u<first_u> * own::x + Joint::template u<first_u + 1> * own::y +
                                Joint::template u<first_u + 2> * own::z;
   template <class Joint>
-  static constexpr auto bound_spin = 0 * own::x;
+  static constexpr auto bound_spin = 0.0 * own::x;
 
   template <class Joint>
   static constexpr void turn(frame_record& r) {

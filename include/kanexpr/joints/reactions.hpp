@@ -41,7 +41,7 @@ struct freed_joint {
     point_record r = *Joint::joint_point();
     if constexpr (!kind::moves) {
       r.parent = Joint::base_point();
-      r.offset = phrase_of<0 * basis(Joint::parent_frame(), 0)>;
+      r.offset = phrase_of<0.0 * basis(Joint::parent_frame(), 0)>;
     }
     r.reference = Joint::parent_frame();
     if constexpr (requires { kind::template drift<Joint>; })

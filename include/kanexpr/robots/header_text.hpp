@@ -39,7 +39,7 @@ inline std::string along(const std::string& axes, const vector3& v) {
     sum += v[i] < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
     sum += (size == 1 ? "" : digits(size) + " * ") + axes + "::" + "xyz"[i];
   }
-  return sum.empty() ? "0 * " + axes + "::x" : sum;
+  return sum.empty() ? "0.0 * " + axes + "::x" : sum;
 }
 
 /// In parentheses where it is a sum.

@@ -3,8 +3,14 @@
 #include <kanexpr/symbolic/graph/build.hpp>
 
 #include <concepts>
+#include <cstdint>
+#include <utility>
 
 namespace kanexpr::symbolic {
+
+template <class Number>
+concept wider_than_int = std::floating_point<Number> || std::same_as<Number, unsigned> ||
+                         (std::integral<Number> && sizeof(Number) > sizeof(int));
 
 /// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra. What
 /// is made of two graphs while a program runs is of none, and so is what is made of that.
@@ -60,34 +66,38 @@ public:
   friend constexpr expression operator-(int a, expression b) { return b.whole(a) - b; }
   friend constexpr expression operator/(expression a, int b) { return a / a.whole(b); }
   friend constexpr expression operator/(int a, expression b) { return b.whole(a) / b; }
-  // beside them, as a decimal number would become an int
-  template <std::floating_point Real>
-  friend constexpr expression operator+(expression a, Real b) {
-    return a + a.number(real(static_cast<double>(b)));
+  // as these, too, would become an int
+  template <wider_than_int Number>
+  friend constexpr expression operator+(expression a, Number b) {
+    return a + a.given(b);
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator+(Real a, expression b) {
-    return b.number(real(static_cast<double>(a))) + b;
+  template <wider_than_int Number>
+  friend constexpr expression operator+(Number a, expression b) {
+    return b.given(a) + b;
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator-(expression a, Real b) {
-    return a - a.number(real(static_cast<double>(b)));
+  template <wider_than_int Number>
+  friend constexpr expression operator-(expression a, Number b) {
+    return a - a.given(b);
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator-(Real a, expression b) {
-    return b.number(real(static_cast<double>(a))) - b;
+  template <wider_than_int Number>
+  friend constexpr expression operator-(Number a, expression b) {
+    return b.given(a) - b;
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator*(Real a, expression b) {
-    return b.number(real(static_cast<double>(a))) * b;
+  template <wider_than_int Number>
+  friend constexpr expression operator*(expression a, Number b) {
+    return a * a.given(b);
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator/(expression a, Real b) {
-    return a / a.number(real(static_cast<double>(b)));
+  template <wider_than_int Number>
+  friend constexpr expression operator*(Number a, expression b) {
+    return b.given(a) * b;
   }
-  template <std::floating_point Real>
-  friend constexpr expression operator/(Real a, expression b) {
-    return b.number(real(static_cast<double>(a))) / b;
+  template <wider_than_int Number>
+  friend constexpr expression operator/(expression a, Number b) {
+    return a / a.given(b);
+  }
+  template <wider_than_int Number>
+  friend constexpr expression operator/(Number a, expression b) {
+    return b.given(a) / b;
   }
   constexpr expression& operator+=(expression b) { return *this = *this + b; }
   constexpr expression& operator-=(expression b) { return *this = *this - b; }
@@ -98,9 +108,17 @@ public:
   }
 
 private:
-  constexpr expression whole(int value) const {
+  constexpr expression whole(std::int64_t value) const {
     if (value == 0 && !__builtin_is_constant_evaluated() && is_given()) graph_->note_whole_zero();
     return number(exactly(value));
+  }
+  template <class Number>
+  constexpr expression given(Number value) const {
+    if constexpr (std::integral<Number>)
+      return std::in_range<std::int64_t>(value) ? whole(static_cast<std::int64_t>(value))
+                                                : number(real(static_cast<double>(value)));
+    else
+      return number(real(static_cast<double>(value)));
   }
 
   // without initializers, which the compiler would run for each that there is room for; {} is zero of no
