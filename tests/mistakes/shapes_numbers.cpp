@@ -35,7 +35,7 @@ void f() { use<System>(); }
 // expect: the inertia of Rod holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q,
 // expect: and 0.0 for a zero that is meant
 namespace n3d {
-struct Rod : rigid_body<Rod, P, A, m, 1 / 2 * outer(A::z, A::z)> {};
+struct Rod : rigid_body<Rod, P, A, m, inertia_dyadic<1 / 2 * outer(A::z, A::z)>> {};
 struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n3d
