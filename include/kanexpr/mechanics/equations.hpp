@@ -62,16 +62,19 @@ public:
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
   constexpr void constrain() {
     is_constrained_ = true;
-    const given_constraints given = without_redundant(system_->constraints);
-    mistake_ = check_redundant(system_->constraints);
-    if (!mistake_) mistake_ = check_contents_of_constraints(*m_, system_->constraints);
+    const given_constraints& all = system_->constraints;
+    const bool is_all_solved = all.redundant.empty();
+    const given_constraints fewer = is_all_solved ? given_constraints{} : without_redundant(all);
+    const given_constraints& given = is_all_solved ? all : fewer;
+    mistake_ = check_redundant(all);
+    if (!mistake_) mistake_ = check_contents_of_constraints(*m_, all);
     if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving(), system_->loads);
     if (mistake_) return;
     constraints_ = no_constraints(*m_);
     constraints_.on_accelerations = given.on_accelerations;
     if (!given.on_velocities.empty() || !given.on_configuration.empty())
       constraints_ = form_constraints(moving(), given);
-    tell_redundant(system_->constraints, constraints_);
+    tell_redundant(all, constraints_);
     configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));

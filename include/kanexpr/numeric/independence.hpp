@@ -23,8 +23,10 @@ struct independence {
 
 namespace numeric {
 
-/// Of the rows of a Jacobian, in their order.
-inline independence independence_of(const Eigen::MatrixXd& jacobian) {
+/// Of the rows of a Jacobian, in their order. A template, so that files which do not ask for it do not form
+/// its matrices.
+template <class Jacobian>
+independence independence_of(const Jacobian& jacobian) {
   independence found;
   if (!all_finite(jacobian)) {
     found.failure = mechanics::sentence({"the constraints on the speeds are not finite at this state"});

@@ -20,13 +20,17 @@ struct independent_columns {
 
 /// By the Gram-Schmidt process in the order of the columns, every vector made orthogonal twice (Golub & Van
 /// Loan, Matrix Computations, section 5.2). Of columns of length 1, a remainder no longer than `least` counts
-/// as nothing, and so does a coefficient.
-inline independent_columns independent_columns_of(const Eigen::MatrixXd& a, double least) {
+/// as nothing, and so does a coefficient. A template, so that files which do not ask for it do not form its
+/// matrices.
+template <class Matrix>
+independent_columns independent_columns_of(const Matrix& given, double least) {
+  using matrix = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using vector = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, 1>;
+  const matrix a = given;
   const Eigen::Index columns = a.cols();
-  Eigen::VectorXd length = a.colwise().norm();
+  vector length = a.colwise().norm();
   const double longest = columns == 0 ? 0 : length.maxCoeff();
-  Eigen::MatrixXd q(a.rows(), columns), r = Eigen::MatrixXd::Zero(columns, columns),
-                                        by_kept = Eigen::MatrixXd::Zero(columns, columns);
+  matrix q(a.rows(), columns), r = matrix::Zero(columns, columns), by_kept = matrix::Zero(columns, columns);
   independent_columns found;
   for (Eigen::Index j = 0; j < columns; ++j) {
     if (!(length(j) > 0)) continue;
@@ -35,7 +39,7 @@ inline independent_columns independent_columns_of(const Eigen::MatrixXd& a, doub
       continue;
     }
     const Eigen::Index rank = static_cast<Eigen::Index>(found.kept.size());
-    Eigen::VectorXd left = a.col(j) / length(j), along = Eigen::VectorXd::Zero(rank);
+    vector left = a.col(j) / length(j), along = vector::Zero(rank);
     for (int twice = 0; twice < 2; ++twice)
       for (Eigen::Index i = 0; i < rank; ++i) {
         const double part = q.col(i).dot(left);

@@ -29,16 +29,12 @@ public:
 
   constraints_at(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
 
-  /// Residuals with their derivatives by all coordinates, and by all speeds: what every numerical method for
-  /// constraints shares, so that it is compiled once.
+  /// The residual with its derivatives by all coordinates: what every numerical method for constraints
+  /// shares, so that it is compiled once.
   static constexpr auto configuration() {
     return out_of_line<
         function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{};
   }
-  static constexpr auto velocities() {
-    return out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{};
-  }
-
   static constexpr int all_coordinates() { return known.coordinates; }
   static constexpr int coordinates() { return known.configuration_constraints; }
   static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
@@ -53,7 +49,7 @@ public:
     if constexpr (coordinates() == 0)
       return {};
     else
-      return out_of_line<function<System, quantity::configuration_terms>>{}(t_, x, p_, r_);
+      return of_once<quantity::configuration_terms>(x);
   }
   square configuration_jacobian_by_all(const state& x) const {
     square by_dependent;
@@ -69,13 +65,13 @@ public:
     if constexpr (known.constraints == 0)
       return {};
     else
-      return std::get<0>(velocities()(t_, x, p_, r_));
+      return of_once<quantity::velocity_residual>(x);
   }
   speed_vector velocity_terms(const state& x) const {
     if constexpr (known.constraints == 0)
       return {};
     else
-      return out_of_line<function<System, quantity::velocity_terms>>{}(t_, x, p_, r_);
+      return of_once<quantity::velocity_terms>(x);
   }
   using redundant_vector = Eigen::Matrix<Number, known.redundant_constraints, 1>;
   redundant_vector redundant_residual(const state& x) const {
@@ -114,7 +110,7 @@ public:
     if constexpr (known.constraints == 0) {
       return {};
     } else {
-      const auto u = out_of_line<function<System, quantity::dependent_speeds>>{}(t_, x, p_, r_);
+      const auto u = of_once<quantity::dependent_speeds>(x);
       if (status_of(u))
         for (int i = 0; i < known.constraints; ++i)
           x(places[static_cast<std::size_t>(coordinates() + i)]) = u(i);
@@ -135,6 +131,25 @@ public:
   }
 
 private:
+  /// What is asked for a few times: one function gives it all, as each costs the compiler more than its sums.
+  /// A linked model has them by themselves.
+  template <quantity wanted>
+  auto of_once(const state& x) const {
+    if constexpr (is_linked<System>) {
+      return out_of_line<function<System, wanted>>{}(t_, x, p_, r_);
+    } else {
+      constexpr quantity all[]{quantity::velocity_residual, quantity::velocity_terms,
+                               quantity::dependent_speeds, quantity::configuration_terms};
+      constexpr auto place =
+          static_cast<std::size_t>(std::find(std::begin(all), std::end(all), wanted) - all);
+      if constexpr (coordinates() == 0)
+        return std::get<place>(out_of_line<function<System, all[0], all[1], all[2]>>{}(t_, x, p_, r_));
+      else
+        return std::get<place>(
+            out_of_line<function<System, all[0], all[1], all[2], all[3]>>{}(t_, x, p_, r_));
+    }
+  }
+
   static decltype(auto) at_norm_one(const state& x) {
     if constexpr (quaternions::are_bound) {
       state at = x;
