@@ -179,6 +179,7 @@ TEST(singular_positions, of_the_choice_of_dependent_speeds_are_none_of_the_motio
 TEST(singular_positions, end_a_motion_that_has_no_way_on) {
   led_bars::ends_where_they_are_stretched<integrator::explicit_runge_kutta>();
   led_bars::ends_where_they_are_stretched<integrator::adams>();
+  led_bars::ends_where_they_are_stretched<integrator::differential_algebraic>();
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/numeric/least_multipliers.hpp>
 #include <kanexpr/runtime/model.hpp>
 

@@ -170,8 +170,8 @@ constexpr repeated_constraints find_repeated(const mechanism& m, const symbolic:
   return found;
 }
 
-/// What to write where constraints seem to bind too much: "; where all of them hold configuration constraint
-/// 5 follows from those before it, and redundant<5> leaves it out".
+/// What to write where constraints seem to bind too much, unless they do: "; where all hold, configuration
+/// constraint 5 follows from those before it, and redundant<5> leaves it out".
 constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matrix& by_q,
                                        const constraints& c) {
   if (c.on_configuration.size() < 2) return {};
@@ -179,7 +179,7 @@ constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matri
   if (!found.is_known)
     return sentence({", unless redundant<...> names some configuration constraints that follow from others"});
   const int count = found.places.size();
-  if (count == 0) return {};
+  if (count == 0 || c.on_configuration.size() - count >= m.coordinates.size()) return {};
   sentence named, listed;
   for (int i = 0; i < count; ++i) {
     const name number = counted(c.numbers[found.places[i]]);
