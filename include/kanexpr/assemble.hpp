@@ -6,4 +6,5 @@
 
 #include <kanexpr/steps/assemble.hpp>
 #include <kanexpr/steps/check_independence.hpp>
+#include <kanexpr/steps/least_multipliers.hpp>
 #include <kanexpr/version.hpp>

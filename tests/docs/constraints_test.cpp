@@ -1,5 +1,6 @@
 // Constraints: docs/guide/constraints.md.
 #include "docs/complete.hpp"
+#include "docs/printed.hpp"
 #include "models/four_bar.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -87,6 +88,10 @@ TEST(constraints, are_assembled) {
   const eom::inputs r{{T, 0}};
 #include <docs/guide/constraints/assembled.cpp>
   EXPECT_TRUE(built) << built.cause();
+  const docs::printed here;
+#include <docs/guide/constraints/least.cpp>
+  EXPECT_TRUE(found) << found.cause();
+  EXPECT_LT((found.multipliers - eom::multipliers(x, p, r)).norm(), 1e-12 * found.multipliers.norm());
 }
 
 } // namespace linkage

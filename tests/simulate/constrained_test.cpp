@@ -81,7 +81,6 @@ TEST(constrained, keeps_what_a_handler_changes) {
 // By the other methods in singular_positions_test.cpp: with sanitizers they take minutes.
 TEST(constrained, ends_at_a_singular_configuration) {
   led_bars::ends_where_they_are_stretched<integrator::bdf>();
-  led_bars::ends_where_they_are_stretched<integrator::differential_algebraic>();
 }
 
 template <integrator by>

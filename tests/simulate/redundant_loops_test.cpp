@@ -5,6 +5,7 @@
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulate/model.hpp>
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -153,10 +154,11 @@ std::vector<named_value> at_rest(bool turns) {
 }
 
 TEST(redundant_constraints, of_bricards_loop) {
-  EXPECT_EQ(
-      derive(bricard(false)).mistake(),
-      "the constraints bind every speed: nothing is left that could move, unless redundant<...> names some "
-      "that follow from others");
+  for (const bool turns : {false, true})
+    EXPECT_EQ(
+        derive(bricard(turns)).mistake(),
+        "the constraints bind every speed: nothing is left that could move; where all hold, configuration "
+        "constraint 5 follows from those before it, and redundant<5> leaves it out");
   // Of six equations any may be left out that the others do not bind apart from it; of five all of them.
   const auto moved = [](bool turns, int left_out) {
     const auto run = simulate(derive(bricard(turns, {left_out})), at_rest(turns), {}, {0, 1},
@@ -174,6 +176,58 @@ TEST(redundant_constraints, of_bricards_loop) {
       for (const char* each : {"q1", "q2", "q3", "q4", "q5", "u1", "u2", "u3", "u4", "u5"})
         EXPECT_NEAR(other[each], by_five[each], 1e-8) << left_out;
     }
+}
+
+/// The rows that a model solves with and those that it leaves out, in the order of all.
+std::vector<int> order_of_rows(int rows, int left_out) {
+  std::vector<int> order;
+  for (int i = 1; i <= rows; ++i)
+    if (i != left_out) order.push_back(i - 1);
+  order.push_back(left_out - 1);
+  return order;
+}
+
+// Whichever row is left out, the forces that close the loop are shared among all of them.
+TEST(redundant_constraints, share_the_multipliers_of_least_norm) {
+  const auto run =
+      simulate(derive(bricard(true, {5})), at_rest(true), {}, {0, 0.7}, {.relative_tolerance = 1e-12});
+  ASSERT_TRUE(run) << run.cause();
+  constexpr int rows = 6, speeds = 6;
+  const auto found_without = [&](int left_out) {
+    model m = derive(bricard(true, {left_out}));
+    Eigen::VectorXd x = run.state;
+    EXPECT_TRUE(assemble(m, x));
+    auto found = find_least_multipliers(m, x);
+    EXPECT_EQ(found.cause(), "");
+    EXPECT_EQ(found.constraints.rank, 5);
+    EXPECT_EQ(found.constraints.cause(), "redundant constraint 1 repeats others here");
+    // J and M as the model has them, and Eigen's least solution
+    const auto value = [&](mechanics::quantity of) -> Eigen::MatrixXd {
+      return m.function(m.get(of))(x, Eigen::VectorXd(), Eigen::VectorXd());
+    };
+    using mechanics::quantity;
+    Eigen::MatrixXd j(rows, speeds);
+    j << value(quantity::constraint_jacobian), value(quantity::redundant_jacobian);
+    EXPECT_LT((j.bottomRows(1) * found.udot + value(quantity::redundant_bias)).norm(), 1e-12);
+    const Eigen::VectorXd force =
+        value(quantity::unreduced_mass_matrix) * found.udot - value(quantity::unreduced_forcing);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> by_eigen;
+    by_eigen.setThreshold(1e-8);
+    const Eigen::VectorXd expected = by_eigen.compute(j.transpose()).solve(force);
+    EXPECT_LT((found.multipliers - expected).norm(), 1e-12 * expected.norm());
+    Eigen::VectorXd in_order(rows);
+    const std::vector<int> order = order_of_rows(rows, left_out);
+    for (int i = 0; i < rows; ++i) in_order(order[static_cast<std::size_t>(i)]) = found.multipliers(i);
+    found.multipliers = in_order;
+    return found;
+  };
+  const auto first = found_without(5);
+  EXPECT_GT(first.multipliers.norm(), 1);
+  for (const int other : {1, 4}) {
+    const auto found = found_without(other);
+    EXPECT_LT((found.udot - first.udot).norm(), 1e-12);
+    EXPECT_LT((found.multipliers - first.multipliers).norm(), 1e-12 * first.multipliers.norm());
+  }
 }
 
 namespace sliding {

@@ -90,6 +90,9 @@ struct evaluations<System, semi_implicit_euler<System, corrections>> {
       add(::of_checks<typename correction::template varied<mechanics::quantity::configuration_step>>(at...));
     if constexpr (compiled::survey_of<System>.constraints > 0)
       add(::of_checks<typename correction::template varied<mechanics::quantity::dependent_speeds>>(at...));
+    if constexpr (compiled::survey_of<System>.constraints > 0)
+      for (int twice = 0; twice < 2; ++twice)
+        add(::of_checks<function<System, mechanics::quantity::constraint_pivots>>(at...));
     return all;
   }
 };

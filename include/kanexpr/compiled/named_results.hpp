@@ -63,6 +63,9 @@ struct named_results {
   /// What the configuration constraints leave that are called redundant.
   static constexpr of<quantity::redundant_residual> redundant_residual{};
   static constexpr of<quantity::redundant_terms> redundant_terms{};
+  /// J and γ of their rates, in J u̇ + γ = 0.
+  static constexpr of<quantity::redundant_jacobian> redundant_jacobian{};
+  static constexpr of<quantity::redundant_bias> redundant_bias{};
   /// Its derivatives by the dependent coordinates.
   static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
   /// Its derivatives by all coordinates.

@@ -147,6 +147,8 @@ public:
       return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
     case quantity::redundant_residual: return column(constraints_.redundant);
     case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
+    case quantity::redundant_jacobian: return redundant_alone(moving(), constraints_).jacobian;
+    case quantity::redundant_bias: return column(dynamics_.bias_of(redundant_alone(moving(), constraints_)));
     case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_by_all: return configuration_;

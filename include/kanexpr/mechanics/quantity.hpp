@@ -37,6 +37,8 @@ enum class quantity : unsigned char {
   configuration_terms,                 ///< l: how large the terms are of which that is the sum
   redundant_residual,                  ///< what the redundant constraints leave
   redundant_terms,                     ///< how large the terms are of which that is the sum
+  redundant_jacobian,                  ///< J of their rates, a column for each speed
+  redundant_bias,                      ///< γ of them, in J u̇ + γ = 0
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
   configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
@@ -158,6 +160,10 @@ inline constexpr result_row results[]{
      stage::constrained},
     {quantity::redundant_terms, "redundant_terms", extent_by::redundant_constraints, extent_by::one,
      stage::constrained},
+    {quantity::redundant_jacobian, "redundant_jacobian", extent_by::redundant_constraints, extent_by::speeds,
+     stage::constrained},
+    {quantity::redundant_bias, "redundant_bias", extent_by::redundant_constraints, extent_by::one,
+     stage::equations},
     {quantity::configuration_jacobian_by_dependent, "configuration_jacobian_by_dependent",
      extent_by::configuration_constraints, extent_by::configuration_constraints, stage::constrained},
     {quantity::configuration_jacobian_by_all, "configuration_jacobian_by_all",

@@ -9,9 +9,15 @@
 
 namespace kanexpr::numeric {
 
+/// Sizes of the entries of a state of which nothing else is known.
+template <class State>
+State usual_sizes(const State& x) {
+  return x.cwiseAbs().cwiseMax(typename State::Scalar(1));
+}
+
 /// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
 /// the nearest state that satisfies the constraints. No speed has to be dependent, and rows of J may follow
-/// from others: λ is the least one.
+/// from others.
 ///
 /// Where a mechanism passes a position in which rows of J become dependent, the constraints do not tell there
 /// where it goes on, but they do on both sides. So the motion near such a position is that of states some way
@@ -34,10 +40,11 @@ public:
   using state = matrix < n<0 ? -1 : n + p>;
   using rows_of_speeds = matrix<m>;
 
-  /// At the constraints near some state: the state, its rates and the multipliers.
+  using speeds = matrix<p>;
+
+  /// At the constraints near some state: the state and its rates.
   struct motion {
     state x{}, rates{};
-    rows_of_speeds multipliers{};
   };
 
   /// `sizes` are those of the entries of a state; `near` is some state.
@@ -78,6 +85,28 @@ public:
     return usual_rank_ == rank ? s : find_there(given, found);
   }
 
+  /// u̇ and the multipliers from the constraints at a state alone, which stays where it is. Of all multipliers
+  /// with which J gives the same forces they have the least sum of squares. `rank_of` says how many rows of J
+  /// count, each as long as rows usually are.
+  template <class Rank>
+  status find_at(const state& x, const Rank& rank_of, speeds& udot, rows_of_speeds& multipliers) {
+    if (const status s = of_.motion(x, qdot_, mass_, force_, bias_); !s) return s;
+    velocities(x);
+    const by_speeds rows = scaled_by_u();
+    const Eigen::Index rank = rank_of(rows);
+    const singular_values<by_speeds> j(rows);
+    const masses mass = scaled_mass();
+    const bound_minimum<masses, by_speeds> bound(mass, j, rank);
+    if (!bound.is_regular()) return without_energy();
+    const speeds force = scaled_by_sizes(force_);
+    const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
+    const speeds found = bound.solve(force, -bias);
+    if (!met(j, found, bias)) return status("the constraints that repeat others here contradict them");
+    udot = scaled_by_sizes(found);
+    multipliers = least_of(bound.multipliers(force, found).cwiseQuotient(row_sizes_u_), j, rank);
+    return {};
+  }
+
   /// Takes x to the nearest configuration that satisfies the constraints.
   status place(state& x) {
     if (by_q_.rows() == 0) return {};
@@ -99,7 +128,6 @@ public:
 
 private:
   using coordinates = matrix<n>;
-  using speeds = matrix<p>;
   using rows_of_coordinates = matrix<l>;
   using by_coordinates = matrix<l, n>;
   using by_speeds = matrix<m, p>;
@@ -124,6 +152,9 @@ private:
 
   static status not_met() {
     return status("the constraints are dependent, or cannot be met, near this state");
+  }
+  static status without_energy() {
+    return status("some motion that the constraints allow has no kinetic energy");
   }
   Eigen::Index most_rank() const { return (std::min)(by_u_.rows(), by_u_.cols()); }
 
@@ -207,26 +238,44 @@ private:
     const rows_of_speeds left = velocities(found.x); // J u + c
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
-    masses mass = mass_;
-    for (Eigen::Index i = 0; i < mass.rows(); ++i)
-      for (Eigen::Index k = 0; k < mass.cols(); ++k) mass(i, k) *= sizes_(first + i) * sizes_(first + k);
+    const masses mass = scaled_mass();
     const bound_minimum<masses, by_speeds> bound(mass, j, j.rank(nothing * j[0]));
-    if (!bound.is_regular()) return status("some motion that the constraints allow has no kinetic energy");
+    if (!bound.is_regular()) return without_energy();
     const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
     for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);
     if (const status s = met(j, change, left); !s) return s;
 
     if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
-    speeds force = force_;
-    for (int i = 0; i < of_.speeds(); ++i) force(i) *= sizes_(first + i);
     const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
-    const speeds udot = bound.solve(force, -bias);
+    const speeds udot = bound.solve(scaled_by_sizes(force_), -bias);
     if (const status s = met(j, udot, bias); !s) return s;
-    found.multipliers = bound.multipliers(force, udot).cwiseQuotient(row_sizes_u_);
     found.rates = state::Zero(found.x.size());
     for (int i = 0; i < first; ++i) found.rates(i) = qdot_(i);
     for (int i = 0; i < of_.speeds(); ++i) found.rates(first + i) = udot(i) * sizes_(first + i);
     return {};
+  }
+
+  masses scaled_mass() const {
+    const masses sizes = sizes_of_speeds() * sizes_of_speeds().transpose();
+    return mass_.cwiseProduct(sizes);
+  }
+  speeds scaled_by_sizes(const speeds& of) const { return of.cwiseProduct(sizes_of_speeds()); }
+  speeds sizes_of_speeds() const { return sizes_.tail(of_.speeds()); }
+
+  /// Takes off multipliers what J turns into no force. Rows of J count that are no longer scaled.
+  rows_of_speeds least_of(rows_of_speeds multipliers, const singular_values<by_speeds>& j,
+                          Eigen::Index rank) const {
+    matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that make no force
+    for (Eigen::Index i = rank; i < none.cols(); ++i) {
+      rows_of_speeds next = j.left_of(i).cwiseQuotient(row_sizes_u_);
+      next /= next.norm();
+      for (int twice = 0; twice < 2; ++twice)
+        for (Eigen::Index k = rank; k < i; ++k) next -= none.col(k).dot(next) * none.col(k);
+      none.col(i) = next / next.norm();
+    }
+    for (Eigen::Index i = rank; i < none.cols(); ++i)
+      multipliers -= none.col(i).dot(multipliers) * none.col(i);
+    return multipliers;
   }
 
   /// Whether J x + b vanishes, also in the rows that J leaves out.
@@ -258,7 +307,7 @@ private:
       if (!beside(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * stride)) break;
       step *= farthest_stride * stride / distinct_;
     }
-    motion sum{state::Zero(from.x.size()), state::Zero(from.x.size()), rows_of_speeds::Zero(by_u_.rows())};
+    motion sum{state::Zero(from.x.size()), state::Zero(from.x.size())};
     Eigen::Index rank = 0;
     number usual = 0;
     for (const int reach : strides)
@@ -274,7 +323,6 @@ private:
         for (int i = 0; i < of_.coordinates(); ++i) one.x(i) -= ahead * from.rates(i);
         sum.x += weight * one.x;
         sum.rates += weight * one.rates;
-        sum.multipliers += weight * one.multipliers;
       }
     if (rank < usual_rank_) {
       usual_rank_ = rank, usual_ = usual;

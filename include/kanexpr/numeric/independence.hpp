@@ -23,16 +23,16 @@ struct independence {
 
 namespace numeric {
 
-/// Of the rows of a Jacobian, in their order. A template, so that files which do not ask for it do not form
-/// its matrices.
+/// Of the rows of a Jacobian, in their order. Behind the first `solved` of them come redundant constraints. A
+/// template, so that files which do not ask for it do not form its matrices.
 template <class Jacobian>
-independence independence_of(const Jacobian& jacobian) {
+independence independence_of(const Jacobian& jacobian, Eigen::Index solved, double least) {
   independence found;
   if (!all_finite(jacobian)) {
     found.failure = mechanics::sentence({"the constraints on the speeds are not finite at this state"});
     return found;
   }
-  const independent_columns rows = independent_columns_of(jacobian.transpose(), 1e-9);
+  const independent_columns rows = independent_columns_of(jacobian.transpose(), least);
   found.rank = static_cast<int>(rows.kept.size());
   std::size_t next = 0;
   for (int i = 0; i < jacobian.rows(); ++i)
@@ -40,10 +40,18 @@ independence independence_of(const Jacobian& jacobian) {
       ++next;
     else
       found.repeated.push_back(i + 1);
-  if (!found.repeated.empty())
-    found.failure = mechanics::sentence(
-        {"constraint ", mechanics::counted(found.repeated[0]).view(), " on the speeds repeats others here"});
+  if (found.repeated.empty()) return found;
+  const int first = found.repeated[0], redundant = first - static_cast<int>(solved);
+  found.failure = redundant > 0
+                      ? mechanics::sentence({"redundant constraint ", mechanics::counted(redundant).view(),
+                                             " repeats others here"})
+                      : mechanics::sentence({"constraint ", mechanics::counted(first).view(),
+                                             " on the speeds repeats others here"});
   return found;
+}
+template <class Jacobian>
+independence independence_of(const Jacobian& jacobian) {
+  return independence_of(jacobian, jacobian.rows(), 1e-9);
 }
 
 } // namespace numeric

@@ -3,6 +3,7 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/numeric/independence.hpp>
+#include <kanexpr/runtime/least_multipliers.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 #include <span>

@@ -47,9 +47,10 @@ public:
     is_near_ = false;
     look(t, x, r);
   }
-  void come_to(double t, const vector& x, const vector& r) override {
+  void come_to(double t, const vector& x, const vector& r, double near) override {
     const double distinctness = look(t, x, r).distinctness(x);
-    is_near_ = distinctness < (is_near_ ? clear : close); // so that it does not change at every step
+    if (!is_near_) clear_ = 2 * near; // so that it does not change at every step
+    is_near_ = distinctness < (is_near_ ? clear_ : near);
   }
   bool is_near_singular() const override { return is_near_; }
   status rates(double t, const vector& x, const vector& r, double* xdot) override {
@@ -61,13 +62,16 @@ public:
   bool project(double t, const vector& x, const vector& r, const vector& weights) override {
     units_ = weights.cwiseAbs2().cwiseInverse();
     correction_.setZero();
-    if (!is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r)) return true;
+    is_by_rows_ = !is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
+    if (is_by_rows_) return true;
     if (by_u_.rows() == 0 || !look(t, x, r).find(x, found_)) return false;
     correction_ = found_.x - x;
     return true;
   }
   const vector& correction() const override { return correction_; }
+  /// Near a singular position the whole error stays, as rows of J do not tell what of it is across.
   void project_error(double* error) const override {
+    if (!is_by_rows_) return;
     Eigen::Map<vector> of_q(error, n_), of_u(error + n_, o_);
     if (by_q_.rows() != 0) of_q += along(by_q_, 0, -by_q_.lazyProduct(of_q));
     if (by_u_.rows() != 0) of_u += along(by_u_, n_, -by_u_.lazyProduct(of_u));
@@ -162,8 +166,6 @@ private:
   /// A step this small beside the tolerances leaves its square, which is nothing.
   static constexpr double close_enough = 1e-2;
   static constexpr int most_steps = 10;
-  /// A distinctness at which the equations of all speeds take over, and at which they are no longer needed.
-  static constexpr double close = 0.05, clear = 0.1;
 
   const System& of_;
   unit_norms norms_;
@@ -171,7 +173,8 @@ private:
   vector units_, correction_;
   matrix by_q_, by_u_;
   vector sizes_ = vector::Ones(n_ + o_);
-  bool is_near_ = false;
+  double clear_ = 0;                          ///< a distinctness at which it is no longer near
+  bool is_near_ = false, is_by_rows_ = false; ///< by rows: of J, in the last projection
   all_speeds equations_{*this};
   std::optional<unreduced_motion> unreduced_{};
   typename unreduced_motion::motion found_{};

@@ -74,22 +74,31 @@ private:
                                     : around_.refuse("the derivatives of the motion are not finite");
   }
 
-  /// The rates near a singular position have no derivatives that are written out.
+  /// The rates near a singular position have no derivatives that are written out. Beside it there may be no
+  /// state on the constraints, or one on another way of the mechanism; Newton's method goes without a
+  /// derivative along such a direction.
   answer differences_at(double t, const double* y, double* columns) {
     const Eigen::Map<const Eigen::VectorXd> from(y, size());
-    Eigen::VectorXd beside = from, before(size()), after(size());
+    Eigen::VectorXd beside = from, here(size()), before(size()), after(size());
+    if (const answer a = around_.take(t, from); a != answer::given) return a;
+    if (const status s = around_.rates(t, here.data()); !s) return around_.refuse(s);
     for (int j = 0; j < size(); ++j) {
       const double step = 1e-5 * around_.sizes()(j);
+      bool is_smooth = true;
       for (const double side : {-1, 1}) {
         beside(j) = from(j) + side * step;
         if (const answer a = around_.take(t, beside); a != answer::given) return a;
-        if (const status s = around_.rates(t, (side < 0 ? before : after).data()); !s)
-          return around_.refuse(s);
+        is_smooth = is_smooth && around_.rates(t, (side < 0 ? before : after).data());
       }
       beside(j) = from(j);
-      for (int i = 0; i < size(); ++i) columns[j * size() + i] = (after(i) - before(i)) / (2 * step);
+      is_smooth = is_smooth && beside_sizes(after - 2 * here + before) <= beside_sizes(after - before) / 2;
+      for (int i = 0; i < size(); ++i)
+        columns[j * size() + i] = is_smooth ? (after(i) - before(i)) / (2 * step) : 0;
     }
     return answer::given;
+  }
+  double beside_sizes(const Eigen::VectorXd& rates) const {
+    return rates.cwiseQuotient(around_.sizes()).norm();
   }
 
   surroundings& around_;

@@ -76,9 +76,10 @@ private:
     const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
     absolute_tolerances_ = o.absolute_tolerances;
+    around_.come_to(span_.from, state_, moving_.near);
     if (moving_.start(state_, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
-    come_to(span_.from, state_);
+    if (around_.is_near_singular()) set_tolerances();
     has_begun_ = true;
     return sampling_.begin(span_.from, state_) || fail_here("");
   }
@@ -93,16 +94,31 @@ private:
                         : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
   }
 
-  /// Near a singular position rates have fewer digits, and no step would satisfy tolerances beyond them.
   void come_to(double t, const state& x) {
     const bool was_near = around_.is_near_singular();
-    around_.come_to(t, x);
+    around_.come_to(t, x, moving_.near);
     if (around_.is_near_singular() == was_near) return;
-    const double least = was_near ? 0 : least_tolerance_near_singular;
+    set_tolerances();
+    is_sharper_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;
+  }
+
+  /// Where a step fails not far from a singular position the equations of all speeds may go on.
+  bool goes_on_near_singular() {
+    if (around_.is_near_singular() || around_.has_thrown()) return false;
+    around_.come_to(result_.time, state_, not_far);
+    if (!around_.is_near_singular()) return false;
+    around_.forget();
+    set_tolerances();
+    return restart();
+  }
+
+  /// Near a singular position rates have fewer digits, and no step would satisfy tolerances beyond them.
+  void set_tolerances() {
+    const double least = around_.is_near_singular() ? least_tolerance_near_singular : 0;
     std::vector<double> absolute = absolute_tolerances_;
     for (std::size_t i = 0; i < absolute.size(); ++i)
       absolute[i] = (std::max)(absolute[i], least * around_.sizes()(static_cast<Eigen::Index>(i)));
-    stepper().set_tolerances((std::max)(options_.relative_tolerance, least), absolute);
+    moving_.set_tolerances((std::max)(options_.relative_tolerance, least), absolute);
   }
 
   static tolerances tolerances_of(const solvers::stepper_options& o) {
@@ -141,10 +157,11 @@ private:
 
   /// One step of the integrator. Until its end is known to be sound the simulation stands at its beginning.
   bool step() {
-    if (stepper().steps() >= options_.most_steps)
+    if (moving_.steps() >= options_.most_steps)
       return fail_here("the most steps that are allowed were taken");
     const solvers::arrival arrived = stepper().advance(around_.length());
-    if (arrived == solvers::arrival::failed) return fail_here(stepper().failed().sentence);
+    if (arrived == solvers::arrival::failed)
+      return goes_on_near_singular() || fail_here(stepper().failed().sentence);
     around_.forget();
     departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
     double elapsed = stepper().time(), t = around_.time(elapsed);
@@ -164,6 +181,7 @@ private:
     if (!sampling_.go_on(stepper(), elapsed, state_)) return fail_here("");
     if (is_any(left)) return pass_event(left) && restart();
     if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
+    if ((moving_.has_to_change() || is_sharper_) && elapsed_ < around_.length() && !restart()) return false;
     return !options_.progress ||
            around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
                answer::given ||
@@ -246,7 +264,7 @@ private:
 
   /// Goes on anew from where the simulation stands.
   bool restart() {
-    begun_ = elapsed_;
+    begun_ = elapsed_, is_sharper_ = false;
     return moving_.restart(elapsed_, state_) || fail_here(stepper().failed().sentence);
   }
 
@@ -269,13 +287,12 @@ private:
   }
 
   void end() {
-    result_.statistics = stepper().statistics();
-    result_.statistics.rate_evaluations = moving_.motion.rate_evaluations();
-    result_.statistics.projections = moving_.motion.projections();
+    result_.statistics = moving_.statistics();
     result_.statistics.events = static_cast<long>(result_.events.size());
   }
 
   static constexpr double least_tolerance_near_singular = 1e-10;
+  static constexpr double not_far = 0.5; ///< a distinctness
   static constexpr const char* ever_faster = "events happen ever faster; a handler must end that";
 
   const settings& options_;
@@ -296,6 +313,7 @@ private:
   };
   std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
   bool has_begun_ = false;
+  bool is_sharper_ = false; ///< tolerances are than what the integrator keeps from its last steps
 };
 
 template <integrator by>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/statistics.hpp>
 #include <kanexpr/simulate/explicit_motion.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/multiplier_motion.hpp>
@@ -15,28 +16,16 @@ namespace kanexpr::simulated {
 template <integrator by>
 class moving_system {
 public:
-  static constexpr bool is_implicit = by == integrator::differential_algebraic;
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
-  using motion_type =
-      std::conditional_t<is_implicit, multiplier_motion<surroundings>, explicit_motion<has_newton>>;
+  /// How distinct constraints are where the equations of all speeds take over.
+  static constexpr double near = 0.05;
 
-  explicit moving_system(surroundings& around) : motion(around) {}
+  explicit moving_system(surroundings& around) : motion_(around) {}
 
   /// Sets the integrator up at the start of the span; where that fails the stepper, or the surroundings, know
   /// why.
   answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
-    std::vector<double> y(static_cast<std::size_t>(motion.size()));
-    if constexpr (is_implicit) {
-      std::vector<double> ydot(y.size());
-      if (const answer a = motion.start(0, x, y.data(), ydot.data()); a != answer::given) return a;
-      solvers::stepper_options all = options;
-      constexpr double any = 1e100; // multipliers, in whatever units: no test looks at them
-      all.absolute_tolerances.resize(y.size(), any);
-      integrating_.emplace(motion, 0, y, ydot, all);
-    } else {
-      std::ranges::copy(x, y.begin());
-      integrating_.emplace(formulas, motion, 0, y, options);
-    }
+    integrating_.emplace(formulas, motion_, 0, std::vector<double>(x.begin(), x.end()), options);
     return answer::given;
   }
 
@@ -44,17 +33,24 @@ public:
 
   /// Goes on from another state, and from no later time.
   bool restart(double elapsed, const Eigen::VectorXd& x) {
-    solvers::stepper& s = stepper();
-    s.go_back_to(elapsed);
-    if constexpr (is_implicit) {
-      if (motion.start(elapsed, x, s.state(), s.rates()) != answer::given) return false;
-    } else {
-      std::ranges::copy(x, s.state());
-    }
-    return s.restart();
+    integrating_->go_back_to(elapsed);
+    std::ranges::copy(x, integrating_->state());
+    return integrating_->restart();
+  }
+  /// Whether another integrator has to go on from where the last step ended.
+  static bool has_to_change() { return false; }
+
+  void set_tolerances(double relative, const std::vector<double>& absolute) {
+    integrating_->set_tolerances(relative, absolute);
   }
 
-  motion_type motion;
+  long steps() const { return integrating_->steps(); }
+  integration_statistics statistics() const {
+    integration_statistics all = integrating_->statistics();
+    all.rate_evaluations = motion_.rate_evaluations();
+    all.projections = motion_.projections();
+    return all;
+  }
 
 private:
   static constexpr auto formulas_of() {
@@ -68,11 +64,96 @@ private:
       return solvers::arkode::formulas::explicit_stages;
   }
   static constexpr auto formulas = formulas_of();
-  using stepper_type = std::conditional_t<
-      is_implicit, solvers::ida,
-      std::conditional_t<by == integrator::adams || by == integrator::bdf, solvers::cvode, solvers::arkode>>;
+  using stepper_type =
+      std::conditional_t<by == integrator::adams || by == integrator::bdf, solvers::cvode, solvers::arkode>;
 
+  explicit_motion<has_newton> motion_;
   std::optional<stepper_type> integrating_{};
+};
+
+/// With multipliers; near singular positions, where these are not determined, by backward differentiation of
+/// the rates.
+template <>
+class moving_system<integrator::differential_algebraic> {
+public:
+  static constexpr double near = 0.2; ///< multipliers lose digits sooner
+
+  explicit moving_system(surroundings& around) : around_(around), motion_(around), passing_motion_(around) {}
+
+  answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
+    options_ = options;
+    return begin(0, x);
+  }
+
+  solvers::stepper& stepper() {
+    return is_passing_ ? static_cast<solvers::stepper&>(*passing_) : *integrating_;
+  }
+
+  bool restart(double elapsed, const Eigen::VectorXd& x) {
+    const bool has_one = around_.is_near_singular() ? passing_.has_value() : integrating_.has_value();
+    if (!has_one) return begin(elapsed, x) == answer::given && !stepper().failed();
+    is_passing_ = around_.is_near_singular();
+    solvers::stepper& s = stepper();
+    s.go_back_to(elapsed);
+    if (is_passing_)
+      std::ranges::copy(x, s.state());
+    else if (motion_.start(elapsed, x, s.state(), s.rates()) != answer::given)
+      return false;
+    return s.restart();
+  }
+  bool has_to_change() const { return is_passing_ != around_.is_near_singular(); }
+
+  void set_tolerances(double relative, const std::vector<double>& absolute) {
+    options_.relative_tolerance = relative;
+    options_.absolute_tolerances = absolute;
+    if (integrating_) integrating_->set_tolerances(relative, absolute);
+    if (passing_) passing_->set_tolerances(relative, absolute);
+  }
+
+  long steps() const {
+    return (integrating_ ? integrating_->steps() : 0) + (passing_ ? passing_->steps() : 0);
+  }
+  integration_statistics statistics() const {
+    integration_statistics all;
+    const auto add = [&](const solvers::stepper& s) {
+      const integration_statistics own = s.statistics();
+      all.steps += own.steps;
+      all.error_test_failures += own.error_test_failures;
+      all.solver_failures += own.solver_failures;
+      all.jacobian_evaluations += own.jacobian_evaluations;
+    };
+    if (integrating_) add(*integrating_);
+    if (passing_) add(*passing_);
+    all.rate_evaluations = motion_.rate_evaluations() + passing_motion_.rate_evaluations();
+    all.projections = motion_.projections() + passing_motion_.projections();
+    return all;
+  }
+
+private:
+  /// Makes the integrator that the place asks for.
+  answer begin(double elapsed, const Eigen::VectorXd& x) {
+    is_passing_ = around_.is_near_singular();
+    if (is_passing_) {
+      passing_.emplace(solvers::cvode::formulas::backward_differences, passing_motion_, elapsed,
+                       std::vector<double>(x.begin(), x.end()), options_);
+      return answer::given;
+    }
+    std::vector<double> y(static_cast<std::size_t>(motion_.size())), ydot(y.size());
+    if (const answer a = motion_.start(elapsed, x, y.data(), ydot.data()); a != answer::given) return a;
+    solvers::stepper_options all = options_;
+    constexpr double any = 1e100; // multipliers, in whatever units: no test looks at them
+    all.absolute_tolerances.resize(y.size(), any);
+    integrating_.emplace(motion_, elapsed, y, ydot, all);
+    return answer::given;
+  }
+
+  surroundings& around_;
+  multiplier_motion<surroundings> motion_;
+  explicit_motion<true> passing_motion_;
+  solvers::stepper_options options_{};
+  std::optional<solvers::ida> integrating_{};
+  std::optional<solvers::cvode> passing_{};
+  bool is_passing_ = false;
 };
 
 } // namespace kanexpr::simulated

@@ -53,9 +53,10 @@ public:
 
   /// What holds its states; null: nothing does.
   manifold* constraints() { return constraints_.get(); }
-  /// Where a step has ended.
-  void come_to(double t, const vector& x) {
-    if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_);
+  /// Where a step has ended. `near` is how distinct constraints are where the equations of all speeds take
+  /// over.
+  void come_to(double t, const vector& x, double near) {
+    if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_, near);
   }
   bool is_near_singular() const { return binds_speeds() && constraints_->is_near_singular(); }
 
@@ -97,6 +98,8 @@ public:
   /// The reason of the last refusal since `forget`.
   const std::string& last_refusal() const { return last_refusal_; }
   void forget() { last_refusal_.clear(); }
+  /// Whether a function of the user ever threw.
+  bool has_thrown() const { return has_thrown_; }
 
   /// Calls a function of the user.
   template <class Function>
@@ -115,6 +118,7 @@ public:
     } catch (...) {
       last_refusal_.assign(what).append(which).append(" threw something that is not a std::exception");
     }
+    has_thrown_ = true;
     return answer::never;
   }
 
@@ -142,6 +146,7 @@ private:
   vector x_, sizes_, r_;
   std::unique_ptr<manifold> constraints_;
   std::string last_refusal_{};
+  bool has_thrown_ = false;
 };
 
 } // namespace kanexpr::simulated

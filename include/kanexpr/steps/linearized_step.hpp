@@ -162,16 +162,29 @@ private:
   }
 };
 
-/// Ends a step, as `conclude` does.
-template <class System, int corrections, class Time, class Number, class Parameters, class Inputs>
-linearized_state<System, Number> concluded(const Time& after, varied_state<System, Number>& next,
-                                           const Parameters& p, const Inputs& r) {
+/// Ends a step from x, as `stepped` does.
+template <class System, int corrections, class Number, class Parameters, class Inputs>
+linearized_state<System, Number> concluded(const Number& t, const state<System, Number>& x, const Number& h,
+                                           varied_state<System, Number>& next, const Parameters& p,
+                                           const Inputs& r) {
   using result = linearized_state<System, Number>;
+  const Number after = Number(t + h);
   status s = varied_correction<System, corrections>::apply(after, next, p, r);
   for (int i = 0; s && i < result::size; ++i)
     if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(stepping::state_not_finite);
+  if constexpr (survey_of<System>.constraints != 0)
+    if (s) {
+      const compiled_equations<System, corrections, Parameters, const Inputs&> of{p, r};
+      s = stepping::same_side(of, t, x, after, next.x);
+    }
   return {next.x, next.by_all.template leftCols<result::size>(),
           next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
+}
+
+/// Operations of a look at the sides of singular positions, products of pivots included.
+template <class System>
+constexpr symbolic::cost cost_of_looks() {
+  return added(cost_of_sides<System>(), arithmetic(survey_of<System>.constraints, 0));
 }
 
 template <class Step>
@@ -191,7 +204,7 @@ struct varied_step<runge_kutta_4<System, corrections>> {
     const symbolic::cost chain = added(rates::by_state::cost(size + inputs), arithmetic(0, size * inputs)),
                          evaluations = added(arithmetic(0, 5, 6), rates::evaluated::cost(), 4);
     return added(added(added(evaluations, chain, 3), cost_of_advance(all), 3 + 4),
-                 varied_correction<System, corrections>::cost());
+                 added(varied_correction<System, corrections>::cost(), cost_of_looks<System>()));
   }
 
   template <class Number, class Parameters, class Inputs>
@@ -222,7 +235,7 @@ struct varied_step<runge_kutta_4<System, corrections>> {
       stepping::advance(next.x, 0, next.x, weight[stage], rate);
       next.by_all += weight[stage] * by_all;
     }
-    return concluded<System, corrections>(Number(t + h), next, p, r);
+    return concluded<System, corrections>(t, x, h, next, p, r);
   }
 };
 
@@ -244,7 +257,7 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
                                                 cost_of_advance(n * (1 + size + inputs + inputs)));
     const symbolic::cost chain = arithmetic(n * (size + inputs) * size, n * (size + inputs) * (size - 1));
     return added(added(added(of_speeds, of_coordinates), added(chain, arithmetic(0, 1))),
-                 varied_correction<System, corrections>::cost());
+                 added(varied_correction<System, corrections>::cost(), cost_of_looks<System>()));
   }
 
   template <class Number, class Parameters, class Inputs>
@@ -263,7 +276,7 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
     const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
-    return concluded<System, corrections>(Number(t + h), next, p, r);
+    return concluded<System, corrections>(t, x, h, next, p, r);
   }
 };
 

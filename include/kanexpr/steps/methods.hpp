@@ -28,7 +28,9 @@ inline constexpr std::string_view state_not_finite = "the state after the step i
                                   step_not_finite = state_not_finite.substr(16);
 
 inline constexpr std::string_view singular_position =
-    "the step passes a position where the constraints cannot be solved for the dependent speeds";
+    "the step passes a position where the constraints cannot be solved for the dependent speeds: "
+    "passing<...> "
+    "goes through it; where only this choice of them is singular, so does another dependent<...>";
 
 /// A norm beyond this is no trace that a step leaves.
 inline constexpr lower::norm_range near_one{0.5, 2};

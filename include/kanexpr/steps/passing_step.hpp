@@ -96,7 +96,8 @@ class passing_equations {
 public:
   passing_equations(Number t, const state<System, Number>& x, const typename unreduced::parameters& p,
                     const Inputs& r)
-      : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))), moving_(of_, sizes_of(x), x) {}
+      : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))),
+        moving_(of_, numeric::usual_sizes<vector>(x), x) {}
 
   template <quantity wanted, class Time>
   auto get(const Time& t, const state<System, Number>& x) const {
@@ -132,12 +133,6 @@ public:
   }
 
 private:
-  static vector sizes_of(const state<System, Number>& x) {
-    vector sizes;
-    for (int i = 0; i < n + o; ++i) sizes(i) = (std::max)(Number(1), std::abs(x(i)));
-    return sizes;
-  }
-
   template <class Time>
   status find(const Time& t, const state<System, Number>& x) const {
     const Number now = static_cast<Number>(t);

@@ -281,7 +281,7 @@ struct second_order_step<Method<System, corrections>> {
     auto found = step::hessian(t, x, h, p, r, w);
     for (int i = 0; i < found.rows(); ++i)
       for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // but for rounding
-    return concluded(found, x, p, r);
+    return concluded(found, t, x, h, p, r);
   }
 
   /// ∂²(λᵀx⁺)/∂z² v, without the matrix.
@@ -289,15 +289,22 @@ struct second_order_step<Method<System, corrections>> {
   static auto hessian_product(std::type_identity_t<Number> t, const state<System, Number>& x,
                               std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
                               const Weights& w, const Direction& v) {
-    return concluded(step::product(t, x, h, p, r, w, v), x, p, r);
+    return concluded(step::product(t, x, h, p, r, w, v), t, x, h, p, r);
   }
 
 private:
-  template <class Result, class State, class Parameters, class Inputs>
-  static Result concluded(Result found, const State& x, const Parameters& p, const Inputs& r) {
-    using math = lower::scalar_math<typename Result::Scalar>;
+  template <class Result, class Number, class Parameters, class Inputs>
+  static Result concluded(Result found, const Number& t, const state<System, Number>& x, const Number& h,
+                          const Parameters& p, const Inputs& r) {
+    using math = lower::scalar_math<Number>;
     for (int i = 0; found.status && i < found.size(); ++i)
       if (!math::is_finite(found.coeff(i))) found.status = status(stepping::step_not_finite);
+    if constexpr (compiled::survey_of<System>.constraints != 0)
+      if (found.status) { // what the step refuses has no derivatives
+        Number now = t;
+        state<System, Number> next = x;
+        found.status = Method<System, 0>{}(now, next, h, p, r);
+      }
     if (!found.status) found.status = compiled::not_finite<System>::cause_of(found.status, x, p, r);
     return found;
   }

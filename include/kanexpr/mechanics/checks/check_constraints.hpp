@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/checks/linearity.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
+#include <kanexpr/mechanics/checks/repeated_constraints.hpp>
 #include <kanexpr/mechanics/constraints/consistent_states.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -124,7 +125,8 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
-                     several(coordinates, "coordinate").view()});
+                     several(coordinates, "coordinate").view(),
+                     advice_on_redundant(m, configuration, c).view()});
   const sequence<char> holds = independent_rows(by_q, configuration.rows);
   for (int i = 0; i < configuration.rows; ++i)
     if (holds[i] == 0)
@@ -146,7 +148,8 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   }
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
-                     several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view()});
+                     several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view(),
+                     advice_on_redundant(m, configuration, c).view()});
   const sequence<char> binds = independent_rows(by_u, c.size());
   for (int i = 0; i < c.size(); ++i) {
     if (binds[i] != 0) continue;
@@ -164,9 +167,8 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   }
   if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
-    return sentence(
-        {"the constraints bind every ", a_speed(m), ": nothing is left that could move",
-         configuration.rows > 1 ? ", unless redundant<...> names some that follow from others" : ""});
+    return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move",
+                     advice_on_redundant(m, configuration, c).view()});
   return {};
 }
 

@@ -42,4 +42,11 @@ constexpr void tell_redundant(const given_constraints& all, constraints& c) {
       c.numbers.push(i + 1);
 }
 
+/// Those with which nothing is solved, as constraints on the speeds.
+constexpr constraints redundant_alone(motion& k, const constraints& c) {
+  given_constraints alone;
+  alone.on_configuration = c.redundant;
+  return form_constraints(k, alone);
+}
+
 } // namespace kanexpr::mechanics

@@ -38,10 +38,14 @@ public:
 
   /// γ in J u̇ + γ = 0.
   constexpr const sequence<expression>& constraint_bias() {
-    if (!bias_.empty()) return bias_;
-    motion k = motion_on_rising_ground(s_, loads_);
-    for (int i = 0; i < constraints_.size(); ++i) bias_.push(rate_of_constraint(k, constraints_, i));
+    if (bias_.empty()) bias_ = bias_of(constraints_);
     return bias_;
+  }
+  constexpr sequence<expression> bias_of(const constraints& any) const {
+    sequence<expression> bias;
+    motion k = motion_on_rising_ground(s_, loads_);
+    for (int i = 0; i < any.size(); ++i) bias.push(rate_of_constraint(k, any, i));
+    return bias;
   }
 
   /// How the dependent speeds and their rates follow from the independent ones.

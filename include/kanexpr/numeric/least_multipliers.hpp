@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/numeric/constrained_motion.hpp>
+#include <kanexpr/numeric/independence.hpp>
+
+#include <utility>
+
+namespace kanexpr {
+
+namespace numeric {
+
+/// u̇ and λ in M u̇ = f + Jᵀ λ with J u̇ + γ = 0, where rows of J may follow from others. λ has the least sum of
+/// squares among all that give these forces.
+template <class Speeds, class Multipliers>
+struct least_multipliers {
+  Speeds udot{};
+  Multipliers multipliers{};  ///< of the constraints on the speeds, then of the redundant ones
+  independence constraints{}; ///< which of these repeat others at the state
+  mechanics::sentence failure{};
+
+  explicit operator bool() const { return !failure; }
+  /// Why there are none, as a sentence; empty: there are.
+  std::string cause() const { return failure.cause(); }
+};
+
+/// At a state of equations as `constrained_motion` asks for them. Behind the first `solved` rows of J come
+/// those of redundant constraints.
+template <class Equations>
+auto find_least_multipliers(const Equations& of, const typename constrained_motion<Equations>::state& x,
+                            int solved) {
+  using motion = constrained_motion<Equations>;
+  constexpr double least = sizeof(typename Equations::number) < sizeof(double) ? 4e-5 : 1e-9;
+  least_multipliers<typename motion::speeds, typename motion::rows_of_speeds> found;
+  found.udot.setZero(of.speeds());
+  found.multipliers.setZero(of.rows_of_speeds());
+  const auto rank_of = [&](const auto& rows) -> Eigen::Index {
+    found.constraints = independence_of(rows.template cast<double>(), solved, least);
+    return found.constraints.rank;
+  };
+  const status s = motion(of, usual_sizes(x), x).find_at(x, rank_of, found.udot, found.multipliers);
+  if (!s) found.failure = mechanics::sentence({s.view()});
+  return found;
+}
+
+} // namespace numeric
+
+} // namespace kanexpr
