@@ -76,7 +76,7 @@ TEST(builder, makes_a_pendulum) {
 TEST(builder, makes_a_sleigh) {
   runtime::builder b("N");
   const auto x = b.coordinate("x"), y = b.coordinate("y"), turned = b.coordinate("turned");
-  const auto u = b.speed("u"), v_y = b.speed("v"), w = b.speed("w"), zero = b.number(0);
+  const auto u = b.speed("u"), v_y = b.speed("v"), w = b.speed("w"), zero = b.number(0.0);
   b.kinematic_equation(b.dot(x) - u);
   b.kinematic_equation(b.dot(y) - v_y);
   b.kinematic_equation(b.dot(turned) - w);

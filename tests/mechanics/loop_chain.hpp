@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  expression zero() { return number(0); }
+  expression zero() { return number(0.0); }
   expression length(const std::string& called) { return parameter("l" + called); }
   expression angle(const std::string& called) {
     const expression q = coordinate(called);

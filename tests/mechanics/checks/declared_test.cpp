@@ -47,7 +47,7 @@ TEST(angular_velocity, is_that_of_angles_and_quaternions) {
     for (const double factor : {1.0, 1.5}) {
       SCOPED_TRACE(angles);
       bench b(false);
-      const expression last = angles ? b.number(0) : b.coordinate("e3");
+      const expression last = angles ? b.number(0.0) : b.coordinate("e3");
       const auto frame = [&](const char* called) {
         return angles ? b.body_fixed(called, b.n, "zxy", b.q[0], b.q[1], b.q[2])
                       : b.quaternion(called, b.n, b.q[0], b.q[1], b.q[2], last);
@@ -79,11 +79,11 @@ TEST(angular_velocity, has_the_speeds_of_the_kinematic_equations) {
     bench b(false);
     const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
                    c = b.rotated("C", a, b.q[1], b.along(a, 0, 0, 1));
-    b.angular_velocity(c, b.n, b.along(b.n, b.number(0), b.number(0), b.u[1]));
+    b.angular_velocity(c, b.n, b.along(b.n, b.number(0.0), b.number(0.0), b.u[1]));
     b.kinematic_equation(b.dot(b.q[0]) - b.u[0]);
     b.kinematic_equation(right ? b.dot(b.q[1]) - b.u[1] + b.u[0] : b.dot(b.q[1]) - b.u[1]);
     b.kinematic_equation(b.dot(b.q[2]) - b.u[2]);
-    b.particle("Bead", b.offset("P", b.o, b.along(c, b.number(1), b.number(0), b.q[2])), b.number(1));
+    b.particle("Bead", b.offset("P", b.o, b.along(c, b.number(1), b.number(0.0), b.q[2])), b.number(1));
     EXPECT_EQ(told(b), right ? "" : apart("C"));
   }
 }
@@ -94,10 +94,10 @@ TEST(angular_velocity, may_be_a_spin_whose_angle_is_left_out) {
   bench b;
   const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
                  lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0)),
-                 wheel = b.rotated("W", lean, b.number(0), b.along(lean, 0, 1, 0)),
-                 rolling = b.rotated("R", lean, b.number(0), b.along(lean, 0, 1, 0)),
-                 planet = b.rotated("P", yaw, b.number(0), b.along(yaw, 0, 0, 1));
-  const expression free = b.speed("spin"), zero = b.number(0);
+                 wheel = b.rotated("W", lean, b.number(0.0), b.along(lean, 0, 1, 0)),
+                 rolling = b.rotated("R", lean, b.number(0.0), b.along(lean, 0, 1, 0)),
+                 planet = b.rotated("P", yaw, b.number(0.0), b.along(yaw, 0, 0, 1));
+  const expression free = b.speed("spin"), zero = b.number(0.0);
   b.angular_velocity(wheel, lean, b.along(lean, zero, free, zero));
   b.angular_velocity(rolling, lean, b.along(lean, zero, b.u[2] / b.parameter("r"), zero));
   b.angular_velocity(planet, b.n, b.along(b.n, zero, zero, 3 * b.u[0]));
@@ -128,7 +128,7 @@ TEST(angular_velocity, may_mix_the_spin_that_is_left_out_with_the_rest) {
       bench b(false);
       const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
                      lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0)),
-                     disc = own ? lean : b.rotated("R", lean, b.number(0), b.along(lean, 0, 1, 0));
+                     disc = own ? lean : b.rotated("R", lean, b.number(0.0), b.along(lean, 0, 1, 0));
       b.angular_velocity(disc, b.n, b.along(lean, b.u[0], b.u[1], b.number(factor) * b.u[2]));
       b.kinematic_equation(b.dot(b.q[0]) - b.u[2] / cos(b.q[1]));
       b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
@@ -143,11 +143,11 @@ TEST(angular_velocity, may_mix_the_spin_that_is_left_out_with_the_rest) {
 // A wheel on an arm, whose angle is left out, and what can be put on it.
 struct wheel : bench {
   frame_id arm = rotated("A", n, q[0], along(n, 0, 0, 1)),
-           hub = rotated("W", arm, number(0), along(arm, 1, 0, 0));
+           hub = rotated("W", arm, number(0.0), along(arm, 1, 0, 0));
   point_id end = offset("E", o, along(arm, 0, 2, 0));
 
   wheel() {
-    angular_velocity(hub, arm, along(arm, speed("spin"), number(0), number(0)));
+    angular_velocity(hub, arm, along(arm, speed("spin"), number(0.0), number(0.0)));
     rigid_body("Wheel", end, hub, number(1), inertia(hub, number(2), number(1), number(1)));
   }
 };
@@ -204,7 +204,7 @@ TEST(angle_that_is_left_out, matters_to_loads_and_constraints_along_axes_that_tu
             left_out("a direction of velocity constraint 1", "W", "W"));
   // a velocity is the same in whatever axes it is written
   EXPECT_EQ(with([](wheel& b, const vector&, const vector&) {
-              b.force(b.end, b.along(b.hub, b.number(0), -b.u[0], b.u[1]));
+              b.force(b.end, b.along(b.hub, b.number(0.0), -b.u[0], b.u[1]));
             }),
             "");
 }
@@ -213,8 +213,8 @@ TEST(angle_that_is_left_out, matters_to_loads_and_constraints_along_axes_that_tu
 TEST(angle_that_is_left_out, is_not_that_of_a_pendulum) {
   for (const bool forgotten : {true, false}) {
     bench b;
-    const frame_id a = b.rotated("A", b.n, forgotten ? b.number(0) : b.q[0], b.along(b.n, 0, 0, 1));
-    const expression zero = b.number(0);
+    const frame_id a = b.rotated("A", b.n, forgotten ? b.number(0.0) : b.q[0], b.along(b.n, 0, 0, 1));
+    const expression zero = b.number(0.0);
     b.angular_velocity(a, b.n, b.along(a, forgotten ? zero : b.u[0], zero, b.u[0]));
     b.particle("Bob", b.offset("P", b.o, b.along(a, 1, 2, 0)), b.number(1));
     EXPECT_EQ(told(b),
@@ -226,7 +226,7 @@ TEST(angle_that_is_left_out, is_not_that_of_a_pendulum) {
 TEST(angle_that_is_left_out, is_not_a_single_one_of_two_speeds) {
   for (const double offset : {0.0, 1.0}) {
     bench b;
-    const expression v = b.speed("v"), w = b.speed("w"), zero = b.number(0);
+    const expression v = b.speed("v"), w = b.speed("w"), zero = b.number(0.0);
     const frame_id arm = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
                    ball = b.rotated("B", arm, zero, b.along(arm, 0, 0, 1));
     b.angular_velocity(ball, arm, b.along(arm, w, zero, v));
@@ -241,7 +241,7 @@ TEST(angular_velocity, may_be_that_of_a_ball) {
   for (const double across : {2.0, 3.0}) {
     bench b;
     const frame_id arm = b.rotated("A", b.n, b.q[0], b.along(b.n, 1, 1, 0)),
-                   ball = b.rotated("B", arm, b.number(0), b.along(arm, 0, 0, 1));
+                   ball = b.rotated("B", arm, b.number(0.0), b.along(arm, 0, 0, 1));
     b.angular_velocity(ball, b.n, b.along(arm, b.u[1], -b.u[2], b.u[0]));
     b.rigid_body("Ball", b.o, ball, b.number(1), b.inertia(ball, b.number(2), b.number(2), b.number(across)));
     EXPECT_EQ(told(b), across == 2 ? "" : apart("B"));
@@ -251,8 +251,8 @@ TEST(angular_velocity, may_be_that_of_a_ball) {
 TEST(angular_velocity, may_be_apart_on_purpose) {
   bench b;
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
-  b.angular_velocity_apart_from_orientation(a, b.n, b.along(b.n, b.number(0), b.number(0), 2 * b.u[0]));
-  b.rigid_body("Rod", b.o, a, b.number(1), b.inertia(a, b.number(0), b.number(1), b.number(1)));
+  b.angular_velocity_apart_from_orientation(a, b.n, b.along(b.n, b.number(0.0), b.number(0.0), 2 * b.u[0]));
+  b.rigid_body("Rod", b.o, a, b.number(1), b.inertia(a, b.number(0.0), b.number(1), b.number(1)));
   EXPECT_EQ(told(b), "");
   mechanics::equations e(b.system());
   expect_equal(b.in_ground(mechanics::angular_velocity_of_frame(e.moving(), place(a))),
@@ -310,14 +310,14 @@ TEST(gravity, is_the_same_in_every_configuration) {
   };
   const std::string only = "; it may hold parameters, inputs and time only";
   EXPECT_EQ(with([](bench& b, frame_id) {
-              return b.along(b.n, b.number(0), b.time(), b.parameter("g") * b.input("k"));
+              return b.along(b.n, b.number(0.0), b.time(), b.parameter("g") * b.input("k"));
             }),
             "");
-  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0), b.q[1], b.number(1)); }),
+  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.q[1], b.number(1)); }),
             "gravity holds the coordinate q1" + only);
-  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0), b.u[1], b.number(1)); }),
+  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.u[1], b.number(1)); }),
             "gravity holds the speed u1" + only);
-  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0), b.dot(b.q[1]), b.number(1)); }),
+  EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.dot(b.q[1]), b.number(1)); }),
             "gravity holds the rate of coordinate q1" + only);
   EXPECT_EQ(with([](bench& b, frame_id a) { return b.along(a, 0, 0, -9.81); }),
             "gravity is given along axes of A, which turn with coordinate q0" + only);

@@ -12,8 +12,8 @@ struct beads : bench {
     ratio = number(2) + sin(q[0]) * q[2];
     drift = sin(time());
     for (int i = 0; i < 3; ++i) {
-      const expression x = i == 0 ? q[i] : number(0), y = i == 1 ? q[i] : number(0),
-                       z = i == 2 ? q[i] : number(0);
+      const expression x = i == 0 ? q[i] : number(0.0), y = i == 1 ? q[i] : number(0.0),
+                       z = i == 2 ? q[i] : number(0.0);
       const point_id at = offset("P" + std::to_string(i), o, along(n, x, y, z));
       particle("Bead" + std::to_string(i), at, number(1 + i));
       force(at, along(n, 1, -2, 0.5));
@@ -157,7 +157,7 @@ TEST(velocity_constraints, may_repeat_rates_that_hold_at_unit_quaternions) {
     for (const double factor : {1.0, 0.0}) {
       SCOPED_TRACE(is_bound);
       bench b(false);
-      const expression e3 = b.coordinate("e3"), zero = b.number(0);
+      const expression e3 = b.coordinate("e3"), zero = b.number(0.0);
       const frame_id body = b.quaternion("F", b.n, b.q[0], b.q[1], b.q[2], e3);
       b.angular_velocity(body, b.n, b.along(body, b.u[0], b.u[1], b.u[2]));
       b.kinematics_of(body, b.n);

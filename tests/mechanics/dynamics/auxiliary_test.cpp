@@ -14,7 +14,7 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   bench b(false);
   b.kinematic_equation(b.dot(b.q[0]) - b.u[0]);
   for (int i = 1; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
-  const expression zero = b.number(0), along_x = b.auxiliary_speed("ax"), along_y = b.auxiliary_speed("ay");
+  const expression zero = b.number(0.0), along_x = b.auxiliary_speed("ax"), along_y = b.auxiliary_speed("ay");
   const point_id pin = b.offset("Pin", b.o, vector());
   b.velocity(pin, b.n, b.along(b.n, along_x, along_y, zero));
   const frame_id rod = b.rotated("Rod", b.n, b.q[0], b.along(b.n, 0, 0, 1));
@@ -46,7 +46,7 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
   MatrixXd udot[2], force[2];
   for (const bool held : {false, true}) {
     bench b;
-    const expression lift = b.auxiliary_speed("lift"), zero = b.number(0);
+    const expression lift = b.auxiliary_speed("lift"), zero = b.number(0.0);
     const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.q[1], zero));
     b.velocity(p, b.n, b.along(b.n, b.u[0], b.u[1], lift));
     b.particle("Bead", p, b.number(1));
@@ -67,7 +67,7 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
 TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
-  const expression zero = b.number(0), about_y = b.auxiliary_speed("ay"), about_z = b.auxiliary_speed("az");
+  const expression zero = b.number(0.0), about_y = b.auxiliary_speed("ay"), about_z = b.auxiliary_speed("az");
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
   const frame_id rotor = b.rotated("R", a, b.q[1], b.along(a, 1, 0, 0));
   b.angular_velocity(rotor, a, b.along(a, b.u[1], about_y, about_z));
@@ -159,7 +159,7 @@ TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
     SCOPED_TRACE(slope);
     bench b(false);
     const disc d(b);
-    const expression zero = b.number(0), radius = b.number(disc::radius);
+    const expression zero = b.number(0.0), radius = b.number(disc::radius);
     const expression x = b.coordinate("x"), y = b.coordinate("y"), vx = b.speed("vx"), vy = b.speed("vy");
     b.kinematic_equation(b.dot(x) - vx);
     b.kinematic_equation(b.dot(y) - vy);

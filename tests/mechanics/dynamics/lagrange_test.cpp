@@ -202,7 +202,7 @@ TEST(lagrange, names_what_it_cannot_take) {
   {
     particle_in_plane p;
     const frame_id a = p.rotated("A", p.inertial_frame(), p.x, p.along(p.inertial_frame(), 0, 0, 1));
-    p.angular_velocity(a, p.inertial_frame(), p.along(a, p.number(0), p.number(0), p.vy));
+    p.angular_velocity(a, p.inertial_frame(), p.along(a, p.number(0.0), p.number(0.0), p.vy));
     p.particle("P", p.offset("P", p.origin("O"), p.along(a, p.x, p.y, p.x)), p.number(1));
     EXPECT_EQ(p.mistake_of_derivation(),
               "the declared angular velocity of frame A is not that of its orientation, which Lagrange's "

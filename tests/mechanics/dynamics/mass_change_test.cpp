@@ -25,7 +25,7 @@ struct course {
 TEST(mass, may_be_a_function_of_time) {
   bench b;
   const double force = 3, burning = -0.4, full = 2;
-  const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.number(0), b.number(0)));
+  const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.number(0.0), b.number(0.0)));
   const expression mass = b.number(full) + b.number(burning) * b.time();
   b.particle("Rocket", p, mass);
   b.force(p, b.along(b.n, force, 0, 0));
@@ -41,9 +41,9 @@ TEST(mass, may_be_a_function_of_time) {
 TEST(mass, may_be_a_function_of_coordinates) {
   bench b;
   const double density = 1.4;
-  const point_id end = b.offset("End", b.o, b.along(b.n, b.number(0), b.number(0), -b.q[0]));
+  const point_id end = b.offset("End", b.o, b.along(b.n, b.number(0.0), b.number(0.0), -b.q[0]));
   b.particle("Chain", end, b.number(density) * b.q[0]);
-  b.force(end, b.along(b.n, b.number(0), b.number(0), b.number(-9.81 * density) * b.q[0]));
+  b.force(end, b.along(b.n, b.number(0.0), b.number(0.0), b.number(-9.81 * density) * b.q[0]));
   ASSERT_EQ(b.check().view(), "");
   mechanics::equations e(b.system());
   const double hangs = density * b.q_now[0], v = b.u_now[0];
@@ -56,7 +56,7 @@ TEST(mass, obeys_the_law_of_momentum_in_space) {
   bench b;
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
   const frame_id c = b.rotated("C", a, b.q[1], b.along(a, 1, 0, 0));
-  const expression zero = b.number(0);
+  const expression zero = b.number(0.0);
   const point_id bucket = b.offset("Bucket", b.o, b.along(c, zero, b.number(0.3), b.q[2]));
   const expression leaves = b.time() * (b.number(0.2) + sin(b.q[1])), mass = 4 - leaves + b.q[2] * b.q[2];
   b.particle("Water", bucket, mass);
@@ -91,7 +91,7 @@ TEST(inertia, obeys_the_law_of_angular_momentum) {
     const frame_id f = b.body_fixed("F", b.n, "zxz", b.q[0], b.q[1], b.q[2]);
     const double arm = 0.7;
     const point_id center = b.offset("G", b.o, b.along(f, 0, 0, arm));
-    const expression zero = b.number(0), mass = b.number(1.5) + b.time(),
+    const expression zero = b.number(0.0), mass = b.number(1.5) + b.time(),
                      across = b.number(2) + b.time() * b.q[2], along = b.number(0.6) + sin(b.q[1]) / 5,
                      product = b.time() / 10;
     b.rigid_body("Top", center, f, mass, b.inertia(f, across, across, along, product, zero, zero),
@@ -133,7 +133,7 @@ TEST(inertia, obeys_the_law_of_angular_momentum) {
 TEST(mass, may_be_prescribed) {
   bench b;
   const expression mass = b.prescribed("m");
-  const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.number(0), b.number(0)));
+  const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.number(0.0), b.number(0.0)));
   b.particle("Tank", p, mass);
   ASSERT_EQ(b.check().view(), "");
   b.r_now = {3, 0.8, 100};
@@ -176,7 +176,7 @@ TEST(inertia, changes_where_its_axes_turn_in_the_body) {
 TEST(prescribed, moves_the_pivot_of_a_pendulum) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
-  const expression aside = b.prescribed("x"), up = b.prescribed("y"), zero = b.number(0);
+  const expression aside = b.prescribed("x"), up = b.prescribed("y"), zero = b.number(0.0);
   const frame_id rod = b.rotated("Rod", b.n, b.q[0], b.along(b.n, 0, 0, 1));
   const double length = 1.3;
   const point_id pivot = b.offset("Pivot", b.o, b.along(b.n, aside, up, zero)),
@@ -199,7 +199,7 @@ TEST(prescribed, moves_the_pivot_of_a_pendulum) {
 TEST(prescribed, turns_a_tube) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
-  const expression angle = b.prescribed("theta"), zero = b.number(0);
+  const expression angle = b.prescribed("theta"), zero = b.number(0.0);
   const frame_id tube = b.rotated("Tube", b.n, angle, b.along(b.n, 0, 0, 1));
   const point_id bead = b.offset("P", b.o, b.along(tube, b.q[0], zero, zero));
   b.velocity(bead, tube, b.along(tube, b.u[0], b.auxiliary_speed("across"), zero));

@@ -135,7 +135,7 @@ TEST(springs, act_on_auxiliary_speeds) {
   MatrixXd force[2];
   for (const bool by_vectors : {false, true}) {
     bench b;
-    const expression lift = b.auxiliary_speed("lift"), zero = b.number(0);
+    const expression lift = b.auxiliary_speed("lift"), zero = b.number(0.0);
     const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], b.q[1], zero));
     b.velocity(p, b.n, b.along(b.n, b.u[0], b.u[1], lift));
     const point_id wall = b.offset("W", b.o, b.along(b.n, 0.2, 1.4, 0.8));

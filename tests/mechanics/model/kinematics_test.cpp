@@ -49,7 +49,7 @@ TEST(declared_angular_velocity, stands_for_the_derived_one_in_any_reference) {
     const frame_id c = b.rotated("C", a, b.q[1], b.along(a, 1, 0, 0));
     const frame_id d = b.rotated("D", c, b.q[2], b.along(c, 0, 1, 0)),
                    side = b.rotated("S", a, b.q[2], b.along(a, 1, 0, 0));
-    const expression zero = b.number(0);
+    const expression zero = b.number(0.0);
     const vector yaw = b.along(b.n, zero, zero, b.u[0]), roll = b.along(c, b.u[1], zero, zero);
     const vector spin = b.along(d, zero, b.u[2], zero);
     if (reference == 0) b.angular_velocity(d, b.n, yaw + roll + spin);
@@ -79,7 +79,7 @@ TEST(one_point_theorem, adds_the_velocity_in_a_turning_frame) {
   bench b;
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
   const frame_id c = b.rotated("C", a, b.q[1], b.along(a, 1, 0, 0));
-  const expression zero = b.number(0);
+  const expression zero = b.number(0.0);
   // along C's y axis by q2; seen from A that is a slide and a turn about A's x axis
   const auto at = [&](const char* name) {
     return b.offset(name, b.o, b.along(c, zero, b.q[2], b.number(0.2)));

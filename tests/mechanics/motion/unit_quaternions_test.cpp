@@ -60,7 +60,7 @@ TEST(unit_quaternions, are_kept_by_equations_that_hold_other_rates) {
   turning_body b;
   const expression q = b.coordinate("q"), v = b.speed("v");
   const frame_id table = b.rotated("A", b.n, q, b.along(b.n, 0, 0, 1));
-  const expression f0 = b.coordinate("f0"), f3 = b.coordinate("f3"), w = b.speed("w"), zero = b.number(0);
+  const expression f0 = b.coordinate("f0"), f3 = b.coordinate("f3"), w = b.speed("w"), zero = b.number(0.0);
   const frame_id top = b.quaternion("C", table, f0, zero, zero, f3);
   b.angular_velocity(top, b.n, b.along(top, zero, zero, w));
   b.declare();
@@ -90,7 +90,7 @@ TEST(unit_quaternions, are_not_kept_by_a_wrong_sign) {
 
 TEST(unit_quaternions, are_coordinates_and_each_in_one_place) {
   turning_body b;
-  const expression q = b.coordinate("q"), v = b.speed("v"), zero = b.number(0);
+  const expression q = b.coordinate("q"), v = b.speed("v"), zero = b.number(0.0);
   b.quaternion("halves", b.n, cos(q / 2), sin(q / 2), zero, zero);
   b.quaternion("same", b.n, b.e[0], b.e[1], b.e[2], b.e[3]);
   b.quaternion("conjugate", b.n, b.e[0], -b.e[1], -b.e[2], -b.e[3]);

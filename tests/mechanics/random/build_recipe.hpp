@@ -60,9 +60,14 @@ private:
     for (std::size_t i = 0; i < from_.q.size(); ++i) now_.q.push_back(b_.coordinate("q" + std::to_string(i)));
     for (const expression& q : now_.q) now_.qdot.push_back(b_.dot(q));
     for (std::size_t i = 0; i < from_.u.size(); ++i) now_.u.push_back(b_.speed("u" + std::to_string(i)));
-    for (std::size_t i = 0; i < from_.r.size(); ++i) now_.r.push_back(b_.input("r" + std::to_string(i)));
-    for (std::size_t i = 0; i < from_.parameters.size(); ++i)
+    for (std::size_t i = 0; i < from_.r.size(); ++i) {
+      now_.r.push_back(b_.input("r" + std::to_string(i)));
+      b_.used_elsewhere(now_.r.back()); // or nowhere
+    }
+    for (std::size_t i = 0; i < from_.parameters.size(); ++i) {
       now_.parameters.push_back(b_.parameter("p" + std::to_string(i)));
+      b_.used_elsewhere(now_.parameters.back()); // or nowhere
+    }
   }
 
   matrix3 basis_rotation(char letter, expression angle) {
