@@ -1,5 +1,7 @@
 #ifdef LINKED
 #include <linked_models.hpp>
+
+#include <kanexpr/compiled/named_values.hpp>
 #else
 #include <kanexpr/kanexpr.hpp>
 
@@ -27,6 +29,8 @@ int main() {
       !kinetic.status.cause().starts_with("energies, momenta, the mass centre and the regressor"))
     return 2;
   const auto rates = given::udot(at, values);
-  return rates.status && rates(0) < 0 ? 0 : 3;
+  if (!rates.status || !(rates(0) < 0)) return 3;
+  const kanexpr::given_parameters<Heavy> light{{l, 0.7}, {m, 0.5}};
+  return light.mistake.view() == "the mass of Lump is negative" ? 0 : 4;
 #endif
 }

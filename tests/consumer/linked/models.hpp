@@ -35,4 +35,8 @@ constexpr parameter<"m"> m;
 struct Given : lagrange_system<inertial<N>, coordinates<q>, parameters<l, m>,
                                lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * 9.81 * l * cos(q)>> {};
 
+/// With a mass that is an expression.
+struct Lump : pin<Lump, frame_and_point<N, O>, axis<N::z>, by<q, u>, body<m - 1, l * own::x>> {};
+struct Heavy : kane_system<inertial<N>, joints<Lump>, parameters<l, m>, loads<gravity<9.81 * N::x>>> {};
+
 } // namespace models
