@@ -79,11 +79,14 @@ private:
         out_ << "    s.inertial.number[" << i << "] = " << std::hexfloat << known.number[i]
              << std::defaultfloat << ";\n";
     }
+    set("inertial.bodies", known.bodies);
+    for (int i = 0; i < known.bodies; ++i)
+      out_ << "    s.inertial.names[" << i << "] = \"" << known.names[i].view() << "\";\n";
     set("inertial.count", known.count);
     for (int i = 0; i < known.count; ++i) {
       set("inertial.step_of", i, known.step_of[i]);
       if (known.is_moment[i]) out_ << "    s.inertial.is_moment[" << i << "] = true;\n";
-      out_ << "    s.inertial.body[" << i << "] = \"" << known.body[i].view() << "\";\n";
+      set("inertial.body", i, known.body[i]);
     }
   }
   void set(const char* member, int place, int value) {

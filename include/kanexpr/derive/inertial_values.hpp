@@ -8,7 +8,7 @@ namespace kanexpr::deriving {
 /// Masses and moments of inertia that are expressions of parameters, such as m - 2*k: as steps on numbers,
 /// for programs that look at the parameters which they are given. As many as there is room for.
 struct inertial_values {
-  static constexpr int room = 256, room_for_values = 64;
+  static constexpr int room = 256, room_for_values = 64, room_for_bodies = 32;
 
   int steps = 0;
   symbolic::operation operation[room]{};
@@ -18,7 +18,9 @@ struct inertial_values {
   int count = 0;
   int step_of[room_for_values]{};
   bool is_moment[room_for_values]{};
-  symbolic::name body[room_for_values]{};
+  int body[room_for_values]{};
+  int bodies = 0;
+  symbolic::name names[room_for_bodies]{}; ///< of the bodies
 
   /// The first that is negative by more than rounding with some parameters, or -1.
   constexpr int first_negative(const double* parameters) const {
@@ -65,6 +67,8 @@ public:
 private:
   constexpr void add(const mechanics::body& b, const symbolic::expression& value, bool is_moment) {
     if (is_leaf(g_[value.node()].op) || into_.count == inertial_values::room_for_values) return;
+    const bool is_new = into_.bodies == 0 || !(into_.names[into_.bodies - 1] == b.called);
+    if (is_new && into_.bodies == inertial_values::room_for_bodies) return;
     const int known = nodes_.size();
     const int step = step_of(value.node());
     if (step < 0) {
@@ -74,7 +78,8 @@ private:
     }
     into_.step_of[into_.count] = step;
     into_.is_moment[into_.count] = is_moment;
-    into_.body[into_.count] = b.called;
+    if (is_new) into_.names[into_.bodies++] = b.called;
+    into_.body[into_.count] = into_.bodies - 1;
     ++into_.count;
   }
 

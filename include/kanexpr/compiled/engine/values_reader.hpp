@@ -47,8 +47,8 @@ KANEXPR_ENGINE void values_reader::look_for_negative() {
   if (mistake_ || longer.count == 0 || range_.first != known_.first_of(symbolic::symbol_kind::parameter))
     return;
   if (const int i = longer.first_negative(values_); i >= 0)
-    fail({longer.is_moment[i] ? "a moment of inertia of " : "the mass of ", longer.body[i].view(),
-          " is negative"});
+    fail({longer.is_moment[i] ? "a moment of inertia of " : "the mass of ",
+          longer.names[longer.body[i]].view(), " is negative"});
 }
 
 KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {
