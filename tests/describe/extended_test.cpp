@@ -106,6 +106,29 @@ TEST(extended, adds_inputs_to_those_that_a_system_mentions) {
   static_assert(equations_of_motion<PushedAgain>::inputs::RowsAtCompileTime == 5);
 }
 
+/// What only an expression holds stands behind all that a system without lists mentions.
+namespace arm {
+
+constexpr parameter<"k"> k;
+struct Read : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                          loads<gravity<-9.81 * N::y>, torque<A, T * N::z>>, used_elsewhere<k, H>> {};
+struct ReadByLists : extended<Pendulum, inputs<H>, parameters<k>, used_elsewhere<k, H>> {};
+
+} // namespace arm
+
+template <class System>
+double scale_of(const parameter_values<System>& p, const input_values<System>& r) {
+  return function<System, arm::k * arm::q + arm::H>{}(state<System>{{arm::q, 0.4}, {arm::u, 0}}, p, r);
+}
+
+TEST(extended, has_symbols_that_are_used_elsewhere) {
+  using namespace arm;
+  EXPECT_NEAR(scale_of<Read>({{l, 1}, {m, 1}, {k, 5}}, {{T, 0}, {H, 3}}), 5, 1e-15);
+  EXPECT_NEAR(scale_of<ReadByLists>({{l, 1}, {m, 1}, {k, 5}}, {{T, 0}, {H, 3}}), 5, 1e-15);
+  static_assert(Read::record.parameters.size == 0);
+  static_assert(equations_of_motion<Read>::parameters::RowsAtCompileTime == 3);
+}
+
 /// By Lagrange's method, with constraints.
 struct Braked : extended<four_bar::LagrangeSystem,
                          loads<torque<four_bar::C, -2 * dot(four_bar::q1) * four_bar::N::z>>> {};
