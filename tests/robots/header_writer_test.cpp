@@ -122,7 +122,7 @@ TEST(header_writer, writes_the_gravity_of_the_robot) {
               HasSubstr("gravity<g * (0.6 * N::x - 0.8 * N::z)>"));
   EXPECT_THAT(header_of(r, {.bind = binding::parameters}), HasSubstr("  p[g] = 5;"));
   r.gravity = vector3{};
-  EXPECT_THAT(header_of(r), HasSubstr("gravity<-0 * N::z>"));
+  EXPECT_THAT(header_of(r), HasSubstr("gravity<0.0 * N::x>"));
 }
 
 TEST(header_writer, writes_names_that_are_identifiers) {

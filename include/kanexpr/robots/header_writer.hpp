@@ -80,6 +80,7 @@ private:
   std::string gravity() {
     const vector3 g = gravity_of(robot_, options_), to = direction_of_gravity(g);
     const std::string size = value("g", std::hypot(g[0], g[1], g[2]));
+    if (options_.bind == binding::numbers && is_zero(g)) return text::along("N", {});
     if (to == vector3{0, 0, -1}) return "-" + size + " * N::z";
     return options_.bind == binding::numbers ? text::along("N", g)
                                              : size + " * " + text::factor(text::along("N", to));
