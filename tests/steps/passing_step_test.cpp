@@ -52,6 +52,22 @@ TEST(fixed_step, passes_singular_positions_and_leaves_the_energy) {
   }
 }
 
+// An angle of many turns is as large as one of none.
+TEST(fixed_step, passes_after_many_turns_as_at_first) {
+  for (const int turns : {0, 5, 10, 50}) {
+    auto x = upright();
+    x[q1] = x[q2] = x[q3] = 2 * std::numbers::pi * turns + 0.3;
+    x[u1] = x[u2] = x[u3] = -20;
+    const double first = energy(x[q1], x[u1]);
+    double t = 0;
+    bool good = true;
+    for (int i = 0; i < 30; ++i) good = good && passing<runge_kutta_4<System>>{}(t, x, 1e-3);
+    EXPECT_TRUE(good);
+    EXPECT_LT(x[q1], 2 * std::numbers::pi * turns - 0.25);
+    EXPECT_NEAR(energy(x[q1], x[u1]) / first, 1, 1e-11) << turns;
+  }
+}
+
 TEST(fixed_step, passes_by_floats_and_by_euler) {
   auto x = upright<float>();
   float now = 0;

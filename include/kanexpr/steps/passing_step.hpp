@@ -97,7 +97,7 @@ public:
   passing_equations(Number t, const state<System, Number>& x, const typename unreduced::parameters& p,
                     const Inputs& r)
       : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))),
-        moving_(of_, numeric::usual_sizes<vector>(x), x) {}
+        moving_(of_, numeric::usual_sizes(of_, vector(x)), x) {}
 
   template <quantity wanted, class Time>
   auto get(const Time& t, const state<System, Number>& x) const {
