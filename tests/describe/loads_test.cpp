@@ -39,7 +39,8 @@ struct Slider : rigid_body<Slider, Q, B, 2 * m, inertia<B, 0.1, 0.2, 0.3>> {};
 template <class... Loads>
 struct arm : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
                          kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3 - u1>, parameters<m, l, k, c>,
-                         inputs<F>, bodies<Elbow, Slider>, loads<gravity<-9.81 * N::z>, Loads...>> {};
+                         inputs<F>, used_elsewhere<k, c, F>, bodies<Elbow, Slider>,
+                         loads<gravity<-9.81 * N::z>, Loads...>> {};
 
 /// Results at some states, beneath each other.
 template <class System, class... Quantities>
@@ -184,7 +185,7 @@ struct Bead : particle<Bead, Carrier, m> {};
 template <class Load>
 struct carried
     : kane_system<inertial<N>, coordinates<q1, q3>, speeds<u1, u3>, auxiliary<lift>, parameters<m, c>,
-                  kinematics<dot(q1) == u1, dot(q3) == u3>, bodies<Bead>, loads<Load>> {};
+                  used_elsewhere<c>, kinematics<dot(q1) == u1, dot(q3) == u3>, bodies<Bead>, loads<Load>> {};
 
 template <class Load>
 Eigen::VectorXd carried_motion() {

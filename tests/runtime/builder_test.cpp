@@ -533,6 +533,8 @@ TEST(builder_mistakes, finds_what_is_made_and_used_by_nothing) {
               b.force(b.bob, b.along(b.n, b.dot(r), 0, 0)); // its other rates are there with it
             }),
             "");
+  EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("lift"); }),
+            "auxiliary speed lift is made and nothing in the system uses it");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.v - b.parameter("w")); }), "");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("d")), b.used_elsewhere(b.input("T")); }), "");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.x); }),

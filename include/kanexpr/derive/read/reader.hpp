@@ -93,11 +93,15 @@ private:
               symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::speeds))
         m_.speed(s->called);
   }
-  constexpr void read_auxiliary_speeds(const describe::listing<phrase>& listed) {
+  constexpr void read_auxiliary_speeds(const describe::listing<phrase>& listed, bool of_reaction) {
     for (int i = 0; i < listed.size; ++i)
-      if (const symbol_record* s =
-              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::auxiliary_speeds))
-        m_.auxiliary_speed(s->called);
+      if (const symbol_record* s = symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed,
+                                                          symbol_list::auxiliary_speeds)) {
+        if (of_reaction)
+          m_.auxiliary_speed(s->called);
+        else
+          symbols_.place_auxiliary_speed(*s);
+      }
   }
 
   constexpr void read_lists() {
@@ -110,8 +114,8 @@ private:
     read_speeds(from.speeds);
     if (!reading_.takes_rates_as_speeds())
       for (int i = 0; i < from.joints.size; ++i) read_speeds(from.joints[i].speeds);
-    read_auxiliary_speeds(from.auxiliary);
-    for (int i = 0; i < from.reactions.size; ++i) read_auxiliary_speeds(from.reactions[i].speeds);
+    read_auxiliary_speeds(from.auxiliary, false);
+    for (int i = 0; i < from.reactions.size; ++i) read_auxiliary_speeds(from.reactions[i].speeds, true);
     for (int i = 0; i < from.values.size; ++i) values_.read(from.values[i]);
     for (int i = 0; i < from.parameters.size; ++i)
       if (const symbol_record* s = symbols_.listed_symbol(

@@ -23,8 +23,10 @@ public:
       if (reading_.takes_rates_as_speeds())
         reading_.fail({reading_.part, whom, " holds the speed ", r.called.view(),
                        "; a lagrange_system has no speeds but the rates of its coordinates"});
-      if (has(m_.auxiliary_speeds, r.called))
-        return listed(m_.auxiliary_speeds, m_.auxiliary_speeds, r, "auxiliary speed", whom);
+      if (const expression found = find(m_.auxiliary_speeds, r.called); !found.is_zero()) {
+        used_auxiliary_.mark(m_.auxiliary_speeds.find(found));
+        return is_the_same(r, "auxiliary speed"), found;
+      }
       return listed(m_.speeds, m_.speeds, r, "speed", whom);
     case symbol_kind::speed_rate:
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
@@ -104,6 +106,11 @@ public:
   constexpr void place_parameter(const symbol_record& r) {
     used_parameters_.expect(m_.parameters.size());
     m_.parameter(r.called);
+  }
+  /// An auxiliary speed of the list.
+  constexpr void place_auxiliary_speed(const symbol_record& r) {
+    used_auxiliary_.expect(m_.auxiliary_speeds.size());
+    m_.auxiliary_speed(r.called);
   }
   /// An input of the list.
   constexpr void place_listed_input(const symbol_record& r) {
@@ -208,6 +215,10 @@ public:
       if (!used_parameters_[i]) fail_by_unused("parameter", m_.parameters[i]);
     for (int i = 0; i < used_inputs_.size(); ++i)
       if (!used_inputs_[i] && !is_derivative_used(i)) fail_by_unused("input", m_.inputs[i]);
+    for (int i = 0; i < used_auxiliary_.size(); ++i)
+      if (!used_auxiliary_[i])
+        reading_.fail({"auxiliary speed ", m_.g->symbol_at(m_.auxiliary_speeds[i].node()).called.view(),
+                       " is listed and nothing in the system uses it"});
   }
 
 private:
@@ -371,7 +382,7 @@ private:
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};
-  uses used_parameters_{}, used_inputs_{}; ///< until a model is read
+  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< until a model is read
   bool is_time_claimed_ = false;
 };
 

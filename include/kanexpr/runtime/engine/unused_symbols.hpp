@@ -6,8 +6,8 @@
 
 namespace kanexpr::runtime {
 
-/// A parameter or an input that nothing in a system uses, nor anything `elsewhere`. A prescribed quantity and
-/// its rates are used together.
+/// A parameter or an input that nothing in a system uses, nor anything `elsewhere`, or an auxiliary speed. A
+/// prescribed quantity and its rates are used together.
 inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
                                       const symbolic::sequence<symbolic::expression>& elsewhere) {
   const mechanics::mechanism& m = system.mechanism;
@@ -39,6 +39,10 @@ inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
         return mechanics::sentence({l.kind, " ", m.g->symbol_at(e.node()).called.view(),
                                     " is made and nothing in the system uses it; if that is meant, write ",
                                     "used_elsewhere"});
+  for (const symbolic::expression& e : m.auxiliary_speeds)
+    if (used[e.node()] == 0)
+      return mechanics::sentence({"auxiliary speed ", m.g->symbol_at(e.node()).called.view(),
+                                  " is made and nothing in the system uses it"});
   return {};
 }
 
