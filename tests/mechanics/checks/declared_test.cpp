@@ -1,5 +1,6 @@
 // What a model declares against what follows from the rest of it: angular velocities against orientations,
-// inertias against the bodies that have them, gravity against the fields that it can be.
+// points that are fixed in frames against where they are placed, inertias against the bodies that have them,
+// gravity against the fields that it can be.
 #include "mechanics/workbench.hpp"
 
 namespace {
@@ -257,6 +258,107 @@ TEST(angular_velocity, may_be_apart_on_purpose) {
   mechanics::equations e(b.system());
   expect_equal(b.in_ground(mechanics::angular_velocity_of_frame(e.moving(), place(a))),
                Vector3d(0, 0, 2 * b.u_now[0]));
+}
+
+std::string moves_in(const std::string& frame, const std::string& point, const std::string& from) {
+  return "point " + point + " is fixed in " + frame + ", and its offset from " + from +
+         " changes there; if that is meant, write velocity_apart_from_position";
+}
+
+// Two rods hang on a cart, by relative angles.
+struct hanging_rods : bench {
+  point_id cart = offset("C", o, along(n, q[0], 0, 0));
+  frame_id a = rotated("A", n, q[1], along(n, 0, 0, 1)), b = rotated("B", a, q[2], along(a, 0, 0, 1));
+  point_id p = offset("P", cart, along(a, 1, 0, 0)), end = offset("Q", p, along(b, 1, 0.5, 0));
+
+  void mass_at(point_id at) { particle("Bob", at, number(1)); }
+};
+
+TEST(fixed_point, that_carries_mass_moves_as_it_is_placed) {
+  const auto with = [](frame_id hanging_rods::* of_p, frame_id hanging_rods::* of_end, bool is_end_heavy) {
+    hanging_rods b;
+    if (of_p != nullptr) b.fixed_in(b.p, b.*of_p);
+    if (of_end != nullptr) b.fixed_in(b.end, b.*of_end);
+    b.mass_at(is_end_heavy ? b.end : b.p);
+    return told(b);
+  };
+  frame_id hanging_rods::*const none = nullptr, hanging_rods::*const n = &hanging_rods::n,
+                                hanging_rods::*const a = &hanging_rods::a,
+                                hanging_rods::*const b = &hanging_rods::b;
+  EXPECT_EQ(with(a, none, false), "");
+  EXPECT_EQ(with(a, b, true), "");
+  EXPECT_EQ(with(none, b, true), "");
+  EXPECT_EQ(with(n, none, false), moves_in("N", "P", "C"));
+  EXPECT_EQ(with(b, none, false), moves_in("B", "P", "C"));
+  EXPECT_EQ(with(a, a, true), moves_in("A", "Q", "P"));
+  EXPECT_EQ(with(none, n, true), moves_in("N", "Q", "P"));
+  // on the way to a mass
+  EXPECT_EQ(with(n, none, true), moves_in("N", "P", "C"));
+  EXPECT_EQ(with(n, b, true), moves_in("N", "P", "C"));
+  EXPECT_EQ(with(none, n, false), "");
+}
+
+TEST(fixed_point, may_move_apart_on_purpose) {
+  hanging_rods b;
+  b.velocity_apart_from_position(b.end, b.a, b.along(b.a, 0.0, 0, 0));
+  b.mass_at(b.end);
+  EXPECT_EQ(told(b), "");
+}
+
+// The axes of its offset need not be those of the frame.
+TEST(fixed_point, is_placed_along_any_axes) {
+  hanging_rods b;
+  const point_id above = b.offset("Above", b.p, b.along(b.a, 0, 0, 1));
+  b.fixed_in(above, b.b);
+  b.mass_at(above);
+  EXPECT_EQ(told(b), "");
+  const frame_id on = b.rotated("D", b.b, b.number(0.3), b.along(b.b, 1, 0, 0));
+  const point_id aside = b.offset("Aside", b.p, b.along(on, 0, 1, 0));
+  b.fixed_in(aside, b.b);
+  b.particle("Second", aside, b.number(1));
+  EXPECT_EQ(told(b), "");
+}
+
+// On an origin it may be the hub of a wheel, whose place is left out: but not if it is placed by an angle
+// that no wheel has.
+TEST(fixed_point, on_the_ground_is_placed_by_the_orientation_of_a_wheel) {
+  for (const bool is_wheel : {true, false}) {
+    bench b;
+    const frame_id lean = b.rotated("L", b.n, b.q[0], b.along(b.n, 1, 0, 0)),
+                   wheel =
+                       b.rotated("W", is_wheel ? lean : b.n, b.q[1], b.along(is_wheel ? lean : b.n, 0, 1, 0));
+    const point_id hub = b.offset("H", b.o, b.along(lean, 0, 0, 0.3));
+    b.fixed_in(hub, wheel);
+    b.particle("Hub", b.offset("G", hub, b.along(lean, 0, 0, 0.1)), b.number(1));
+    EXPECT_EQ(told(b), is_wheel ? "" : moves_in("W", "H", "O"));
+  }
+}
+
+// A gear rolls on another that a cart carries; the arm between them turns as their teeth say, by kinematic
+// equations or by a constraint. Where they touch is fixed in either.
+TEST(fixed_point, may_be_where_two_bodies_touch) {
+  for (const bool is_arm_free : {true, false}) {
+    bench b(false);
+    const point_id cart = b.offset("C", b.o, b.along(b.n, b.q[0], 0, 0));
+    const expression turned = is_arm_free ? b.coordinate("q3") : (2 * b.q[1] + b.q[2]) / 3;
+    const frame_id sun = b.rotated("S", b.n, b.q[1], b.along(b.n, 0, 0, 1)),
+                   planet = b.rotated("P", b.n, b.q[2], b.along(b.n, 0, 0, 1)),
+                   arm = b.rotated("A", b.n, turned, b.along(b.n, 0, 0, 1));
+    for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
+    if (is_arm_free) b.kinematic_equation(b.dot(turned) - b.speed("u3"));
+    const point_id tooth = b.offset("T", cart, b.along(arm, 2, 0, 0)),
+                   center = b.offset("G", tooth, b.along(arm, 1, 0, 0));
+    b.fixed_in(tooth, sun);
+    b.fixed_in(center, planet);
+    b.particle("Planet", center, b.number(1));
+    b.particle("Cart", cart, b.number(1));
+    for (const frame_id f : {sun, planet, arm})
+      b.rigid_body(f == sun      ? "Sun"
+                   : f == planet ? "Wheel"
+                                 : "Arm",
+                   cart, f, b.number(1), b.inertia(f, b.number(1), b.number(1), b.number(1)));
+    EXPECT_EQ(told(b), "");
+  }
 }
 
 TEST(inertia, stays_as_the_body_sees_it) {

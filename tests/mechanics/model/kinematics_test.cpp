@@ -109,45 +109,51 @@ TEST(one_point_theorem, adds_the_velocity_in_a_turning_frame) {
 }
 
 // Kane's rolling disc: the contact point, the mass centre fixed in the disc with the offset in axes that do
-// not spin.
+// not spin. So moves a velocity of zero in the disc that is apart from the position.
 TEST(two_point_theorem, takes_an_offset_in_the_axes_of_another_frame) {
-  bench b(false);
-  const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1));
-  const frame_id lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0));
-  const frame_id disc = b.rotated("R", lean, b.q[2], b.along(lean, 0, 1, 0));
-  b.angular_velocity(disc, b.n, b.along(lean, b.u[0], b.u[1], b.u[2]));
-  const double mass = 2, radius = 0.6, across = 0.18, along = 0.36;
-  const point_id center = b.offset("Dmc", b.o, b.along(lean, 0, 0, radius));
-  b.fixed_in(center, disc);
-  b.rigid_body("Disc", center, disc, b.number(mass),
-               b.inertia(lean, b.number(across), b.number(along), b.number(across)));
-  b.force(center, b.along(yaw, 0, 0, -9.81 * mass));
-  b.kinematic_equation(b.dot(b.q[0]) - b.u[2] / cos(b.q[1]));
-  b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
-  b.kinematic_equation(b.dot(b.q[2]) - b.u[1] + b.u[2] * tan(b.q[1]));
-  ASSERT_EQ(b.check().view(), "");
-  mechanics::equations e(b.system());
+  for (const bool is_apart : {false, true}) {
+    SCOPED_TRACE(is_apart);
+    bench b(false);
+    const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1));
+    const frame_id lean = b.rotated("L", yaw, b.q[1], b.along(yaw, 1, 0, 0));
+    const frame_id disc = b.rotated("R", lean, b.q[2], b.along(lean, 0, 1, 0));
+    b.angular_velocity(disc, b.n, b.along(lean, b.u[0], b.u[1], b.u[2]));
+    const double mass = 2, radius = 0.6, across = 0.18, along = 0.36;
+    const point_id center = b.offset("Dmc", b.o, b.along(lean, 0, 0, radius));
+    if (is_apart)
+      b.velocity_apart_from_position(center, disc, vector());
+    else
+      b.fixed_in(center, disc);
+    b.rigid_body("Disc", center, disc, b.number(mass),
+                 b.inertia(lean, b.number(across), b.number(along), b.number(across)));
+    b.force(center, b.along(yaw, 0, 0, -9.81 * mass));
+    b.kinematic_equation(b.dot(b.q[0]) - b.u[2] / cos(b.q[1]));
+    b.kinematic_equation(b.dot(b.q[1]) - b.u[0]);
+    b.kinematic_equation(b.dot(b.q[2]) - b.u[1] + b.u[2] * tan(b.q[1]));
+    ASSERT_EQ(b.check().view(), "");
+    mechanics::equations e(b.system());
 
-  // in L's axes: ω = u, v = ω×r z, and every rate of a vector is that in L plus ω_L×
-  const Vector3d u = Vector3d::Map(b.u_now), udot = Vector3d::Map(b.udot_now),
-                 arm = radius * Vector3d::UnitZ();
-  const Vector3d omega_l(u(0), u(2) * std::tan(b.q_now[1]), u(2));
-  const Matrix3d inertia = Vector3d(across, along, across).asDiagonal();
-  Matrix3d partial_velocity, mass_matrix;
-  for (int i = 0; i < 3; ++i) partial_velocity.col(i) = Vector3d::Unit(i).cross(arm);
-  mass_matrix = mass * partial_velocity.transpose() * partial_velocity + inertia;
-  const Vector3d v = u.cross(arm), bias = omega_l.cross(v), alpha_bias = omega_l.cross(u);
-  const Vector3d inertia_bias =
-      -partial_velocity.transpose() * (mass * bias) - inertia * alpha_bias - u.cross(inertia * u);
-  const Vector3d weight = Eigen::AngleAxisd(-b.q_now[1], Vector3d::UnitX()) * Vector3d(0, 0, -9.81 * mass);
-  const Vector3d active = partial_velocity.transpose() * weight;
-  expect_equal(b.in_axes(lean, mechanics::velocity_of_point(e.moving(), place(center))), v);
-  expect_equal(b.in_axes(lean, mechanics::acceleration_of_point(e.moving(), place(center))),
-               udot.cross(arm) + bias);
-  expect_equal(b.numbers(e.get(quantity::mass_matrix)), mass_matrix);
-  expect_equal(b.numbers(e.get(quantity::active_forces)), active);
-  expect_equal(b.numbers(e.get(quantity::inertia_forces)), inertia_bias - mass_matrix * udot);
-  expect_equal(b.numbers(e.get(quantity::forcing)), active + inertia_bias);
+    // in L's axes: ω = u, v = ω×r z, and every rate of a vector is that in L plus ω_L×
+    const Vector3d u = Vector3d::Map(b.u_now), udot = Vector3d::Map(b.udot_now),
+                   arm = radius * Vector3d::UnitZ();
+    const Vector3d omega_l(u(0), u(2) * std::tan(b.q_now[1]), u(2));
+    const Matrix3d inertia = Vector3d(across, along, across).asDiagonal();
+    Matrix3d partial_velocity, mass_matrix;
+    for (int i = 0; i < 3; ++i) partial_velocity.col(i) = Vector3d::Unit(i).cross(arm);
+    mass_matrix = mass * partial_velocity.transpose() * partial_velocity + inertia;
+    const Vector3d v = u.cross(arm), bias = omega_l.cross(v), alpha_bias = omega_l.cross(u);
+    const Vector3d inertia_bias =
+        -partial_velocity.transpose() * (mass * bias) - inertia * alpha_bias - u.cross(inertia * u);
+    const Vector3d weight = Eigen::AngleAxisd(-b.q_now[1], Vector3d::UnitX()) * Vector3d(0, 0, -9.81 * mass);
+    const Vector3d active = partial_velocity.transpose() * weight;
+    expect_equal(b.in_axes(lean, mechanics::velocity_of_point(e.moving(), place(center))), v);
+    expect_equal(b.in_axes(lean, mechanics::acceleration_of_point(e.moving(), place(center))),
+                 udot.cross(arm) + bias);
+    expect_equal(b.numbers(e.get(quantity::mass_matrix)), mass_matrix);
+    expect_equal(b.numbers(e.get(quantity::active_forces)), active);
+    expect_equal(b.numbers(e.get(quantity::inertia_forces)), inertia_bias - mass_matrix * udot);
+    expect_equal(b.numbers(e.get(quantity::forcing)), active + inertia_bias);
+  }
 }
 
 TEST(inertia, may_be_about_another_point_and_a_sum_over_frames) {

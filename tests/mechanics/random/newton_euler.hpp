@@ -84,7 +84,8 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
     const jet3 offset = here.in_ground(p.offset, now);
     jet3 rate = offset.rate();
     if (p.reference == 0) rate = here.in_ground(p.velocity, now);
-    if (p.fixed_in >= 0) rate = cross(angular_velocity(here.frames[at(p.fixed_in)]), offset);
+    const int in = p.moves_apart ? p.reference : p.fixed_in;
+    if (in > 0) rate = cross(angular_velocity(here.frames[at(in)]), offset) + here.in_ground(p.velocity, now);
     const bool moves_on = p.parent >= 0 && p.reference != 0;
     here.points.push_back(p.parent < 0 ? offset : here.points[at(p.parent)] + offset);
     here.velocities.push_back(moves_on ? here.velocities[at(p.parent)] + rate : rate);

@@ -81,14 +81,14 @@ protected:
   int fixed_point(int from, int in) {
     point p{from, {{in, constant_vector()}}, -1, -1, {}};
     if (d_.chance(0.03)) {
-      p.reference = 0;
+      p.reference = any_frame();
       p.moves_apart = true;
       p.velocity = {{any_frame(), {rolling(), rolling(), rolling()}},
                     {any_frame(), {rolling(), rolling(), rolling()}}};
     } else if (d_.chance(0.2))
       p.fixed_in = in;
-    else if (d_.chance(0.05)) // rolling: the offset's axes move in the frame, the point does not
-      p = {from, {{any_frame(), constant_vector()}, {any_frame(), constant_vector()}}, any_frame(), -1, {}};
+    else if (const int on = any_frame(); on > 0 && d_.chance(0.05)) // as if fixed there, and its offset moves
+      p = {from, {{any_frame(), constant_vector()}, {any_frame(), constant_vector()}}, -1, on, {}, true};
     else if (turns(in) && d_.chance(0.1))
       p.reference = in;
     if (p.reference == in && d_.chance(0.5)) p.velocity = {{in, {}}};

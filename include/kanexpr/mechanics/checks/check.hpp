@@ -50,7 +50,7 @@ public:
     for (int p = points; p < m_.points.size(); ++p) look_at(m_.points[p]);
     if (!found_ && is_any_declared && m_.derived_by == method::kane)
       found_ = checking_angular_velocity(m_, held_).run();
-    if (!found_ && is_any_velocity_declared(points) && m_.derived_by == method::kane)
+    if (!found_ && m_.derived_by == method::kane && checking_velocity::is_any_declared(m_, points))
       found_ = checking_velocity(m_, held_).run();
     return found_;
   }
@@ -88,15 +88,10 @@ private:
       apart = checked.is_any_apart();
       angles = checked.left_out_angles();
     }
-    if (!found_ && is_any_velocity_declared(0)) found_ = checking_velocity(m_, held_).run();
+    if (!found_ && (checking_velocity::is_any_declared(m_, 0) || checking_velocity::may_any_slip(m_, held_)))
+      found_ = checking_velocity(m_, held_).run();
     if (!found_) found_ = checking_inertia(m_, held_, apart).run();
     if (!found_) found_ = checking_left_out_angles(of_, held_, angles).run();
-  }
-
-  constexpr bool is_any_velocity_declared(int from) const {
-    for (int p = from; p < m_.points.size(); ++p)
-      if (m_.points[p].moves_by_declaration()) return true;
-    return false;
   }
 
   constexpr void check_frame(int place) {

@@ -3,7 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Velocities that are declared, against the rates of positions.
+/// Velocities that are declared, and points that are fixed in frames, against the rates of positions.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -18,7 +18,7 @@ namespace detail {
 class checking_velocity {
 public:
   constexpr checking_velocity(const mechanism& m, const contents& held)
-      : m_(m), motion_(m, held, geometry_of(m)) {}
+      : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
   constexpr sentence run() {
     if (!draw()) return {};
@@ -27,10 +27,66 @@ public:
         return sentence({"the velocity of point ", m_.points[p].called.view(),
                          " is not the rate of its position; if that is meant, write "
                          "velocity_apart_from_position"});
+    for (const body& b : m_.bodies)
+      if (const int p = apart_from_place(b.center); p != none)
+        return sentence({"point ", m_.points[p].called.view(), " is fixed in ",
+                         m_.frames[m_.points[p].fixed_in].called.view(), ", and its offset from ",
+                         m_.points[m_.points[p].parent].called.view(),
+                         " changes there; if that is meant, write velocity_apart_from_position"});
     return {};
   }
 
+  /// Whether a velocity is declared among the points from number `first` on.
+  static constexpr bool is_any_declared(const mechanism& m, int first) {
+    for (int p = first; p < m.points.size(); ++p)
+      if (m.points[p].moves_by_declaration()) return true;
+    return false;
+  }
+  /// Whether a mass may not move as it is placed.
+  static constexpr bool may_any_slip(const mechanism& m, const contents& held) {
+    for (const body& b : m.bodies)
+      for (int p = b.center; p != none; p = m.points[p].parent)
+        if (may_slip(m, held, m.points[p])) return true;
+    return false;
+  }
+
 private:
+  /// Without numbers, and so of most points already that it does not.
+  static constexpr bool may_slip(const mechanism& m, const contents& held, const point& p) {
+    bool is_seen_fixed = true;
+    for (const vector::part& part : p.offset.parts)
+      is_seen_fixed = is_seen_fixed && part.frame == p.fixed_in && held.is_fixed(part.value);
+    return p.fixed_in != none && !is_seen_fixed &&
+           !(m.points[p.parent].parent == none && is_placed_by_frame(m, held, p));
+  }
+
+  /// Whether the offset of a point holds nothing that moves but what orients the frame that it is fixed in.
+  static constexpr bool is_placed_by_frame(const mechanism& m, const contents& held, const point& p) {
+    sequence<int> of_place, of_frame;
+    for (const vector::part& part : p.offset.parts) {
+      for (int i = 0; i < 3; ++i) collect_moving(held, part.value[i], of_place);
+      collect_orientation(m, held, part.frame, of_place);
+    }
+    collect_orientation(m, held, p.fixed_in, of_frame);
+    for (int symbol : of_place)
+      if (!of_frame.contains(symbol)) return false;
+    return true;
+  }
+  static constexpr void collect_orientation(const mechanism& m, const contents& held, int frame,
+                                            sequence<int>& symbols) {
+    for (int f = frame; f != none; f = m.frames[f].parent) {
+      const mechanics::frame& own = m.frames[f];
+      if (own.kind == orientation::about_basis || own.kind == orientation::about_axis)
+        collect_moving(held, own.angle, symbols);
+      for (int i = 0; i < 9 && own.kind == orientation::matrix; ++i)
+        collect_moving(held, own.to_parent(i / 3, i % 3), symbols);
+    }
+  }
+  static constexpr void collect_moving(const contents& held, expression e, sequence<int>& symbols) {
+    using kind = symbolic::symbol_kind;
+    for (kind k : {kind::coordinate, kind::input, kind::time}) held.collect(e, k, symbols);
+  }
+
   using angular_velocities = triple (generic_motion::*)(int) const;
   static constexpr angular_velocities by_orientation = &generic_motion::by_orientation,
                                       as_used = &generic_motion::angular_velocity;
@@ -68,7 +124,48 @@ private:
       if (p.from_parent ? is_same(said + carried(p, w), rate) : is_same(said, velocity(p.parent) + rate))
         return true;
     }
-    return !p.from_parent && is_same(said, rate_from_origin(place));
+    return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation));
+  }
+
+  /// The first point on the way to a mass that moves as it is placed no more, though its parent does.
+  constexpr int apart_from_place(int center) const {
+    bool may = false;
+    for (int p = center; p != none && !may; p = m_.points[p].parent) may = may_slip(m_, held_, m_.points[p]);
+    if (!may || moves_as_placed(center)) return none;
+    int found = none, next = none;
+    for (int p = center; p != none; next = p, p = m_.points[p].parent)
+      if (slips(p) && moves_as_placed(m_.points[p].parent) && !is_contact(p, next) && !rolls(p)) found = p;
+    return found;
+  }
+
+  /// Whether the frame that a point is fixed in carries it elsewhere than its offset goes.
+  constexpr bool slips(int place) const {
+    const point& p = m_.points[place];
+    if (p.fixed_in == none || !motion_.is_proper(p.fixed_in)) return false;
+    for (const vector::part& part : p.offset.parts)
+      if (!motion_.is_proper(part.frame)) return false;
+    for (const angular_velocities w : {by_orientation, as_used})
+      if (is_same(in_frame(p), rate_of(p.offset, w))) return false;
+    return true;
+  }
+
+  /// Two bodies touch at a point without mass if either carries it elsewhere than its offset goes.
+  constexpr bool is_contact(int place, int next) const {
+    for (const body& b : m_.bodies)
+      if (b.center == place) return false;
+    return next != none && slips(next);
+  }
+
+  /// What rolls on the ground may leave out where it is; then the rest of its motion places it.
+  constexpr bool rolls(int place) const {
+    const point& p = m_.points[place];
+    return is_same(velocity(p.parent), {}) && is_placed_by_frame(m_, held_, p);
+  }
+
+  constexpr bool moves_as_placed(int place) const {
+    const triple v = velocity(place);
+    return is_same(v, rate_from_origin(place, by_orientation)) ||
+           is_same(v, rate_from_origin(place, as_used));
   }
 
   constexpr bool is_same(triple a, triple b) const {
@@ -88,10 +185,14 @@ private:
     return cross((motion_.*w)(p.reference), motion_.vector_of(p.offset));
   }
 
-  constexpr triple rate_from_origin(int place) const {
+  /// From its parent.
+  constexpr triple in_frame(const point& p) const {
+    return cross(motion_.angular_velocity(p.fixed_in), motion_.vector_of(p.offset));
+  }
+
+  constexpr triple rate_from_origin(int place, angular_velocities w) const {
     triple sum;
-    for (int p = place; p != none; p = m_.points[p].parent)
-      sum = sum + rate_of(m_.points[p].offset, by_orientation);
+    for (int p = place; p != none; p = m_.points[p].parent) sum = sum + rate_of(m_.points[p].offset, w);
     return sum;
   }
 
@@ -99,14 +200,14 @@ private:
   constexpr triple velocity(int place) const {
     const point& p = m_.points[place];
     if (p.parent == none) return {};
-    if (p.fixed_in != none)
-      return velocity(p.parent) + cross(motion_.angular_velocity(p.fixed_in), motion_.vector_of(p.offset));
+    if (p.fixed_in != none) return velocity(p.parent) + in_frame(p);
     if (!p.moves_by_declaration()) return velocity(p.parent) + rate_of(p.offset, as_used);
     const triple said = motion_.vector_of(p.velocity);
     return p.from_parent ? velocity(p.parent) + carried(p, as_used) + said : said;
   }
 
   const mechanism& m_;
+  const contents& held_;
   generic_motion motion_;
 };
 

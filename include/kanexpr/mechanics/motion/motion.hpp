@@ -129,7 +129,7 @@ public:
         of_offset += cross(w, change);
         a += of_offset;
       }
-      if (!at.relative_velocity.parts.empty()) {
+      if (at.carried && !at.relative_velocity.parts.empty()) {
         const components w = angular_velocity(at.frame);
         a += cross(w, express(*m_, at.relative_velocity, s_->working_axes[at.frame]));
       }

@@ -107,7 +107,8 @@ private:
       return s_.stations.push(n);
     }
     int last = s_.station_of_point[at.parent];
-    for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, true);
+    const bool carried = !at.moves_apart; // else the offset does not grow by the velocity
+    for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, carried);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
     s_.stations[last].relative_velocity = v;
     s_.stations[last].rigid = false;
