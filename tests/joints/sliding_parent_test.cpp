@@ -106,10 +106,11 @@ TEST(sliding_parent, carries_what_is_told_in_axes_of_the_ground) {
   expect_newton_and_euler<System, Cart, Cart_seat, Box, Drawer, Lid>(Vector3d::Zero(), x, p);
 }
 
-// A seat that moves on an arm, as it is told in axes of the ground, against which the arm turns.
+// A seat that moves on an arm: it goes in a circle there, and keeps its direction in the ground.
 namespace seat_moves {
 struct Arm : pin<Arm, Ground, axis<own::z>, seat, load> {};
-struct Link : pin<Link, Arm, axis<Arm::x>, at<0.3 * Ground::x + 0.1 * Arm::y, 0.2 * own::x>, load> {};
+constexpr auto in_a_circle = 0.3 * cos(q_of<Arm>) * Arm::x + (0.1 - 0.3 * sin(q_of<Arm>)) * Arm::y;
+struct Link : pin<Link, Arm, axis<Arm::x>, at<in_a_circle, 0.2 * own::x>, load> {};
 struct System : kane_system<inertial<Ground>, joints<Arm, Link>, loads<weight>> {};
 struct Link_seat : offset<Link_seat, Link, 0.2 * Link::x> {};
 } // namespace seat_moves

@@ -196,6 +196,7 @@ struct joint_record {
   const frame_record* parent_frame = nullptr;
   const point_record* parent_point = nullptr;
   listing<phrase> axes{}; ///< those that may be none
+  phrase place{};         ///< in the parent, if it is given along other axes than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< none: it has no mass
   std::string_view instead{};        ///< what it is, if it is not a joint

@@ -15,12 +15,13 @@ constexpr bool is_no_vector() {
     return plain_number<Expression>; // what anything else is shows where it is read
 }
 
-/// Whether an expression holds axes that are not `own` ones.
+/// Whether an expression holds axes other than those of a frame, none for `own` ones, or positions, which are
+/// along any axes.
 template <class Expression>
-constexpr bool holds_other_axes(const Expression& given) {
+constexpr bool holds_other_axes(const Expression& given, const frame_record* frame = nullptr) {
   if constexpr (requires { given.tokens; })
     for (const token& t : given.tokens)
-      if (t.what == token_kind::basis && t.frame != nullptr) return true;
+      if (t.what == token_kind::position || (t.what == token_kind::basis && t.frame != frame)) return true;
   return false;
 }
 

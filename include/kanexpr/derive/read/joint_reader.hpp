@@ -34,6 +34,7 @@ public:
   /// from.
   constexpr void read(const joint_record& r) {
     check_axes(r);
+    if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
     if (r.speeds.size == 0 && r.body == nullptr) return;
     if (!reading_.mistake) entities_.frame(r.frame, "joints<...>");
     if (!reading_.mistake) entities_.point(r.point, "joints<...>");
@@ -86,6 +87,15 @@ private:
     }
     if (axes.size() == 2 && cross(axes[0], axes[1]).is_zero())
       reading_.fail({"joint ", r.called, " is given two axes that are parallel"});
+  }
+
+  /// A joint may go along its parent, but not stay behind where that turns.
+  constexpr void check_place(const joint_record& r) {
+    const mechanics::vector given = phrases_.vector_of(r.place, {"the place of joint ", r.called}, r.called);
+    const int parent = entities_.frame(r.parent_frame, r.called);
+    if (!reading_.mistake && !mechanics::is_along_still_axes(reading_.into.mechanism, given, parent))
+      reading_.fail({"joint ", r.called, " is given a place along axes that are not fixed in ",
+                     r.parent_frame->called});
   }
 
   constexpr void check_reaction(const describe::reaction_record& r) {

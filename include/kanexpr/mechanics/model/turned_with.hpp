@@ -18,6 +18,15 @@ constexpr bool stands_still_in(const mechanism& m, int frame, int other) {
   return true;
 }
 
+/// Whether a vector keeps its direction in a frame but for what its components make of it.
+constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int frame) {
+  if (is_fixed(express(m, v, frame))) return true;
+  for (const vector::part& p : v.parts)
+    for (int i = 0; i < 3; ++i)
+      if (!p.value[i].is_zero() && !is_fixed(express(m, unit(*m.g, i), p.frame, frame))) return false;
+  return true;
+}
+
 /// A vector in whose parts axes that stand still in a frame without being its own give way to those of the
 /// frame: then it turns with the frame also where auxiliary speeds turn that.
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
