@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/constraints/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
 #include <kanexpr/mechanics/dynamics/reactions.hpp>
@@ -96,15 +97,26 @@ public:
   constexpr const symbolic::matrix& mass() {
     if (mass_.rows != 0) return mass_;
     const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
-    return mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
+    mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
+    if (has_sines_in_components(m_, loads_)) gather_mass_and_force();
+    return mass_;
   }
 
   /// f in M u̇ = f of the independent speeds.
   constexpr const sequence<expression>& force() {
-    if (!force_.empty()) return force_;
-    const sequence<expression>& free = free_force();
-    const dependent_speeds& solved = dependent();
-    return force_ = reduced_force(free, speeds_, solved, coupling());
+    if (force_.empty() && has_sines_in_components(m_, loads_)) mass();
+    if (force_.empty()) force_ = formed_force();
+    return force_;
+  }
+
+  /// Forces of a linearization, shorter where the model gives points by sines and cosines.
+  constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
+    if (!has_sines_in_components(m_, loads_)) return;
+    sequence<expression> all = f, beside = dependent().on_independent.entries;
+    for (const expression& e : more_f) all.push(e);
+    for (const expression& e : mass().entries) beside.push(e);
+    const sequence<expression> shorter = gathered(*m_.g, all, beside);
+    for (int i = 0; i < all.size(); ++i) (i < f.size() ? f[i] : more_f[i - f.size()]) = shorter[i];
   }
 
   /// u̇ of all speeds.
@@ -206,6 +218,26 @@ public:
   }
 
 private:
+  constexpr sequence<expression> formed_force() {
+    const sequence<expression>& free = free_force();
+    const dependent_speeds& solved = dependent();
+    return reduced_force(free, speeds_, solved, coupling());
+  }
+
+  /// Both at once, as they share much. The rates of dependent speeds stay as they are.
+  constexpr void gather_mass_and_force() {
+    force_ = formed_force();
+    sequence<expression> both = force_, beside = dependent().on_independent.entries;
+    for (int i = 0; i < mass_.rows; ++i)
+      for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
+    for (const expression& e : dependent().acceleration_bias) beside.push(e);
+    both = gathered(*m_.g, both, beside);
+    int k = 0;
+    for (expression& e : force_) e = both[k++];
+    for (int i = 0; i < mass_.rows; ++i)
+      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = both[k++];
+  }
+
   constexpr bool by_lagrange() const { return m_.derived_by == method::lagrange; }
 
   constexpr void take_acceleration_constraints() {

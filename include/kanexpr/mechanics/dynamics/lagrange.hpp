@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/dynamics/energy.hpp>
+#include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
@@ -86,7 +87,9 @@ private:
   constexpr const lagrangian_gradient& gradient() {
     if (!gradient_.momenta.empty()) return gradient_;
     const expression of_motion = kinetic(), of_place = potential_energy(s_, loads_);
-    return gradient_ = gradient_of(m_, of_motion - of_place);
+    sequence<expression> energies{of_motion, of_place};
+    if (has_sines_in_components(m_, loads_)) energies = gathered(*m_.g, energies);
+    return gradient_ = gradient_of(m_, energies[0] - energies[1]);
   }
 
   constexpr sequence<expression> inertia_of(const lagrangian_gradient& l,

@@ -24,6 +24,7 @@ public:
     general_form form = common();
     form.f_2 = negative(dynamics_.reduce(dynamics_.inertia_in(motion_)));
     form.f_3 = negative(dynamics_.reduce(dynamics_.forces_of_loads()));
+    dynamics_.gather(form.f_2, form.f_3);
     form.known.dependency = dynamics_.dependent().on_independent;
     form.known.coupling = dynamics_.coupling();
     form.known.mass = dynamics_.mass();

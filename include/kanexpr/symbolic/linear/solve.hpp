@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/lowest_terms.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
@@ -166,7 +167,7 @@ private:
     const int p = order_[step];
     int sum = graph::zero;
     if (inverses_[p] == graph::zero) { // coupled to nothing that is left: one division does
-      sum = divide(g_, right[p], left_.entry[p * n_ + p]);
+      sum = divide_in_lowest_terms(g_, right[p], left_.entry[p * n_ + p]);
       note(p, sum, pivots);
     } else {
       sum = multiply(g_, right[p], inverses_[p]);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/symbolic/graph/gathering.hpp>
+
+/// Expressions of a model whose positions or velocities are written by components with sines and cosines in
+/// them, as that of a ball in a trough. What frames keep apart meets there: the squares of its velocity are
+/// sin² + cos², and centripetal terms cancel.
+namespace kanexpr::mechanics {
+
+/// Whether a model is written so.
+constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) {
+  sequence<int> nodes;
+  const auto collect = [&](expression e) {
+    if (!symbolic::is_leaf((*m.g)[e.node()].op)) nodes.push(e.node());
+  };
+  const auto collect_vector = [&](const vector& v) {
+    for (const vector::part& part : v.parts)
+      for (int i = 0; i < 3; ++i) collect(part.value[i]);
+  };
+  for (const point& p : m.points) {
+    collect_vector(p.offset);
+    collect_vector(p.velocity);
+  }
+  for (const frame& f : m.frames)
+    if (f.kind == orientation::matrix)
+      for (const components& row : f.to_parent.row)
+        for (int i = 0; i < 3; ++i) collect(row[i]);
+  if (acting.has_lagrangian) collect(acting.lagrangian);
+  if (nodes.empty()) return false;
+  const sequence<char> live = symbolic::live_nodes(*m.g, nodes);
+  for (int id = 0; id < live.size(); ++id)
+    if (live[id] != 0 &&
+        ((*m.g)[id].op == symbolic::operation::sin || (*m.g)[id].op == symbolic::operation::cos))
+      return true;
+  return false;
+}
+
+/// The same with sin² + cos² seen as one, where that is shorter for all together. `beside` is needed anyway.
+constexpr sequence<expression> gathered(graph& g, const sequence<expression>& all,
+                                        const sequence<expression>& beside = {}) {
+  const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(beside);
+  sequence<expression> found;
+  for (int id : symbolic::gathered(g, nodes, kept)) found.push({g, id});
+  return found;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,411 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/monomials.hpp>
+
+#include <cstdint>
+
+/// Sums in which sin² + cos² of an angle is one, or terms cancel once sums are multiplied out.
+namespace kanexpr::symbolic {
+
+namespace detail {
+
+constexpr bool is_sum(operation op) { return op == operation::add || op == operation::subtract; }
+
+/// Where sums may have terms that meet, by a look at each node. Sets of angles are bits at even places; a
+/// cosine is told from a sine by the bit beside it. More than 32 angles share bits.
+class meeting_angles {
+public:
+  using set = std::uint64_t;
+
+  struct of_node {
+    set factors = 0; ///< sines and cosines by which it is a product
+    set shared = 0;  ///< the same, of every term of a sum
+    set inside = 0;  ///< angles of factors of the terms of sums that it is a product of
+    set twice = 0;   ///< angles that it has twice where those are multiplied out
+    set meeting = 0; ///< angles that two terms of a sum have twice, or all of them once
+  };
+
+  constexpr const of_node& operator[](int id) const { return known_[id]; }
+
+  /// Looks at the nodes that are new.
+  constexpr void look(const graph& g) {
+    for (int id = known_.size(), end = g.size(); id < end; ++id) known_.push(look_at(g[id]));
+  }
+
+private:
+  static constexpr set angles_of(set factors) { return (factors | factors >> 1) & 0x5555555555555555u; }
+
+  constexpr of_node look_at(const node& n) {
+    of_node found;
+    if (n.op == operation::sin || n.op == operation::cos) {
+      const set bit = n.op == operation::sin ? 1 : 2;
+      found.factors = found.shared = bit << place_of(n.a);
+    } else if (n.op == operation::negate) {
+      found = known_[n.a];
+    } else if (n.op == operation::divide) {
+      found = known_[n.a];
+      found.meeting = 0;
+    } else if (n.op == operation::multiply) {
+      const of_node &a = known_[n.a], &b = known_[n.b];
+      found.factors = found.shared = a.factors | b.factors;
+      found.inside = a.inside | b.inside;
+      found.twice =
+          a.twice | b.twice | ((angles_of(a.factors) | a.inside) & (angles_of(b.factors) | b.inside));
+    } else if (is_sum(n.op)) {
+      const of_node &a = known_[n.a], &b = known_[n.b];
+      found.shared = a.shared & b.shared;
+      found.inside = angles_of(a.factors | b.factors);
+      for (const of_node* part : {&a, &b})
+        if (part->factors == 0) found.inside |= part->inside; // a sum, not its product
+      found.twice = a.twice | b.twice;
+      found.meeting = a.meeting | b.meeting | (a.twice & b.twice) | angles_of(found.shared);
+    }
+    return found;
+  }
+  constexpr int place_of(int angle) {
+    const int found = angles_.find(angle);
+    return 2 * ((found < 0 ? angles_.push(angle) : found) % 32);
+  }
+
+  sequence<of_node> known_{};
+  sequence<int> angles_{};
+};
+
+} // namespace detail
+
+/// Some outputs with such sums written shorter. `beside` is needed anyway.
+class gathering {
+public:
+  /// Which sums are written anew: those of which each leaves less to do for all outputs at once (as logic
+  /// circuits are rewritten: Mishchenko, Chatterjee & Brayton 2006), or all in which terms meet, as several
+  /// may need what none of them needs alone.
+  enum class choice { each_shorter, all };
+
+  constexpr gathering(graph& g, const sequence<int>& outputs, const sequence<int>& beside, choice which)
+      : g_(g), outputs_(outputs), beside_(beside), choice_(which) {}
+  gathering(const gathering&) = delete;
+  gathering& operator=(const gathering&) = delete;
+
+  /// Whether there is anything to look at.
+  constexpr bool may_meet() {
+    take_up_new_nodes();
+    const sequence<char> live = live_nodes(g_, outputs_);
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && angles_[id].meeting != 0) return true;
+    return false;
+  }
+
+  constexpr sequence<int> run() {
+    const sequence<char> live = live_nodes(g_, outputs_);
+    take_up_new_nodes();
+    count_uses(live);
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && uses_[id] != 0) rewrite(id);
+    sequence<int> gathered;
+    for (int id : outputs_) gathered.push(image_[id]);
+    return gathered;
+  }
+
+private:
+  using set = detail::meeting_angles::set;
+
+  /// What changes in the number of operations.
+  struct change {
+    int products = 0, sums = 0, others = 0, signs = 0;
+
+    constexpr void count(operation op, int times) {
+      if (op == operation::multiply)
+        products += times;
+      else if (detail::is_sum(op))
+        sums += times;
+      else if (op == operation::negate)
+        signs += times;
+      else
+        others += times;
+    }
+    constexpr bool is_a_gain() const {
+      return products <= 0 && sums <= 0 && others <= 0 && products + sums + others + signs < 0;
+    }
+  };
+
+  static constexpr bool has_second(const node& n) { return is_binary(n.op) && is_value(n); }
+
+  constexpr void take_up_new_nodes() {
+    angles_.look(g_);
+    for (int id = image_.size(); id < g_.size(); ++id)
+      image_.push(id), uses_.push(0), is_kept_.push(0), is_whole_.push(0);
+  }
+  constexpr void count_uses(const sequence<char>& live) {
+    for (int id = 0; id < live.size(); ++id) {
+      const node& n = g_[id];
+      if (live[id] == 0 || is_leaf(n.op)) continue;
+      count_use(n.a, n.op);
+      if (has_second(n)) count_use(n.b, n.op);
+    }
+    for (int id : outputs_) count_use(id, operation::negate);
+    const sequence<char> kept = live_nodes(g_, beside_);
+    for (int id = 0; id < kept.size(); ++id) is_kept_[id] = kept[id];
+  }
+  constexpr void count_use(int id, operation by) {
+    ++uses_[id];
+    if (!detail::is_sum(by)) is_whole_[id] = 1;
+  }
+  /// Puts the images of its operands into a node, and then something shorter in its place.
+  constexpr void rewrite(int id) {
+    const node n = g_[id];
+    int now = id;
+    if (!is_leaf(n.op)) {
+      const int a = image_[n.a], b = has_second(n) ? image_[n.b] : n.b;
+      if (a != n.a || b != n.b) {
+        now = build(g_, n.op, a, b);
+        take_up_new_nodes();
+        put_in_place(id, now);
+      }
+    }
+    if (is_whole_[id] != 0 && detail::is_sum(g_[now].op) && (angles_[now].meeting != 0 || now != id)) {
+      const int shorter = gathered(now, now != id);
+      put_in_place(now, shorter);
+      now = shorter;
+    }
+    image_[id] = now;
+  }
+
+  // what is live, as uses come and go
+
+  constexpr void hold(int id) {
+    if (uses_[id]++ == 0 && is_kept_[id] == 0) hold_operands(id);
+  }
+  constexpr void hold_operands(int id) {
+    const node n = g_[id];
+    if (is_leaf(n.op)) return;
+    change_.count(n.op, 1);
+    hold(image_[n.a]);
+    if (has_second(n)) hold(image_[n.b]);
+  }
+  constexpr void release(int id) {
+    if (--uses_[id] == 0 && is_kept_[id] == 0) release_operands(id);
+  }
+  constexpr void release_operands(int id) {
+    const node n = g_[id];
+    if (is_leaf(n.op)) return;
+    change_.count(n.op, -1);
+    release(image_[n.a]);
+    if (has_second(n)) release(image_[n.b]);
+  }
+  constexpr bool is_live(int id) const { return uses_[id] > 0 || is_kept_[id] != 0; }
+
+  constexpr void put_in_place(int old, int now) {
+    if (old == now) return;
+    hold(now);
+    uses_[now] += uses_[old] - 1;
+    uses_[old] = 0;
+    if (is_kept_[old] == 0) release_operands(old);
+  }
+  constexpr change change_by(int old, int now) {
+    change_ = {};
+    const int uses = uses_[old];
+    hold(now);
+    uses_[old] = 0;
+    if (is_kept_[old] == 0) release_operands(old);
+    const change found = change_;
+    if (is_kept_[old] == 0) hold_operands(old);
+    uses_[old] = uses;
+    release(now);
+    return found;
+  }
+
+  // sums
+
+  /// Of a sum that changes anyway, whatever its terms have in common is taken out.
+  constexpr int gathered(int id, bool changes) {
+    const set about = angles_[id].meeting;
+    left_ = most_visits;
+    if (terms_in(id, about, true) > sum_of_monomials::most_terms) return id;
+    has_met_ = changes;
+    sum_of_monomials sum = terms_of(id, about);
+    if (!sum.is_given()) return id;
+    if (join_squares(g_, sum)) has_met_ = true;
+    if (!has_met_ && angles_[id].shared == 0) return id;
+    const number common = common_coefficient(sum);
+    const int now = multiply(g_, g_.constant(common), written(sum * divisor(common)));
+    take_up_new_nodes();
+    if (now == id || (choice_ == choice::all && has_met_)) return now;
+    return change_by(id, now).is_a_gain() ? now : id;
+  }
+
+  constexpr bool is_multiplied_out(int id, set about) const {
+    return detail::is_sum(g_[id].op) && (angles_[id].inside & about) != 0;
+  }
+  /// How many terms there are before any meet; too many where it takes long to tell.
+  constexpr int terms_in(int id, set about, bool is_multiplied_out) {
+    constexpr int too_many = sum_of_monomials::most_terms + 1;
+    const node& n = g_[id];
+    if (--left_ < 0) return too_many;
+    if (n.op == operation::negate) return terms_in(n.a, about, is_multiplied_out);
+    const bool is_sum = detail::is_sum(n.op);
+    if (is_sum ? !is_multiplied_out && (angles_[id].inside & about) == 0 : n.op != operation::multiply)
+      return n.op == operation::divide ? terms_in(n.a, about, false) : 1;
+    const int a = terms_in(n.a, about, is_sum);
+    if (a >= too_many) return too_many;
+    const int b = terms_in(n.b, about, is_sum), both = is_sum ? a + b : a * b;
+    return both < too_many ? both : too_many;
+  }
+
+  /// The terms of a sum, with products multiplied out whose sums have factors of some angles.
+  constexpr sum_of_monomials terms_of(int id, set about) {
+    const node n = g_[id];
+    if (!detail::is_sum(n.op)) return product_at(id, about);
+    const sum_of_monomials a = terms_of(n.a, about);
+    sum_of_monomials b = terms_of(n.b, about);
+    if (n.op == operation::subtract) b.negate();
+    const sum_of_monomials sum = a + b;
+    if (sum.size() < a.size() + b.size()) has_met_ = true;
+    return sum;
+  }
+  constexpr sum_of_monomials product_at(int id, set about) {
+    const node n = g_[id];
+    if (n.op == operation::negate) {
+      sum_of_monomials negated = product_at(n.a, about);
+      negated.negate();
+      return negated;
+    }
+    if (is_multiplied_out(id, about)) return terms_of(id, about);
+    if (n.op == operation::multiply || n.op == operation::divide) {
+      const sum_of_monomials a = product_at(n.a, about), b = product_at(n.b, about);
+      if (n.op == operation::multiply) return a * b; // no temporary of a conditional expression: g++ 12
+      return a * inverse_of(n.b, b);
+    }
+    monomial m;
+    if (n.op == operation::constant)
+      m.coefficient = g_.number_at(id);
+    else
+      m.multiply_by(id, 1);
+    return sum_of_monomials(m);
+  }
+  static constexpr sum_of_monomials inverse_of(int id, const sum_of_monomials& written_out) {
+    monomial inverse;
+    if (written_out.size() != 1 || written_out[0].coefficient == exactly(0)) {
+      inverse.multiply_by(id, -1);
+      return sum_of_monomials(inverse);
+    }
+    inverse.coefficient = exactly(1) / written_out[0].coefficient;
+    for (int i = 0; i < written_out[0].count; ++i)
+      inverse.multiply_by(written_out[0].powers[i].factor, -written_out[0].powers[i].exponent);
+    return sum_of_monomials(inverse);
+  }
+
+  /// What all terms have in front, but for signs, stays in front, where rules look for it; else 1.
+  static constexpr number common_coefficient(const sum_of_monomials& sum) {
+    if (sum.size() == 0) return exactly(1);
+    const number first = sum[0].coefficient;
+    for (const monomial& m : sum)
+      if (!(m.coefficient == first) && !(m.coefficient == -first)) return exactly(1);
+    return first.negative() ? -first : first;
+  }
+  static constexpr sum_of_monomials divisor(const number& common) {
+    monomial inverse;
+    inverse.coefficient = exactly(1) / common;
+    return sum_of_monomials(inverse);
+  }
+
+  /// Writes a sum with the factor taken out that most of its terms have, again and again.
+  constexpr int written(const sum_of_monomials& sum) {
+    if (sum.size() == 0) return graph::zero;
+    if (sum.size() == 1) return written(sum[0]);
+    monomial::power common;
+    int most = 1;
+    for (const monomial& m : sum)
+      for (int i = 0; i < m.count; ++i) {
+        const monomial::power one{m.powers[i].factor, m.powers[i].exponent > 0 ? 1 : -1};
+        int count = 0;
+        for (const monomial& other : sum) count += has(other, one) ? 1 : 0;
+        if (count > most) most = count, common = one;
+      }
+    sum_of_monomials inner, rest;
+    for (const monomial& m : sum) {
+      if (most == 1 ? &m == sum.begin() : has(m, common)) {
+        monomial divided = m;
+        if (most > 1) divided.multiply_by(common.factor, -common.exponent);
+        inner.add(divided);
+      } else {
+        rest.add(m);
+      }
+    }
+    int first = written(inner);
+    if (most > 1)
+      first = common.exponent > 0 ? multiply(g_, common.factor, first) : divide(g_, first, common.factor);
+    return add(g_, first, written(rest));
+  }
+  static constexpr bool has(const monomial& m, const monomial::power& common) {
+    return m.exponent_of(common.factor) * common.exponent > 0;
+  }
+  constexpr int written(const monomial& m) {
+    const int above = product_of(m, 1), below = product_of(m, -1), coefficient = g_.constant(m.coefficient);
+    return multiply(g_, coefficient, below == graph::one ? above : divide(g_, above, below));
+  }
+  /// The powers of one sign. Products that are live already are used.
+  constexpr int product_of(const monomial& m, int sign) {
+    sequence<int> factors;
+    for (int i = 0; i < m.count; ++i)
+      for (int k = 0; k < sign * m.powers[i].exponent; ++k) factors.push(m.powers[i].factor);
+    if (factors.empty()) return graph::one;
+    while (factors.size() > 1) {
+      int first = 0, second = 1;
+      for (int i = factors.size() - 1; i > 0; --i)
+        for (int j = i - 1; j >= 0; --j)
+          if (is_live_product(factors[i], factors[j])) first = j, second = i;
+      const int product = multiply(g_, factors[first], factors[second]);
+      factors[first] = product;
+      for (int i = second; i + 1 < factors.size(); ++i) factors[i] = factors[i + 1];
+      factors.pop();
+    }
+    return factors[0];
+  }
+  constexpr bool is_live_product(int a, int b) const {
+    const int id = g_.find({operation::multiply, a < b ? a : b, a < b ? b : a});
+    return id >= 0 && id < uses_.size() && is_live(id);
+  }
+
+  graph& g_;
+  const sequence<int>&outputs_, &beside_;
+  choice choice_;
+  detail::meeting_angles angles_{};
+  sequence<int> image_{}; ///< what takes the place of a node
+  sequence<int> uses_{};
+  sequence<char> is_kept_{};  ///< live whatever becomes of the outputs
+  sequence<char> is_whole_{}; ///< not only a part of a longer sum
+  change change_{};
+  static constexpr int most_visits = 200;
+  int left_ = 0; ///< of these
+  bool has_met_ = false;
+};
+
+/// Some outputs with sin² + cos² seen as one, where that leaves less to do, and as they were elsewhere. What
+/// is derived further shares the parts of sums, so a small gain would be lost there. `beside` is needed
+/// anyway. Of long equations compilers would take longer for this than for deriving them.
+constexpr sequence<int> gathered(graph& g, const sequence<int>& outputs, const sequence<int>& beside) {
+  constexpr int most_operations = 200, least_part = 16;
+  const sequence<char> nothing, kept = live_nodes(g, beside);
+  const auto operations = [&](const sequence<int>& nodes, const sequence<char>& without) {
+    const sequence<char> live = live_nodes(g, nodes);
+    int count = 0;
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && !is_leaf(g[id].op) && (id >= without.size() || without[id] == 0)) ++count;
+    return count;
+  };
+  if (operations(outputs, nothing) > most_operations) return outputs;
+  const int before = operations(outputs, kept);
+  sequence<int> best = outputs;
+  int most = before - (before < least_part ? 1 : before / least_part);
+  for (const auto which : {gathering::choice::each_shorter, gathering::choice::all}) {
+    gathering sums(g, outputs, beside, which);
+    if (!sums.may_meet()) return outputs;
+    const sequence<int> found = sums.run();
+    if (const int count = operations(found, kept); count <= most) best = found, most = count - 1;
+  }
+  return best;
+}
+
+} // namespace kanexpr::symbolic

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+namespace kanexpr::symbolic {
+
+/// A number times powers of nodes, which are in the order of their numbers.
+struct monomial {
+  static constexpr int most_powers = 14;
+  struct power {
+    int factor = 0;
+    int exponent = 0; ///< not zero
+  };
+  number coefficient = exactly(1);
+  int count = 0;
+  power powers[most_powers]{};
+
+  /// False where there is no room for it.
+  constexpr bool multiply_by(int factor, int exponent) {
+    int place = 0;
+    while (place < count && powers[place].factor < factor) ++place;
+    if (place < count && powers[place].factor == factor) {
+      powers[place].exponent += exponent;
+      if (powers[place].exponent != 0) return true;
+      for (--count; place < count; ++place) powers[place] = powers[place + 1];
+      return true;
+    }
+    if (count == most_powers) return false;
+    for (int i = count++; i > place; --i) powers[i] = powers[i - 1];
+    powers[place] = {factor, exponent};
+    return true;
+  }
+  constexpr bool multiply_by(const monomial& other) {
+    coefficient = coefficient * other.coefficient;
+    for (int i = 0; i < other.count; ++i)
+      if (!multiply_by(other.powers[i].factor, other.powers[i].exponent)) return false;
+    return true;
+  }
+  constexpr int exponent_of(int factor) const {
+    for (int i = 0; i < count; ++i)
+      if (powers[i].factor == factor) return powers[i].exponent;
+    return 0;
+  }
+  constexpr bool has_the_powers_of(const monomial& other) const {
+    if (count != other.count) return false;
+    for (int i = 0; i < count; ++i)
+      if (powers[i].factor != other.powers[i].factor || powers[i].exponent != other.powers[i].exponent)
+        return false;
+    return true;
+  }
+};
+
+/// A short sum of monomials of different powers; not given where it would be long.
+class sum_of_monomials {
+public:
+  static constexpr int most_terms = 32;
+
+  constexpr sum_of_monomials() = default;
+  constexpr explicit sum_of_monomials(const monomial& only) { terms_.push(only); }
+  static constexpr sum_of_monomials not_given() {
+    sum_of_monomials none;
+    none.is_given_ = false;
+    return none;
+  }
+
+  constexpr bool is_given() const { return is_given_; }
+  constexpr int size() const { return terms_.size(); }
+  constexpr const monomial& operator[](int i) const { return terms_[i]; }
+  constexpr const monomial* begin() const { return terms_.begin(); }
+  constexpr const monomial* end() const { return terms_.end(); }
+
+  constexpr void add(const monomial& term) {
+    for (monomial& present : terms_) {
+      if (!present.has_the_powers_of(term)) continue;
+      present.coefficient = present.coefficient + term.coefficient;
+      if (present.coefficient == exactly(0)) drop(static_cast<int>(&present - terms_.begin()));
+      return;
+    }
+    is_given_ = is_given_ && terms_.size() < most_terms && is_finite(term.coefficient);
+    if (is_given_) terms_.push(term);
+  }
+  constexpr void drop(int i) {
+    for (; i + 1 < terms_.size(); ++i) terms_[i] = terms_[i + 1];
+    terms_.pop();
+  }
+
+  constexpr void negate() {
+    for (monomial& m : terms_) m.coefficient = -m.coefficient;
+  }
+  friend constexpr sum_of_monomials operator+(sum_of_monomials a, const sum_of_monomials& b) {
+    a.is_given_ = a.is_given_ && b.is_given_;
+    for (int i = 0; i < b.size() && a.is_given_; ++i) a.add(b[i]);
+    return a;
+  }
+  friend constexpr sum_of_monomials operator*(const sum_of_monomials& a, const sum_of_monomials& b) {
+    sum_of_monomials product;
+    product.is_given_ = a.is_given_ && b.is_given_;
+    for (const monomial& x : a)
+      for (const monomial& y : b) {
+        if (!product.is_given_) return not_given();
+        monomial both = x;
+        if (!both.multiply_by(y)) return not_given();
+        product.add(both);
+      }
+    return product;
+  }
+
+private:
+  sequence<monomial> terms_{};
+  bool is_given_ = true;
+};
+
+/// sin² X + cos² X is X, as often as there is such a pair. Whether there was one.
+constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
+  const auto joined = [&] {
+    for (int i = 0; i < s.size(); ++i)
+      for (int k = 0; k < s[i].count; ++k) {
+        const int sine = s[i].powers[k].factor;
+        if (g[sine].op != operation::sin || s[i].powers[k].exponent < 2) continue;
+        const int cosine = g.find({operation::cos, g[sine].a, 0});
+        monomial one = s[i];
+        one.multiply_by(sine, -2);
+        monomial other = one;
+        if (cosine < 0 || !other.multiply_by(cosine, 2)) continue;
+        for (int j = 0; j < s.size(); ++j) {
+          if (!s[j].has_the_powers_of(other)) continue;
+          if (!(s[j].coefficient - other.coefficient == exactly(0))) break; // as far as decimal numbers tell
+          s.drop(i < j ? j : i);
+          s.drop(i < j ? i : j);
+          s.add(one);
+          return true;
+        }
+      }
+    return false;
+  };
+  bool any = false;
+  while (joined()) any = true;
+  return any;
+}
+
+} // namespace kanexpr::symbolic
