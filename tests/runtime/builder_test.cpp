@@ -431,6 +431,68 @@ TEST(builder_mistakes, hears_of_a_force_only_once) {
             "the force at P is the weight of Bob, which gravity gives it already");
 }
 
+TEST(builder_mistakes, finds_weights_beside_gravity) {
+  const auto weigh = [](auto& b, int frame) { // in inertial axes or in those of the rod
+    const expression w = 9.81 * b.m;
+    return frame == 0 ? b.along(b.n, b.push, -w, b.number(0.0))
+                      : b.along(b.rod, b.push - w * sin(b.theta), -w * cos(b.theta), b.number(0.0));
+  };
+  for (int frame : {0, 1}) {
+    EXPECT_EQ(told([&](auto& b) { b.force(b.bob, weigh(b, frame)); }),
+              "the force at P holds the weight of Bob, which gravity gives it already");
+    EXPECT_EQ(told([&](auto& b) { b.force_between(b.bob, b.o, weigh(b, frame)); }),
+              "the force between P and O holds the weight of Bob, which gravity gives it already");
+    EXPECT_EQ(told([&](auto& b) { b.force(b.pivot, weigh(b, frame)); }), "") << "the weight of another";
+  }
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * (2 - cos(b.theta))); }),
+            "potential energy 1 holds that of the weight of Bob, which gravity gives it already");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * cos(b.theta)); }), "") << "a lift";
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * sin(b.theta)); }), "");
+}
+
+TEST(builder_mistakes, hears_of_any_load_only_once) {
+  EXPECT_EQ(told([](auto& b) {
+              b.spring(b.bob, b.o, b.m);
+              b.spring(b.o, b.bob, b.m);
+            }),
+            "the spring between P and O is listed twice");
+  EXPECT_EQ(told([](auto& b) {
+              b.spring(b.bob, b.o, b.m);
+              b.spring(b.o, b.bob, b.m, b.length);
+            }),
+            "");
+  EXPECT_EQ(told([](auto& b) {
+              b.damper(b.bob, b.o, b.m);
+              b.damper(b.bob, b.o, b.m);
+            }),
+            "the damper between P and O is listed twice");
+  EXPECT_EQ(told([](auto& b) {
+              b.torsional_damper(b.rod, b.n, b.m);
+              b.torsional_damper(b.n, b.rod, b.m);
+            }),
+            "the torsional damper between R and N is listed twice");
+  EXPECT_EQ(told([](auto& b) {
+              b.torsional_spring(b.theta, b.m);
+              b.potential_energy(b.m * b.theta * b.theta / 2);
+            }),
+            "potential energy 2 repeats potential energy 1");
+  EXPECT_EQ(told([](auto& b) {
+              b.torsional_spring(b.theta, b.m);
+              b.torsional_spring(b.theta, b.m, b.number(1));
+            }),
+            "");
+  EXPECT_EQ(told([](auto& b) { b.force_between(b.o, b.pivot, b.along(b.n, -b.push, 0.0, 0.0)); }),
+            "the force between O and C repeats the force at C");
+  EXPECT_EQ(told([](auto& b) { b.force_between(b.pivot, b.bob, b.along(b.n, b.push, 0.0, 0.0)); }),
+            "the force between C and P repeats the force at C");
+  EXPECT_EQ(told([](auto& b) { b.force_between(b.bob, b.o, b.along(b.n, b.push, 0.0, 0.0)); }), "");
+  EXPECT_EQ(told([](auto& b) {
+              b.torque_between(b.rod, b.n, b.along(b.rod, 0.0, 0.0, b.push));
+              b.torque(b.rod, b.along(b.n, 0.0, 0.0, b.push));
+            }),
+            "the torque on R repeats the torque between R and N");
+}
+
 TEST(builder_mistakes, compares_velocities_with_positions) {
   const std::string expected =
       "the velocity of point Q is not the rate of its position; if that is meant, write "

@@ -102,7 +102,8 @@ struct potential_energy : describe::load_words {
       .word = "the potential energy",
       .fits = describe::arguments_of("potential_energy<scalar>", sizeof...(energy), 1),
       .value = describe::given_phrases<energy...>[0],
-      .known_by = describe::given_phrases<energy...>[0]};
+      .known_by = describe::given_phrases<energy...>[0],
+      .once = true};
 };
 
 /// A straight massless spring between two points, which pulls them to each other with
@@ -146,7 +147,8 @@ struct torsional_spring : describe::load_words {
       .value = describe::given_phrases<angle_stiffness_and_rest...>[1],
       .angle = describe::given_phrases<angle_stiffness_and_rest...>[0],
       .rest = describe::given_phrases<angle_stiffness_and_rest...>[2],
-      .known_by = describe::given_phrases<angle_stiffness_and_rest...>[0]};
+      .known_by = describe::given_phrases<angle_stiffness_and_rest...>[0],
+      .once = true};
 };
 
 /// A torque −damping·ω on whatever is fixed in a frame that turns with ω in another, and the opposite on

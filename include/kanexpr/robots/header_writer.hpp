@@ -58,12 +58,15 @@ private:
     const std::string free_fall = gravity();
     loads_.insert(loads_.begin(), "gravity<" + free_fall + ">");
     if (options_.bind == binding::numbers && is_zero(gravity_of(robot_, options_))) return;
+    std::string lifting;
     for (const moving_body& b : plan_.what.bodies)
-      if (b.weightless > 0 && !(b.joint < 0 && options_.base == base_kind::fixed)) write_lift(b, free_fall);
+      if (b.weightless > 0 && !(b.joint < 0 && options_.base == base_kind::fixed))
+        lifting += (lifting.empty() ? "" : " + ") + energy_of_lifting(b, free_fall);
+    if (!lifting.empty()) loads_.push_back("potential_energy<" + lifting + ">"); // one: wheels have the same
   }
 
   /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
-  void write_lift(const moving_body& b, const std::string& free_fall) {
+  std::string energy_of_lifting(const moving_body& b, const std::string& free_fall) {
     const std::string &on = type(b.link), called = name(b.link) + "_weightless";
     const std::string symbols = b.is_weightless() ? name(b.link) : called; // whose there are
     const auto known = values_.size();
@@ -73,8 +76,7 @@ private:
                                : symbols_along(on, symbols, b.weightless_center);
     if (b.is_weightless()) values_.resize(known);
     write_struct(called, "offset", {on, at});
-    loads_.push_back("potential_energy<" + mass + " * dot(" + free_fall + ", position_of<" + called +
-                     ", N>)>");
+    return mass + " * dot(" + free_fall + ", position_of<" + called + ", N>)";
   }
 
   std::string gravity() {

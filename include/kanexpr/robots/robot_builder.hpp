@@ -239,12 +239,16 @@ private:
     const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to;
     gravity(free_fall);
     if (numbers && is_zero(g)) return;
+    expression lifting;
     for (const moving_body& b : plan_.what.bodies)
-      if (b.weightless > 0 && !is_on_ground(b)) lift(b, free_fall);
+      if (b.weightless > 0 && !is_on_ground(b))
+        lifting =
+            lifting.is_given() ? lifting + energy_of_lifting(b, free_fall) : energy_of_lifting(b, free_fall);
+    if (lifting.is_given()) potential_energy(lifting); // one: wheels of an axle have the same
   }
 
   /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
-  void lift(const moving_body& b, const vector& free_fall) {
+  expression energy_of_lifting(const moving_body& b, const vector& free_fall) {
     weight lifted;
     if (b.is_weightless()) {
       lifted = weights_.at(b.link);
@@ -254,7 +258,7 @@ private:
       lifted.center =
           offset(called, origin(b.link), symbols_along(called, frame(b.link), b.weightless_center));
     }
-    potential_energy(lifted.mass * builder::dot(free_fall, position_of(lifted.center, origins_.back())));
+    return lifted.mass * builder::dot(free_fall, position_of(lifted.center, origins_.back()));
   }
 
   void place_folded() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/checks/check_repeated_loads.hpp>
 #include <kanexpr/mechanics/checks/check_weights.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
@@ -82,8 +83,8 @@ constexpr sentence check_loads(const mechanism& m, const loads& acting, const co
     if (!by.mistake()) load.check_with(by, place);
   });
   detail::checking_gravity(m, acting.gravity, held, by).run();
-  if (!by.mistake()) check_repeated_forces(acting, by);
-  if (!by.mistake()) check_weights(m, acting, by);
+  if (!by.mistake()) check_repeated_loads(m, acting, held, by);
+  if (!by.mistake()) check_weights(m, acting, held, by);
   return by.mistake();
 }
 

@@ -78,7 +78,18 @@ public:
   /// A declared angular velocity in its reference.
   constexpr triple declared(int f) const { return vector_of(m_.frames[f].angular_velocity); }
 
-  constexpr const symbolic::rated& operator[](expression e) const { return scalars_[e.node()]; }
+  constexpr const symbolic::rated& at(int node) const { return scalars_[node]; }
+  constexpr const symbolic::rated& operator[](expression e) const { return at(e.node()); }
+  /// Whether it is a number here; a constant expression must not compute with what is none.
+  constexpr bool is_defined(expression e) const {
+    return elementary::detail::is_finite((*this)[e].value) && elementary::detail::is_finite((*this)[e].rate);
+  }
+  constexpr bool is_defined(const vector& v) const {
+    for (const vector::part& p : v.parts)
+      for (int i = 0; i < 3; ++i)
+        if (!is_defined(p.value[i])) return false;
+    return true;
+  }
   constexpr triple vector_of(const vector& v) const {
     triple sum;
     for (const vector::part& p : v.parts) sum = sum + basis(p.frame) * value(p.value);

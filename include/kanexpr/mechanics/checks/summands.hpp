@@ -1,0 +1,90 @@
+#pragma once
+
+#include <kanexpr/mechanics/motion/generic_motion.hpp>
+
+/// What an expression adds up, in numbers.
+namespace kanexpr::mechanics {
+
+/// One of them at a generic state.
+struct summand {
+  symbolic::rated worth{};
+  bool is_of_mass = false; ///< holds one of the symbols that were asked for
+};
+
+/// Multiplies products of sums out, without making expressions of them.
+class summing_up {
+public:
+  /// `wanted`: nodes of symbols.
+  constexpr summing_up(const generic_motion& motion, const graph& g, const sequence<int>& wanted)
+      : motion_(motion), g_(g), wanted_(wanted) {}
+
+  constexpr sequence<summand> operator()(expression e) const { return of(e.node()); }
+
+private:
+  static constexpr int most = 16; ///< more are left as one
+
+  constexpr sequence<summand> of(int id) const {
+    using symbolic::operation;
+    const symbolic::node& n = g_[id];
+    if (n.op == operation::negate) return scaled_by({-1, 0}, of(n.a));
+    if (n.op == operation::add || n.op == operation::subtract) {
+      sequence<summand> all = of(n.a);
+      const double sign = n.op == operation::add ? 1 : -1;
+      for (const summand& s : scaled_by({sign, 0}, of(n.b))) all.push(s);
+      return all;
+    }
+    if (n.op == operation::divide && is_finite(value(n.b)) && !numeric::equal(value(n.b).value, 0.0)) {
+      const symbolic::rated one_over = symbolic::rated_value_of(operation::divide, {1, 0}, value(n.b));
+      return scaled_by(one_over, of(n.a));
+    }
+    if (n.op != operation::multiply) return {{value(id), holds_wanted(id)}};
+    const sequence<summand> left = of(n.a), right = of(n.b);
+    if (left.size() * right.size() > most) return {{value(id), holds_wanted(id)}};
+    sequence<summand> all;
+    for (const summand& s : left)
+      for (const summand& other : right)
+        all.push({product(s.worth, other.worth), s.is_of_mass || other.is_of_mass});
+    return all;
+  }
+
+  static constexpr bool is_finite(symbolic::rated x) {
+    return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);
+  }
+  /// A constant expression must not compute with what is not a number.
+  static constexpr symbolic::rated product(symbolic::rated a, symbolic::rated b) {
+    return is_finite(a) && is_finite(b) ? symbolic::rated_value_of(symbolic::operation::multiply, a, b)
+                                        : symbolic::rated{elementary::detail::infinity, 0};
+  }
+  static constexpr sequence<summand> scaled_by(symbolic::rated factor, sequence<summand> all) {
+    for (summand& s : all) s.worth = product(factor, s.worth);
+    return all;
+  }
+
+  constexpr const symbolic::rated& value(int id) const { return motion_.at(id); }
+  constexpr bool holds_wanted(int id) const {
+    if (wanted_.contains(id)) return true;
+    const symbolic::node& n = g_[id];
+    return !symbolic::is_leaf(n.op) &&
+           (holds_wanted(n.a) || (symbolic::is_binary(n.op) && holds_wanted(n.b)));
+  }
+
+  const generic_motion& motion_;
+  const graph& g_;
+  const sequence<int>& wanted_;
+};
+
+/// Whether some of the vectors add up to one.
+constexpr bool is_sum_of_some(const sequence<triple>& given, triple whole) {
+  if (given.size() > 10) return false;
+  double size = length(whole);
+  for (const triple& v : given) size += length(v);
+  const auto reaches = [&](const auto& next, int from, triple left) -> bool {
+    if (length(left) <= 1e-10 * size) return true;
+    for (int i = from; i < given.size(); ++i)
+      if (next(next, i + 1, left - given[i])) return true;
+    return false;
+  };
+  return length(whole) > 1e-9 * size && reaches(reaches, 0, whole);
+}
+
+} // namespace kanexpr::mechanics
