@@ -174,3 +174,41 @@ struct System : jointed<joints<Arm>, coordinates<q>, speeds<u>, kinematics<dot(q
                         reactions<Arm>> {};
 void f() { use<System>(); }
 } // namespace n24
+
+// expect: the torque on Arm repeats the torque between Arm and Ground
+namespace n25 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T>, torque<Arm, T * Arm::z>>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: the force at Sled repeats the force between Sled and Ground
+namespace n26 {
+struct Sled : prismatic<Sled, Ground, axis<Ground::x>, mass> {};
+struct System : jointed<joints<Sled>, loads<motor<Sled, T>, force<Sled, T * Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n26
+
+// expect: a velocity constraint with Wheel holds a radius or length below zero
+namespace n27 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System
+    : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, rational<-1, 2>>>> {};
+void f() { use<System>(); }
+} // namespace n27
+
+// expect: a configuration constraint with l holds a radius or length below zero
+namespace n28 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, configuration_constraints<touches<Wheel, Ground, Wheel::y, l>>,
+                        values<l == -0.3>> {};
+void f() { use<System>(); }
+} // namespace n28
+
+// expect: a configuration constraint with P holds a radius or length below zero
+namespace n29 {
+struct P : offset<P, Arm, 0.4 * Arm::x> {};
+struct Sled : prismatic<Sled, Ground, axis<Ground::x>, mass> {};
+struct System
+    : jointed<joints<Arm, Sled>, configuration_constraints<rod_of_length<P, Sled, -rational<1, 2>>>> {};
+void f() { use<System>(); }
+} // namespace n29

@@ -214,3 +214,59 @@ struct B : body_fixed<B, A, "zyx", 1.5, 1 / 2, 0.0> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n28
+
+// expect: the torque on A holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
+// expect: and 0.0 for a zero that is meant
+namespace n29 {
+struct System : loaded<torque<A, T * hypot(q, 1 / 2) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n29
+
+// expect: the potential energy with q holds a letter in quotes, which is not a number
+namespace n30 {
+struct System : loaded<potential_energy<'2' * k * q * q>> {};
+void f() { use<System>(); }
+} // namespace n30
+
+// expect: the mass of Bead holds a letter in quotes, which is not a number
+namespace n31 {
+struct Bead : particle<Bead, P, '2'> {};
+struct System : pendulum_with<Bead> {};
+void f() { use<System>(); }
+} // namespace n31
+
+// expect: values<...> with k holds a letter in quotes, which is not a number
+namespace n32 {
+struct System : told<loads<torsional_spring<q, k>>, values<k == '2'>> {};
+void f() { use<System>(); }
+} // namespace n32
+
+// expect: the force at P holds a letter in quotes, which is not a number
+namespace n33 {
+struct System : loaded<force<P, 'F' * N::x>> {};
+void f() { use<System>(); }
+} // namespace n33
+
+// expect: the torque on A holds a letter in quotes, which is not a number
+namespace n34 {
+struct System : loaded<torque<A, T * pow(cos(q), '2') * N::z>> {};
+void f() { use<System>(); }
+} // namespace n34
+
+// expect: the force at P holds true or false, which is not a number
+namespace n35 {
+struct System : loaded<force<P, true * N::x>> {};
+void f() { use<System>(); }
+} // namespace n35
+
+// expect: the torque on A holds clamp with limits out of order; write clamp(x, least, most)
+namespace n36 {
+struct System : loaded<torque<A, clamp(T, 1.0, -1.0) * N::z>> {};
+void f() { use<System>(); }
+} // namespace n36
+
+// expect: the torque on A holds clamp with limits out of order; write clamp(x, least, most)
+namespace n37 {
+struct System : told<loads<torque<A, clamp(T, -0.5, k) * N::z>>, values<k == -2>> {};
+void f() { use<System>(); }
+} // namespace n37

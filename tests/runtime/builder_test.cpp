@@ -603,6 +603,20 @@ TEST(builder_mistakes, finds_what_is_made_and_used_by_nothing) {
             "used_elsewhere is given something that is neither a parameter nor an input");
 }
 
+template <class Value>
+concept multiplies_expressions = requires(Value value, expression e) { value* e; };
+
+TEST(builder_mistakes, takes_no_letter_and_no_limits_out_of_order) {
+  static_assert(multiplies_expressions<int> && !multiplies_expressions<char>);
+  static_assert(!std::is_constructible_v<kanexpr::runtime::number_or_expression, char>);
+  EXPECT_EQ(
+      told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(1), b.number(-1)), 0.0, 0.0)); }),
+      "a force holds clamp with limits out of order; write clamp(x, least, most)");
+  EXPECT_EQ(
+      told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(-1), b.number(1)), 0.0, 0.0)); }),
+      "");
+}
+
 TEST(builder_mistakes, takes_no_number_that_is_none) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, std::nan(""), 0, 1)); }),
             "a number is given that is not finite");

@@ -62,7 +62,7 @@ private:
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto hypot(const Operands&... x) {
-  return describe::composed_with_zeros(symbolic::composition::hypot, x...);
+  return describe::composed(symbolic::composition::hypot, x...);
 }
 
 /// `if_positive(condition, a, b)`: a where the condition is positive, else b.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/letter.hpp>
 #include <kanexpr/describe/misuse.hpp>
 #include <kanexpr/describe/token.hpp>
 
@@ -67,7 +68,8 @@ constexpr Result join(const token (&left)[size], const token& last) {
 }
 
 template <class Number>
-concept plain_number = std::is_arithmetic_v<Number> && !std::same_as<Number, bool>;
+concept plain_number =
+    std::is_arithmetic_v<Number> && !std::same_as<Number, bool> && !numeric::letter<Number>;
 
 template <plain_number Number>
 constexpr scalar<1> constant(Number value) {

@@ -16,6 +16,7 @@ enum class misuse : unsigned char {
   comparison,
   bits,
   truth,
+  letter,
   inner_equation,
   rate,
   unseen_derivative,
@@ -104,6 +105,7 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " has too few or too many arguments; write touches<Wheel, Ground, axis, radius>";
   case misuse::bits: return " is written with an operator that models do not have";
   case misuse::truth: return " holds true or false, which is not a number";
+  case misuse::letter: return " holds a letter in quotes, which is not a number";
   case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";
   case misuse::rate: return " takes dot of something that is not a coordinate, speed or prescribed quantity";
   case misuse::unseen_derivative:

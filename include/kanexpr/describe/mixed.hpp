@@ -13,7 +13,8 @@ inline constexpr bool equates =
     shape_of_operand<Left> == shape::equation || shape_of_operand<Right> == shape::equation;
 /// One of them is no quantity at all.
 template <class Left, class Right>
-inline constexpr bool strange = equates<Left, Right> || std::same_as<Left, bool> || std::same_as<Right, bool>;
+inline constexpr bool strange = equates<Left, Right> || std::same_as<Left, bool> ||
+                                std::same_as<Right, bool> || numeric::letter<Left> || numeric::letter<Right>;
 
 template <class Left, class Right>
 concept no_sum = written<Left> && written<Right> &&

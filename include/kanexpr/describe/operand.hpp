@@ -30,6 +30,8 @@ template <class Operand>
 constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
+  else if constexpr (numeric::letter<Operand>)
+    return {{misused(misuse::letter)}};
   else
     return number(x);
 }

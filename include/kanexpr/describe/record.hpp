@@ -44,6 +44,8 @@ template <class Written>
 constexpr auto with_numbers_as_scalars(const Written& value) {
   if constexpr (plain_number<Written>)
     return number(value);
+  else if constexpr (numeric::letter<Written>)
+    return scalar<1>{{misused(misuse::letter)}};
   else
     return value;
 }

@@ -51,6 +51,7 @@ enum class token_kind : unsigned char {
   derivative, ///< in time; of a vector as `frame` sees it
   partial,    ///< by `symbol`
   in_axes,    ///< of `frame`
+  length,     ///< a scalar that must not be a number below zero
   misused,    ///< means nothing in a model: `index` is the describe::misuse
 };
 

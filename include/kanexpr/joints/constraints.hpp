@@ -88,7 +88,10 @@ template <auto given>
 constexpr auto length_of() {
   if constexpr (plain_number<decltype(given)>)
     if (given < 0) return scalar<1>{{misused(misuse::negative_length)}};
-  return operand(given);
+  if constexpr (!plain_number<decltype(given)> && shape_of_operand<decltype(given)> == shape::scalar)
+    return followed_by<scalar>(operand(given).tokens, with(token_kind::length));
+  else
+    return operand(given);
 }
 
 /// From the centre of a wheel to where it touches a plane.

@@ -38,8 +38,7 @@ namespace kanexpr::runtime {
 /// A number as it was given: to C++ 1/2 is the whole number 0, which nobody gives on purpose.
 class given_number {
 public:
-  template <class Number>
-    requires std::is_arithmetic_v<Number>
+  template <describe::plain_number Number>
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
@@ -54,8 +53,7 @@ private:
 /// A number among expressions.
 class number_or_expression {
 public:
-  template <class Number>
-    requires std::is_arithmetic_v<Number>
+  template <describe::plain_number Number>
   number_or_expression(Number value) : held_(given_number(value)) {}
   number_or_expression(expression e) : held_(e) {}
 

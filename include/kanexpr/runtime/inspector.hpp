@@ -50,6 +50,8 @@ public:
     if (m_.g->takes_whole_zero())
       return fail(
           {whose, " holds an operation with the number 0", what_it_is, "write x/2 or 0.5*x", for_zero});
+    if (m_.g->takes_limits_out_of_order())
+      return fail({whose, " holds clamp with limits out of order; write clamp(x, least, most)"});
     return !numbers_.holds_no_number(e) || fail({whose, " holds a number that is not finite"});
   }
   bool own(const mechanics::components& v, std::string_view whose) {

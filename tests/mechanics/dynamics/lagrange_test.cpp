@@ -170,7 +170,8 @@ TEST(lagrange, names_what_it_cannot_take) {
     const expression f = p.input("F");
     p.lagrangian(p.vx * p.vx + p.vy * p.vy + f * p.vx);
     EXPECT_EQ(p.mistake_of_derivation(),
-              "a derivative of the Lagrangian by a rate holds the input F, whose rate is not known");
+              "a derivative of the Lagrangian by a rate holds the input F, whose rate is not known; make it "
+              "prescribed, with its rates among the inputs");
   }
   {
     particle_in_plane p;

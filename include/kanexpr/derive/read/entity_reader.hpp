@@ -65,7 +65,10 @@ public:
     const frame_record& told = *freed_.told_of(r);
     const int parent = told.parent != nullptr ? frame(told.parent, told.called) : none;
     if (reading_.mistake) return mechanism::inertial;
+    const frame_record* const parent_before = reading_.parent;
+    reading_.parent = told.parent;
     const int place = add_frame(told, parent);
+    reading_.parent = parent_before;
     open_frames_.pop();
     frames_.push(r);
     places_of_frames_.push(place);

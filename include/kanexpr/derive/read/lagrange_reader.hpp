@@ -33,7 +33,9 @@ public:
     if (reading_.mistake || reading_.from.lagrangian.size == 0) return;
     if (reading_.from.lagrangian.size > 1) return reading_.fail({"lagrangian<...> takes one expression"});
     const phrase& p = reading_.from.lagrangian[0];
-    if (p.kind != shape::scalar) return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
+    if (p.kind != shape::scalar && p.kind != shape::vector &&
+        p.kind != shape::dyadic) // see `read_lagrangian`
+      return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
     reading_.into.loads.has_lagrangian = true;
     entities_.visit(p.tokens, p.size, the_lagrangian);
     for (int i = 0; i < p.size && !reading_.mistake; ++i)

@@ -90,10 +90,7 @@ public:
   constexpr void check_written(const phrase& p, std::string_view whom) {
     for (int i = 0; i < p.size && !reading_.mistake; ++i) {
       if (p.tokens[i].what != describe::token_kind::misused) continue;
-      const bool named = !reading_.part.empty() || whom.substr(0, 4) == "the ";
-      const std::string_view held = named ? "" : name_in(p);
-      reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held,
-                     describe::what_is_wrong(static_cast<describe::misuse>(p.tokens[i].index))});
+      fail_by(static_cast<describe::misuse>(p.tokens[i].index), p, whom);
     }
   }
 
@@ -109,6 +106,17 @@ public:
   }
 
 private:
+  constexpr void fail_by(describe::misuse what, const phrase& p, std::string_view whom) {
+    const bool named = !reading_.part.empty() || whom.substr(0, 4) == "the ";
+    const std::string_view held = named ? "" : name_in(p);
+    reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held, describe::what_is_wrong(what)});
+  }
+
+  /// In whose axes to write what is written in those of a frame that is not there yet.
+  constexpr std::string_view axes_instead() const {
+    return reading_.parent != nullptr ? reading_.parent->called : reading_.from.inertial->called;
+  }
+
   /// Whether a step means nothing for its operands.
   constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
     if (makes_sense(t, a.kind)) return false;
@@ -158,7 +166,8 @@ private:
       if (f == none)
         return reading_.fail({reading_.part, whom,
                               " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
-                              ", which stands for a frame while its angular velocity is declared"});
+                              ", which stands for a frame while its angular velocity is declared; write ",
+                              axes_instead(), "::", axis_names.substr(static_cast<std::size_t>(t.index), 1)});
       v.add(f, mechanics::unit(*m_.g, t.index));
       if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
       stack.push(value::of(static_cast<mechanics::vector&&>(v)));
@@ -255,6 +264,10 @@ private:
       stack.back().vector = v;
       break;
     }
+    case token_kind::length:
+      if (stack.back().scalar.is_constant() && number_at(stack.back().scalar) < 0)
+        fail_by(describe::misuse::negative_length, *phrase_, whom);
+      break;
     case token_kind::misused: return check_written(*phrase_, whom);
     case token_kind::position:
     case token_kind::velocity:
@@ -283,6 +296,9 @@ private:
       return reading_.fail({reading_.part, whom, " takes ", f.name, " of ", mechanics::counted(given).view(),
                             given == 1 ? " scalar" : " scalars", "; it is of ",
                             mechanics::counted(f.operands).view()});
+    if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
+      return reading_.fail(
+          {reading_.part, whom, " holds clamp with limits out of order; write clamp(x, least, most)"});
     for (int i = 0; i < given; ++i) stack.pop();
     stack.push(value::of(symbolic::compose(f.is, operands)));
   }

@@ -24,7 +24,8 @@ struct reading {
   mechanics::multibody_system& into;
   mechanics::known_motion* known = nullptr; ///< null while frames and points are read
   std::string_view part{};                  ///< of an entity, that is being read: "the offset of point "
-  int describing = none;                    ///< the frame whose own axes `own` means
+  const describe::frame_record* parent = nullptr; ///< of the frame whose orientation is read
+  int describing = none;                          ///< the frame whose own axes `own` means
   sentence mistake{};
   bool follows_from_unparsed = false; ///< the mistake, of which the compiler has reported one already
 

@@ -74,7 +74,7 @@ private:
   /// Where a quantity is differentiated, its inputs must be prescribed with their derivatives.
   constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
     if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
-      fail({of, whose, " holds the input ", u.input, ", whose ", u.what, " is not known"});
+      fail({of, whose, " holds the input ", u.input, ", whose ", u.what, is_not_known});
   }
 
   /// At generic states.

@@ -51,7 +51,7 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
                          "; it may hold coordinates only"});
     if (const unknown_derivative u = find_unknown_derivative(m, held, f, 2))
       return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
-                       u.what, " is not known"});
+                       u.what, is_not_known});
     if (!held.holds(f, kind::coordinate) && !given.redundant.contains(i + 1))
       return sentence({"configuration constraint ", which.view(), " holds no coordinate",
                        f.is_zero() ? "; redundant<" : "", f.is_zero() ? which.view() : "",
@@ -65,7 +65,7 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
                        speed_rate_called(m, held.name_of(v, kind::speed_rate)).view()});
     if (const unknown_derivative u = find_unknown_derivative(m, held, v, 1))
       return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
-                       " is not known"});
+                       is_not_known});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
       return held.holds(v, kind::coordinate)
                  ? sentence({"velocity constraint ", which.view(), " holds the coordinate ",

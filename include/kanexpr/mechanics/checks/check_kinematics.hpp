@@ -82,8 +82,8 @@ private:
       return fail({"a kinematic differential equation holds the auxiliary speed ",
                    c_.name_of(e, kind::auxiliary_speed)});
     if (const unknown_derivative u = find_unknown_derivative(m_, c_, e, 1))
-      return fail({"a kinematic differential equation holds the input ", u.input, ", whose ", u.what,
-                   " is not known"});
+      return fail(
+          {"a kinematic differential equation holds the input ", u.input, ", whose ", u.what, is_not_known});
     found_ = check_linear(m_, c_, e, "a kinematic differential equation");
   }
 

@@ -69,7 +69,7 @@ private:
     for (const expression& p : gradient_of(m_, l).momenta)
       if (const unknown_derivative u = find_unknown_derivative(m_, contents(*m_.g), p, 1))
         return fail({"a derivative of the Lagrangian by a rate holds the input ", u.input, ", whose ", u.what,
-                     " is not known"});
+                     is_not_known});
   }
 
   /// A declared angular velocity against that of the orientation.

@@ -21,14 +21,7 @@ public:
                                     load_check& by)
       : m_(m), acting_(acting), held_(held), by_(by) {}
 
-  constexpr void run() {
-    check_pairs(acting_.forces);
-    check_pairs(acting_.torques);
-    check_energies();
-    check_in_numbers();
-    check_springs();
-    check_torsional_dampers();
-  }
+  constexpr void run();
 
 private:
   using kind = contents::kind;
@@ -221,6 +214,16 @@ private:
   load_check& by_;
   sequence<doubt> doubtful_{};
 };
+
+/// Down here clang++ has read the templates that it needs at once.
+constexpr void checking_repeated_loads::run() {
+  check_pairs(acting_.forces);
+  check_pairs(acting_.torques);
+  check_energies();
+  check_in_numbers();
+  check_springs();
+  check_torsional_dampers();
+}
 
 } // namespace detail
 

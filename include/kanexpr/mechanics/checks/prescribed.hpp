@@ -15,6 +15,10 @@ constexpr int rate_of_input(const mechanism& m, int input) {
 
 } // namespace detail
 
+/// How a sentence about one goes on.
+inline constexpr std::string_view is_not_known =
+    " is not known; make it prescribed, with its rates among the inputs";
+
 /// An input that is differentiated and has no such derivative; `input` is empty where all have.
 struct unknown_derivative {
   std::string_view input;

@@ -20,8 +20,16 @@ constexpr expression if_positive(expression condition, expression positive, expr
 constexpr expression(min)(expression a, expression b) { return if_positive(b - a, a, b); }
 /// The larger one, likewise.
 constexpr expression(max)(expression a, expression b) { return if_positive(a - b, a, b); }
+/// Whether two limits are numbers of which the first is larger.
+constexpr bool is_out_of_order(expression least, expression most) {
+  if (!least.is_constant() || !most.is_constant()) return false;
+  const graph& g = least.owner();
+  return g.number_at(least.node()).value() > g.number_at(most.node()).value();
+}
 /// x between two bounds; where it meets one, that bound.
 constexpr expression clamp(expression x, expression least, expression most) {
+  if (!__builtin_is_constant_evaluated() && x.is_given() && is_out_of_order(least, most))
+    x.owner().note_limits_out_of_order();
   return (min)((max)(x, least), most);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/letter.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 
 #include <concepts>
@@ -99,6 +100,23 @@ public:
   friend constexpr expression operator/(Number a, expression b) {
     return b.given(a) / b;
   }
+  // '2' would become the int 50
+  template <numeric::letter Letter>
+  friend expression operator+(expression, Letter) = delete;
+  template <numeric::letter Letter>
+  friend expression operator+(Letter, expression) = delete;
+  template <numeric::letter Letter>
+  friend expression operator-(expression, Letter) = delete;
+  template <numeric::letter Letter>
+  friend expression operator-(Letter, expression) = delete;
+  template <numeric::letter Letter>
+  friend expression operator*(expression, Letter) = delete;
+  template <numeric::letter Letter>
+  friend expression operator*(Letter, expression) = delete;
+  template <numeric::letter Letter>
+  friend expression operator/(expression, Letter) = delete;
+  template <numeric::letter Letter>
+  friend expression operator/(Letter, expression) = delete;
   constexpr expression& operator+=(expression b) { return *this = *this + b; }
   constexpr expression& operator-=(expression b) { return *this = *this - b; }
   constexpr expression& operator*=(expression b) { return *this = *this * b; }

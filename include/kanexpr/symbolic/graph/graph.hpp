@@ -67,6 +67,14 @@ public:
     return held;
   }
 
+  /// That it has limited something between a number and a smaller one.
+  void note_limits_out_of_order() { has_limits_out_of_order_ = true; }
+  bool takes_limits_out_of_order() {
+    const bool held = has_limits_out_of_order_;
+    has_limits_out_of_order_ = false;
+    return held;
+  }
+
   /// The functions of the program that are called here.
   constexpr sequence<const external_function*>& externals() { return externals_; }
   constexpr const sequence<const external_function*>& externals() const { return externals_; }
@@ -209,6 +217,7 @@ private:
   sequence<const external_function*> externals_{};
   bool holds_lists_ = false;
   bool holds_whole_zero_ = false;
+  bool has_limits_out_of_order_ = false;
 };
 
 } // namespace kanexpr::symbolic
