@@ -144,12 +144,43 @@ TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
       .steps = 100,
       .keep = {at_end<q1>("x_end"), at_end<q2>("y_end")}};
   told.state = {{q1, 1}, {u2, 0.1}};
+  const auto held = ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run();
+  EXPECT_EQ(held.failed, 3u);
+  ASSERT_GT(held.failures.size(), 0u);
+  EXPECT_EQ(held.failures[0].cause,
+            "coordinate q1, which is dependent, was given 1 and is 1.93649167; leave it "
+            "out, name others dependent<...>, or set guesses_dependent");
+  told.guesses_dependent = true;
   const auto found = ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run();
   ASSERT_TRUE(found) << found.cause();
   for (std::size_t i : {0u, 1u})
     EXPECT_NEAR(std::hypot(found.runs["x_end"][i], found.runs["y_end"][i]), 2, 1e-9);
   ASSERT_EQ(found.failed, 1u); // nothing of that length reaches so far
   EXPECT_EQ(found.failures[0].run, 2u);
+}
+
+TEST(ensemble_in_steps, holds_what_dependent_variables_are_given) {
+  using namespace pendulum_nonminimal;
+  study_in_steps<runge_kutta_4<pendulum_nonminimal::System>> told{.runs = grid({{q1, {1.6, 1.5}}}),
+                                                                  .state = {{q2, 1.2}, {u2, 0.1}},
+                                                                  .parameters = {{m, 1}, {L, 2}, {g, 9.81}},
+                                                                  .step = 1e-2,
+                                                                  .steps = 10,
+                                                                  .keep = {at_end<q1>("x_end")}};
+  const auto run = [&] { return ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run(); };
+  auto found = run();
+  ASSERT_EQ(found.failed, 1u) << found.cause();
+  EXPECT_EQ(found.failures[0].run, 1u);
+  EXPECT_THAT(found.failures[0].cause,
+              testing::StartsWith("coordinate q1, which is dependent, was given 1.5 and is 1.6; "));
+  told.for_each_run = [](const run_values&, auto& one) { one.x[u1] = 9; };
+  found = run();
+  EXPECT_EQ(found.failed, 2u);
+  EXPECT_EQ(
+      found.cause().find("all 2 runs failed, the first of them: speed u1, which is dependent, was given "
+                         "9 and is -0.075; "),
+      0u)
+      << found.cause();
 }
 
 TEST(ensemble_in_steps, says_what_was_told_wrongly) {

@@ -65,6 +65,8 @@ TEST(study, is_another_where_anything_of_it_differs) {
   expect_other([](auto& s) { s.simulation.most_steps = 100; });
   expect_other([](auto& s) { s.simulation.events = {when<System, q>("passes")}; });
   expect_other([](auto& s) { s.simulation.dense = true; });
+  expect_other([](auto& s) { s.simulation.guesses_dependent = true; });
+  expect_other([](auto& s) { s.simulation.each_sample = [](const sample<System>&) {}; });
   expect_other([](auto& s) { s.inputs = {{T, std::nextafter(0, 1)}}; });
   expect_other([](auto& s) { s.inputs = {}, s.simulation.inputs = {{T, 1}}; });
   expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
@@ -86,6 +88,11 @@ TEST(study, is_another_with_another_event_of_the_same_name) {
   EXPECT_NE(text(when<System, 2 * q>("passes"), passes), first);
   EXPECT_NE(text(when<System, q>("passes", crossing::rising), passes), first);
   EXPECT_NE(text(when<System, q>("passes", crossing::either, after_event::stop), passes), first);
+  const auto handled = [&](event_handler<System> act) {
+    return text(when<System, q>("passes", crossing::either, std::move(act)), passes);
+  };
+  EXPECT_NE(handled(after_event::stop), handled(after_event::go_on));
+  EXPECT_NE(handled(after_event::stop), handled([](auto&) { return after_event::stop; }));
   EXPECT_NE(text({"passes", [](double, const auto& x, const auto&, const auto&) { return x[q]; }}, passes),
             first);
   EXPECT_NE(text(when<System, q>("passes"), first_time_of("turns", "t")), first);
@@ -130,6 +137,7 @@ TEST(study, in_steps_is_another_where_anything_of_it_differs) {
   expect_other([](auto& s) { s.keep = {at_end<u>("kept")}; });
   expect_other([](auto& s) { s.keep = {least<q>("kept")}; });
   expect_other([](auto& s) { s.step = 0.2; });
+  expect_other([](auto& s) { s.guesses_dependent = true; });
   expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
   EXPECT_NE((ensembles::stepped_study<semi_implicit_euler<System>, ensembles::constant_inputs, double>(
                  {.runs = told.runs, .step = 0.1, .steps = 10, .keep = {at_end<q>("kept")}}, {})

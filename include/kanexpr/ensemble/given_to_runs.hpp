@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -123,6 +124,12 @@ struct given_to_systems {
   /// Of a run, before a function changes it.
   run_setup<System> in(const run_values& run) const {
     return {states.in(run), parameters.in(run), inputs.in(run)};
+  }
+
+  /// Whether the study, or the function that changed its run, told this coordinate or speed; where neither
+  /// did, the constraints give it.
+  bool tells(const state<System>& x, std::size_t i) const {
+    return !states.is_left_out(i) || std::abs(x(static_cast<Eigen::Index>(i))) > 0;
   }
 
   given_to_runs<System, symbols_of::state, state<System>> states;

@@ -46,15 +46,16 @@ public:
           o.output_every, o.first_step, o.least_step, o.greatest_step})
       all.put(each);
     all.put(static_cast<int>(by)), all.put(o.most_steps), all.put(o.output_times);
-    for (bool each : {o.analytic_jacobian, o.dense, o.keep, o.inputs.depends_on_state(),
-                      static_cast<bool>(told_.for_each_run)})
+    for (bool each : {o.guesses_dependent, o.analytic_jacobian, o.dense, o.keep, o.inputs.depends_on_state(),
+                      static_cast<bool>(o.each_sample), static_cast<bool>(told_.for_each_run)})
       all.put(each);
     all.put(o.absolute_tolerances.size());
     for (const named_value& each : o.absolute_tolerances) all.put(each.what.name()), all.put(each.value);
     all.put(o.events.size());
     for (const event<System>& each : o.events) {
       all.put(each.name), all.put(each.text), all.put(static_cast<int>(each.direction));
-      all.put(static_cast<bool>(each.handler));
+      all.put(static_cast<bool>(each.handler)), all.put(each.handler.always().has_value());
+      if (const auto& always = each.handler.always()) all.put(static_cast<int>(*always));
     }
     all.put(o.inputs.constants().has_value());
     if (const auto& inputs = o.inputs.constants())
@@ -171,8 +172,7 @@ private:
   /// Without the dependent coordinates and speeds that neither the study nor its function told.
   given_state<System> start_of(const state<System>& x) const {
     given_state<System> start(x);
-    for (std::size_t i = 0; i < start.is_left_out.size(); ++i)
-      start.is_left_out[i] = given_.states.is_left_out(i) && !(std::abs(x(static_cast<Eigen::Index>(i))) > 0);
+    for (std::size_t i = 0; i < start.is_left_out.size(); ++i) start.is_left_out[i] = !given_.tells(x, i);
     return start;
   }
 

@@ -4,6 +4,7 @@
 #include <kanexpr/ensemble/job.hpp>
 #include <kanexpr/ensemble/study_in_steps.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/simulate/contradiction.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
@@ -44,6 +45,7 @@ public:
     bytes_writer all;
     all.put(type_name<Step>()), all.put(compiled::digest_of_model<System>);
     all.put(sizeof(Number)), all.put(has_law), all.put(static_cast<bool>(told_.for_each_run));
+    all.put(told_.guesses_dependent);
     all.put(told_.step), all.put(told_.steps), all.put(told_.start), all.put(told_.look_every);
     for (const auto& each : told_.keep) all.put(each.text);
     return given_.text(told_) + all.bytes();
@@ -126,9 +128,13 @@ private:
       done.stand_at(told_.start, x);
       if (const auto mistake = given_parameters<System>(p).mistake)
         return done.fail(std::string(mistake.view()));
-      if constexpr (known.constraints + known.configuration_constraints + known.quaternions > 0)
+      if constexpr (known.constraints + known.configuration_constraints + known.quaternions > 0) {
+        const state<System> told = x;
         if (const assembly built = assemble<System>(x, p, r, told_.start); !built)
           return done.fail(built.cause());
+        if (std::string mistake = contradiction_at_start(told, x); !mistake.empty())
+          return done.fail(std::move(mistake));
+      }
       of.x.set(place, rounded<state<System, Number>>(x));
       of.p.set(place, rounded<parameter_values<System, Number>>(p));
       of.r.set(place, rounded<input_values<System, Number>>(r));
@@ -137,6 +143,12 @@ private:
     } catch (...) {
       done.fail("something was thrown that is no std::exception");
     }
+  }
+
+  std::string contradiction_at_start(const state<System>& told, const state<System>& found) const {
+    if (told_.guesses_dependent) return {};
+    return simulated::contradiction_at_start(known, told, found,
+                                             [&](std::size_t i) { return given_.tells(told, i); });
   }
 
   template <class Vector, class Given>

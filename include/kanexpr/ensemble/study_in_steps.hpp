@@ -44,6 +44,9 @@ struct study_in_steps {
   double step = 0;                          ///< in seconds, as the unit of time of the model is
   int steps = 0;
   double start = 0; ///< the time at which they begin
+  /// Whether what is given for dependent coordinates and speeds is where the search for them starts. Else a
+  /// run fails where the constraints contradict it.
+  bool guesses_dependent = false;
 
   /// Changes a run by what it is given, as parameters that go together. Each run has a copy of it.
   std::function<void(const run_values&, run_setup<System>&)> for_each_run = {};

@@ -33,4 +33,12 @@ std::string contradiction(const deriving::survey& known, const Eigen::VectorXd& 
   return {};
 }
 
+/// The same of a state from which a motion begins, with what to do about it.
+template <class IsTold>
+std::string contradiction_at_start(const deriving::survey& known, const Eigen::VectorXd& told,
+                                   const Eigen::VectorXd& found, const IsTold& is_told) {
+  const std::string said = contradiction(known, told, found, is_told);
+  return said.empty() ? said : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
+}
+
 } // namespace kanexpr::simulated

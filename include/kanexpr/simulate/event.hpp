@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -27,7 +28,7 @@ template <class System>
 class event_handler {
 public:
   event_handler() = default;
-  event_handler(after_event always) : do_([always](moment<System>&) { return always; }) {}
+  event_handler(after_event always) : do_([always](moment<System>&) { return always; }), always_(always) {}
   template <std::invocable<moment<System>&> Handler>
   event_handler(Handler handler)
       : do_([h = std::move(handler)](moment<System>& now) mutable {
@@ -40,10 +41,13 @@ public:
         }) {}
 
   explicit operator bool() const { return static_cast<bool>(do_); }
+  /// What it does each time, by which a study knows it again; nothing: a function.
+  const std::optional<after_event>& always() const { return always_; }
   after_event operator()(moment<System>& now) const { return do_(now); }
 
 private:
   std::function<after_event(moment<System>&)> do_{};
+  std::optional<after_event> always_{};
 };
 
 /// Something that happens where a function passes zero. Without a handler it is only noted.

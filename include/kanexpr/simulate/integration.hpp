@@ -89,9 +89,7 @@ private:
     const auto is_given = [&](std::size_t i) {
       return options_.is_left_out.empty() || !options_.is_left_out[i];
     };
-    const std::string said = contradiction(known(), state_, found, is_given);
-    return said.empty() ? said
-                        : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
+    return simulated::contradiction_at_start(known(), state_, found, is_given);
   }
 
   void come_to(double t, const state& x) {
