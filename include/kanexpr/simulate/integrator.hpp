@@ -16,7 +16,7 @@ enum class integrator {
   implicit_runge_kutta,
   /// The equations of all speeds with their multipliers, as a differential-algebraic system (IDA): no choice
   /// of dependent coordinates and speeds enters, so that a motion may pass where that choice is singular. The
-  /// constraints are met within the tolerances.
+  /// constraints are met within the tolerances. Where they depend on each other, `bdf` takes over.
   differential_algebraic,
 };
 
