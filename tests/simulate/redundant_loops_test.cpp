@@ -85,8 +85,8 @@ public:
 
 TEST(redundant_constraints, are_named_by_the_sentence_that_refuses_them) {
   EXPECT_EQ(derive(four_bar(true)).mistake(),
-            "configuration constraint 3 holds no coordinate; redundant<3> leaves it out");
-  EXPECT_EQ(derive(four_bar(true, {3})).mistake(),
+            "configuration constraints 3, 4 and 5 hold no coordinate; redundant<3, 4, 5> leaves them out");
+  EXPECT_EQ(derive(four_bar(true, {3, 5})).mistake(),
             "configuration constraint 4 holds no coordinate; redundant<4> leaves it out");
   EXPECT_EQ(derive(four_bar(false, {3})).mistake(),
             "redundant<3> names none of the 2 configuration constraints");

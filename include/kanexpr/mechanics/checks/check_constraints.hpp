@@ -23,6 +23,19 @@ constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m,
   return jacobian;
 }
 
+/// Of planar loops in space, say.
+constexpr sentence constraints_of_nothing(const given_constraints& given) {
+  sequence<int> numbers;
+  for (int i = 0; i < given.on_configuration.size(); ++i)
+    if (given.on_configuration[i].is_zero() && !given.redundant.contains(i + 1)) numbers.push(i + 1);
+  const auto [named, listed] = numbered(numbers);
+  return numbers.size() == 1
+             ? sentence({"configuration constraint ", named.view(), " holds no coordinate; redundant<",
+                         listed.view(), "> leaves it out"})
+             : sentence({"configuration constraints ", named.view(), " hold no coordinate; redundant<",
+                         listed.view(), "> leaves them out"});
+}
+
 /// What the constraints of a model hold.
 constexpr sentence check_contents_of_constraints(const mechanism& m, const given_constraints& given) {
   using kind = symbolic::symbol_kind;
@@ -53,9 +66,8 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
       return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
                        u.what, is_not_known});
     if (!held.holds(f, kind::coordinate) && !given.redundant.contains(i + 1))
-      return sentence({"configuration constraint ", which.view(), " holds no coordinate",
-                       f.is_zero() ? "; redundant<" : "", f.is_zero() ? which.view() : "",
-                       f.is_zero() ? "> leaves it out" : ""});
+      return f.is_zero() ? constraints_of_nothing(given)
+                         : sentence({"configuration constraint ", which.view(), " holds no coordinate"});
   }
   for (int i = 0; i < given.on_velocities.size(); ++i) {
     const expression v = given.on_velocities[i].value;

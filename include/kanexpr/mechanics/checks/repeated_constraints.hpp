@@ -170,6 +170,20 @@ constexpr repeated_constraints find_repeated(const mechanism& m, const symbolic:
   return found;
 }
 
+/// "3, 4 and 5", and "3, 4, 5".
+struct numbered_constraints {
+  sentence named{}, listed{};
+};
+constexpr numbered_constraints numbered(const sequence<int>& numbers) {
+  numbered_constraints all;
+  for (int i = 0; i < numbers.size(); ++i) {
+    const name number = counted(numbers[i]);
+    all.named = sentence({all.named.view(), before_entry(i, numbers.size()), number.view()});
+    all.listed = sentence({all.listed.view(), i == 0 ? "" : ", ", number.view()});
+  }
+  return all;
+}
+
 /// What to write where constraints seem to bind too much, unless they do: "; where all hold, configuration
 /// constraint 5 follows from those before it, and redundant<5> leaves it out".
 constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matrix& by_q,
@@ -180,12 +194,9 @@ constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matri
     return sentence({", unless redundant<...> names some configuration constraints that follow from others"});
   const int count = found.places.size();
   if (count == 0 || c.on_configuration.size() - count >= m.coordinates.size()) return {};
-  sentence named, listed;
-  for (int i = 0; i < count; ++i) {
-    const name number = counted(c.numbers[found.places[i]]);
-    named = sentence({named.view(), before_entry(i, count), number.view()});
-    listed = sentence({listed.view(), i == 0 ? "" : ", ", number.view()});
-  }
+  sequence<int> numbers;
+  for (const int place : found.places) numbers.push(c.numbers[place]);
+  const auto [named, listed] = numbered(numbers);
   return count == 1
              ? sentence({"; where all hold, configuration constraint ", named.view(),
                          " follows from those before it, and redundant<", listed.view(), "> leaves it out"})
