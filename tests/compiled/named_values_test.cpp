@@ -197,4 +197,51 @@ TEST(named_values, give_no_body_a_negative_mass_by_an_expression) {
             "a moment of inertia of Rod is negative");
 }
 
+namespace inertias {
+
+using namespace kanexpr;
+
+constexpr coordinate<"q"> q;
+constexpr speed<"u"> u;
+constexpr parameter<"Ix"> Ix;
+constexpr parameter<"Iy"> Iy;
+constexpr parameter<"Iz"> Iz;
+constexpr parameter<"Ixy"> Ixy;
+constexpr parameter<"m"> m;
+constexpr parameter<"r"> r;
+
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, q, N::z> {};
+struct O : origin<O, N> {};
+struct P : offset<P, O, r * A::y> {};
+struct Block : rigid_body<Block, P, A, 2, inertia<A, Ix, Iy, Iz, Ixy>> {};
+struct Hung : rigid_body<Hung, P, A, m, inertia_about<O, inertia<A, 1, 2, Iz + Ix>>> {};
+struct Rotor : rigid_body<Rotor, P, A, 1, effective_inertia<inertia<A, 1, 1, m>>> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>,
+                            parameters<Ix, Iy, Iz, Ixy, m, r>, bodies<Block, Hung, Rotor>> {};
+
+} // namespace inertias
+
+TEST(named_values, give_no_body_an_inertia_of_none) {
+  using namespace inertias;
+  const auto mistake = [](double x, double y, double z, double xy, double mass = 1, double arm = 0.5) {
+    const kanexpr::given_parameters<System> p{{Ix, x}, {Iy, y}, {Iz, z}, {Ixy, xy}, {m, mass}, {r, arm}};
+    return std::string(p.mistake.view());
+  };
+  const char* const of_none =
+      " is that of no body: one principal moment is larger than the other two together; if it is meant, "
+      "write effective_inertia<...> around it";
+  EXPECT_EQ(mistake(1, 1, 1.2, 0.1), "");
+  EXPECT_EQ(mistake(1, 1, 2, 0), ""); // a plate
+  EXPECT_EQ(mistake(0, 0, 2, 0), ""); // of a planar motion
+  EXPECT_EQ(mistake(-1, 1, 1, 0), "parameter Ix, a moment of inertia, is negative");
+  EXPECT_EQ(mistake(1, 1, 1, 5),
+            "the inertia of Block is indefinite: about some axis its moment is negative");
+  EXPECT_EQ(mistake(1, 1, 10, 0), std::string("the inertia of Block") + of_none);
+  EXPECT_EQ(mistake(1.2, 1.2, 2, 0), std::string("the inertia of Hung") + of_none);
+  EXPECT_EQ(mistake(1, 1, 1, 0, 3, -0.6),
+            "the inertia of Hung about O is less than what its mass alone has there");
+  EXPECT_EQ(mistake(1, 1, 1, 0, 9, 0.1), ""); // an effective one is what it is
+}
+
 } // namespace

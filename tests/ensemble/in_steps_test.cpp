@@ -1,5 +1,6 @@
 #include <kanexpr/ensemble.hpp>
 #include <models/pendulum_nonminimal.hpp>
+#include <models/rotating_tube.hpp>
 #include <models/simple_pendulum.hpp>
 
 #include <gmock/gmock.h>
@@ -181,6 +182,31 @@ TEST(ensemble_in_steps, holds_what_dependent_variables_are_given) {
                          "9 and is -0.075; "),
       0u)
       << found.cause();
+}
+
+TEST(ensemble_in_steps, takes_no_rates_that_are_not_those_of_what_is_prescribed) {
+  using namespace rotating_tube;
+  study_in_steps<runge_kutta_4<rotating_tube::System>> told{
+      .runs = grid({{q, {0.5}}}),
+      .state = {{u, 0}},
+      .parameters = {{m, 1}, {k, 10}, {q0, 0.5}, {g, 9.81}, {c, 0}},
+      .inputs = {{theta, 0}, {dot(theta), 2}, {dot(dot(theta)), 0}},
+      .step = 1e-2,
+      .steps = 100};
+  const std::string all = "the run failed, the first of them: prescribed quantity theta ";
+  EXPECT_EQ(ensemble_in_steps(told).run().cause(), all + "is given as constant, with the rate 2");
+  told.inputs = {};
+  const auto turning_at = [](double rate) {
+    return [=](double t, const auto& x) {
+      using number = typename std::remove_cvref_t<decltype(x)>::Scalar;
+      input_values<rotating_tube::System, number> r;
+      r[theta] = 2 * t + 0.0 * x[q], r[dot(theta)] = rate + 0.0 * x[q], r[dot(dot(theta))] = 0.0 * x[q];
+      return r;
+    };
+  };
+  EXPECT_TRUE(ensemble_in_steps(told, turning_at(2)).run());
+  EXPECT_EQ(ensemble_in_steps(told, turning_at(0)).run().cause(),
+            all + "changes at the rate 2 at t = 0.001, and its rate is given as 0");
 }
 
 TEST(ensemble_in_steps, says_what_was_told_wrongly) {

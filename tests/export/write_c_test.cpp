@@ -61,6 +61,7 @@ TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", std::numeric_limits<double>::infinity()}}}),
             "parameter m is bound to no finite number");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", 1}, {"m", 2}}}), "parameter m is bound twice");
+  EXPECT_EQ(cause_of("arm", {.bound = {{"m", -1}}}), "parameter m, the mass of a body, is negative");
   c_options huge{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}};
   EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that double has no room for");
   huge = {
@@ -407,6 +408,10 @@ TEST(WriteFmu, NamesWhatCannotBeExported) {
   EXPECT_EQ(of([](fmu_options& o) { o.start.pop_back(); }), "parameter c has no start value");
   EXPECT_EQ(of([&](fmu_options& o) { o.start[0].value = none; }), "the start value of q is not finite");
   EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"q", 1}); }), "q has two start values");
+  EXPECT_EQ(of([](fmu_options& o) { o.start[1].value = -1; }),
+            "parameter m, the mass of a body, is negative");
+  EXPECT_EQ(of([](fmu_options& o) { o.start.erase(o.start.begin() + 1), o.bound = {{"m", -1}}; }),
+            "parameter m, the mass of a body, is negative");
   EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"k", 1}); }),
             "there is no coordinate, speed, parameter or input k that could start with a value");
   EXPECT_EQ(of([](fmu_options& o) { o.step = 0; }), "the internal step of a co-simulation must be positive");

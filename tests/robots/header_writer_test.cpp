@@ -114,6 +114,7 @@ TEST(header_writer, writes_the_gravity_of_the_robot) {
   robot r = robot_of("arm.urdf");
   EXPECT_THAT(header_of(r), HasSubstr("gravity<-9.81 * N::z>"));
   EXPECT_THAT(header_of(r, {.gravity = 3.7}), HasSubstr("gravity<-3.7 * N::z>"));
+  EXPECT_EQ(header_of(r, {.gravity = HUGE_VAL}), "the gravity that the model is given is not finite");
   r.gravity = vector3{0, 0, -1.62};
   EXPECT_THAT(header_of(r), HasSubstr("gravity<-1.62 * N::z>"));
   r.gravity = vector3{3, 0, -4};

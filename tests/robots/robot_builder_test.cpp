@@ -140,6 +140,9 @@ TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   EXPECT_TRUE(along({}).isZero(0));
   r.gravity = vector3{0, 0, std::nan("")};
   EXPECT_EQ(robot_builder(r).cause(), "the gravity of the robot is not finite");
+  r.gravity = {};
+  EXPECT_EQ(robot_builder(r, {.gravity = std::nan("")}).cause(),
+            "the gravity that the model is given is not finite");
 }
 
 // Against weights at the mass centres of the links, without gravity.

@@ -72,6 +72,76 @@ TEST(inputs, are_prescribed_with_their_derivatives) {
   EXPECT_NEAR(one.state[u], rate, 1e-7);
 }
 
+TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
+  using namespace on_a_cart;
+  const auto cause = [](const simulation_options<System>& options, double to = 5) {
+    return simulate<System>({{q, 0.2}, {u, 0}}, {{g, 9.81}, {l, 0.5}}, {0, to}, options).cause();
+  };
+  EXPECT_EQ(cause({.inputs = {{x, 1}, {dot(x), 0}, {dot(dot(x)), 0}}}), "");
+  EXPECT_EQ(cause({.inputs = {{x, 0}, {dot(x), 2}, {dot(dot(x)), 0}}}),
+            "prescribed quantity x is given as constant, with the rate 2");
+  EXPECT_EQ(cause({.inputs = {{x, 0}, {dot(x), 0}, {dot(dot(x)), -1}}}),
+            "prescribed quantity dot(x) is given as constant, with the rate -1");
+
+  const auto given = [](auto value, auto rate, auto second) {
+    return [=](double t, const state<System>&, input_values<System>& r) {
+      r[x] = value(t), r[dot(x)] = rate(t), r[dot(dot(x))] = second(t);
+    };
+  };
+  const auto zero = [](double) { return 0.0; };
+  const auto sine = [](double t) { return std::sin(40 * t); };
+  const auto cosine = [](double t) { return 40 * std::cos(40 * t); };
+  const auto second = [](double t) { return -1600 * std::sin(40 * t); };
+  EXPECT_EQ(cause({.inputs = given([](double t) { return 2 * t; }, zero, zero)}),
+            "prescribed quantity x changes at the rate 2 at t = 0.005, and its rate is given as 0");
+  EXPECT_EQ(
+      cause({.inputs =
+                 [](double t) { return input_values<System>{{x, 2 * t}, {dot(x), 0}, {dot(dot(x)), 0}}; }}),
+      "prescribed quantity x changes at the rate 2 at t = 0.005, and its rate is given as 0");
+  EXPECT_EQ(cause({.inputs = given(sine, cosine, second)}), "");
+  EXPECT_THAT(cause({.inputs = given(
+                         sine, [&](double t) { return cosine(t) / 40; }, second)}),
+              testing::StartsWith("prescribed quantity x changes at the rate "));
+  EXPECT_THAT(cause({.inputs = given(sine, cosine, [&](double t) { return -second(t); })}),
+              testing::StartsWith("prescribed quantity dot(x) changes at the rate "));
+  // What happens later alone.
+  const auto late = [](double t) { return t > 1 ? (t - 1) * (t - 1) : 0.0; };
+  EXPECT_EQ(cause({.inputs = given(late, zero, zero)}),
+            "prescribed quantity x changes at the rate 2 at t = 2, and its rate is given as 0");
+}
+
+TEST(inputs, are_prescribed_by_tables_with_corners_and_steps) {
+  using namespace on_a_cart;
+  const auto cause = [](const input_source<System>& inputs) {
+    return simulate<System>({{q, 0.2}, {u, 0}}, {{g, 9.81}, {l, 0.5}}, {0, 5},
+                            {.inputs = inputs, .relative_tolerance = 1e-4})
+        .cause();
+  };
+  const auto interpolated = [](double t, auto f) { // rows a twentieth of a second apart
+    const double row = std::floor(20 * t), part = 20 * t - row;
+    return (1 - part) * f(row / 20) + part * f((row + 1) / 20);
+  };
+  EXPECT_EQ(cause([=](double t, const state<System>&, input_values<System>& r) {
+              r[x] = interpolated(t, [](double at) { return std::sin(3 * at); });
+              r[dot(x)] = interpolated(t, [](double at) { return 3 * std::cos(3 * at); });
+              r[dot(dot(x))] = interpolated(t, [](double at) { return -9 * std::sin(3 * at); });
+            }),
+            "");
+  EXPECT_EQ(cause([](double t, const state<System>&, input_values<System>& r) { // with a corner at 2
+              r[x] = std::max(0.0, t - 2), r[dot(x)] = t > 2 ? 1 : 0, r[dot(dot(x))] = 0;
+            }),
+            "");
+  EXPECT_EQ(cause([](double t, const state<System>&, input_values<System>& r) { // held by a computer
+              r[x] = std::sin(0.01 * std::floor(100 * t)), r[dot(x)] = std::cos(t),
+              r[dot(dot(x))] = -std::sin(t);
+            }),
+            "");
+  EXPECT_EQ(cause([](double t, const state<System>& at, input_values<System>& r) { // along the motion
+              r[x] = at[q], r[dot(x)] = at[u], r[dot(dot(x))] = 0 * t;
+            }),
+            "");
+}
+
 namespace controlled {
 
 using namespace simple_pendulum;

@@ -53,7 +53,7 @@ struct given_values {
       values = numbers;
       values_reader reader = reads();
       reader.look_for_infinite();
-      reader.look_for_negative();
+      reader.look_for_impossible();
       mistake = reader.mistake();
     }
   }
@@ -86,7 +86,7 @@ private:
         read_one(reader, entry);
     if constexpr (!may_be_incomplete) reader.look_for_missing();
     reader.look_for_infinite();
-    reader.look_for_negative();
+    reader.look_for_impossible();
     for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     mistake = reader.mistake();
   }

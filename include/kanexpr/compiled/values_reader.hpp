@@ -12,6 +12,10 @@
 
 namespace kanexpr::compiled {
 
+/// Masses that are negative and inertias that no body has, of the parameters of a system: the first, as a
+/// sentence. Parameters that are not numbers are not known.
+mechanics::sentence check_masses(const deriving::survey& known, const double* parameters);
+
 /// Puts values that are given by name into their places, and keeps the first mistake. A model that was
 /// derived while the program runs has no name: "the model has no parameter ll".
 class values_reader {
@@ -24,8 +28,8 @@ public:
   /// Every symbol needs a value except the dependent ones, which the constraints give.
   void look_for_missing();
   void look_for_infinite();
-  /// Masses and moments of inertia.
-  void look_for_negative();
+  /// Masses and inertias.
+  void look_for_impossible();
 
   bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }
   const mechanics::sentence& mistake() const { return mistake_; }

@@ -79,14 +79,18 @@ private:
         out_ << "    s.inertial.number[" << i << "] = " << std::hexfloat << known.number[i]
              << std::defaultfloat << ";\n";
     }
-    set("inertial.bodies", known.bodies);
-    for (int i = 0; i < known.bodies; ++i)
+    set("inertial.named", known.named);
+    for (int i = 0; i < known.named; ++i)
       out_ << "    s.inertial.names[" << i << "] = \"" << known.names[i].view() << "\";\n";
     set("inertial.count", known.count);
     for (int i = 0; i < known.count; ++i) {
-      set("inertial.step_of", i, known.step_of[i]);
-      if (known.is_moment[i]) out_ << "    s.inertial.is_moment[" << i << "] = true;\n";
-      set("inertial.body", i, known.body[i]);
+      const deriving::inertial_values::of_body& body = known.bodies[i];
+      const std::string member = "inertial.bodies[" + std::to_string(i) + "].";
+      set((member + "called").c_str(), body.called);
+      set((member + "about").c_str(), body.about);
+      set((member + "mass").c_str(), body.mass);
+      for (int k = 0; k < 6; ++k) set((member + "inertia").c_str(), k, body.inertia[k]);
+      for (int k = 0; k < 3; ++k) set((member + "way").c_str(), k, body.way[k]);
     }
   }
   void set(const char* member, int place, int value) {

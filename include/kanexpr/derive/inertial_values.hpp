@@ -1,14 +1,25 @@
 #pragma once
 
+#include <kanexpr/mechanics/checks/check_inertia.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 
 namespace kanexpr::deriving {
 
-/// Masses and moments of inertia that are expressions of parameters, such as m - 2*k: as steps on numbers,
-/// for programs that look at the parameters which they are given. As many as there is room for.
+/// Masses and inertias that are expressions of parameters, as m - 2*k, or that only numbers can tell to be
+/// those of a body: as steps on numbers, for programs that look at the parameters which they are given. As
+/// many as there is room for.
 struct inertial_values {
-  static constexpr int room = 256, room_for_values = 64, room_for_bodies = 32;
+  static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
+
+  /// Each number is that of a step, by 1 more than its place; 0: it is not known, or need not be looked at.
+  struct of_body {
+    int called = 0, about = 0; ///< which names
+    int mass = 0;
+    int inertia[6]{}; ///< xx, yy, zz, xy, yz, zx
+    int way[3]{};     ///< from the mass centre to the point that the inertia is about, in the same axes
+  };
 
   int steps = 0;
   symbolic::operation operation[room]{};
@@ -16,14 +27,13 @@ struct inertial_values {
   int b[room]{};
   double number[room]{};
   int count = 0;
-  int step_of[room_for_values]{};
-  bool is_moment[room_for_values]{};
-  int body[room_for_values]{};
-  int bodies = 0;
-  symbolic::name names[room_for_bodies]{}; ///< of the bodies
+  of_body bodies[room_for_bodies]{};
+  int named = 0;
+  symbolic::name names[room_for_names]{}; ///< of bodies, and of points that inertias are about
 
-  /// The first that is negative by more than rounding with some parameters, or -1.
-  constexpr int first_negative(const double* parameters) const {
+  /// The first mistake with some parameters: what is negative by more than rounding, or an inertia that no
+  /// body has. Of what a parameter that is not a number leaves unknown there is none.
+  constexpr mechanics::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: of the terms that a value is the sum of
     for (int i = 0; i < steps; ++i) {
       const int left = is_leaf(operation[i]) ? 0 : a[i];
@@ -41,14 +51,53 @@ struct inertial_values {
       else if (operation[i] == symbolic::operation::divide)
         size[i] = size[left] / magnitude(value[b[i]]);
     }
-    for (int i = 0; i < count; ++i)
-      if (value[step_of[i]] < -rounding * size[step_of[i]]) return i;
-    return -1;
+    const auto is_negative = [&](int step) {
+      return step > 0 && numeric::is_finite(value[step - 1]) && value[step - 1] < -rounding * size[step - 1];
+    };
+    mechanics::sentence found;
+    for (int i = 0; i < count && !found; ++i) {
+      const of_body& each = bodies[i];
+      if (is_negative(each.mass))
+        found = mechanics::sentence({"the mass of ", names[each.called].view(), " is negative"});
+      else if (is_negative(each.inertia[0]) || is_negative(each.inertia[1]) || is_negative(each.inertia[2]))
+        found = mechanics::sentence({"a moment of inertia of ", names[each.called].view(), " is negative"});
+      else
+        found = mistake_in_inertia(each, value);
+    }
+    return found;
   }
 
 private:
   static constexpr double rounding = 1e-12;
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
+
+  constexpr mechanics::sentence mistake_in_inertia(const of_body& body, const double* value) const {
+    double entry[6]{};
+    for (int i = 0; i < 6; ++i) {
+      if (body.inertia[i] == 0) return {};
+      entry[i] = value[body.inertia[i] - 1];
+      if (!numeric::is_finite(entry[i])) return {};
+    }
+    mechanics::detail::numeric_inertia inertia;
+    for (int i = 0; i < 3; ++i) {
+      inertia.at[i][i] = entry[i];
+      inertia.at[i][(i + 1) % 3] = inertia.at[(i + 1) % 3][i] = entry[3 + i];
+    }
+    const double largest = inertia.largest();
+    if (!(largest > 1e-100)) return {};
+    inertia.scale(1 / largest);
+    mechanics::detail::numeric_way way;
+    way.known = body.mass > 0;
+    way.mass = way.known ? value[body.mass - 1] : 0;
+    for (int i = 0; i < 3; ++i) {
+      way.known = way.known && body.way[i] > 0;
+      way.r[i] = way.known ? value[body.way[i] - 1] : 0;
+      way.known = way.known && magnitude(way.r[i]) < 1e30; // whose square might overflow
+    }
+    way.known = way.known && way.mass < 1e30;
+    return mechanics::detail::check_principal_values(names[body.called].view(), names[body.about].view(),
+                                                     inertia, largest, way);
+  }
 };
 
 /// Finds them in a mechanism.
@@ -56,31 +105,67 @@ class inertial_values_of {
 public:
   constexpr inertial_values_of(const mechanics::mechanism& m, inertial_values& into)
       : m_(m), g_(*m.g), into_(into) {
-    for (const mechanics::body& b : m.bodies) {
-      add(b, b.mass, false);
-      if (b.inertia.parts.size() != 1 || b.effective) continue;
-      const mechanics::dyadic::part& only = b.inertia.parts[0];
-      for (int i = 0; i < 3 && only.left == only.right; ++i) add(b, only.value(i, i), true);
-    }
+    for (const mechanics::body& b : m.bodies) add(b);
   }
 
 private:
-  constexpr void add(const mechanics::body& b, const symbolic::expression& value, bool is_moment) {
-    if (is_leaf(g_[value.node()].op) || into_.count == inertial_values::room_for_values) return;
-    const bool is_new = into_.bodies == 0 || !(into_.names[into_.bodies - 1] == b.called);
-    if (is_new && into_.bodies == inertial_values::room_for_bodies) return;
+  using expression = symbolic::expression;
+
+  constexpr void add(const mechanics::body& b) {
+    const bool is_inertia_asked = has_inertia_to_ask(b), is_mass_asked = !is_leaf(g_[b.mass.node()].op);
+    if (into_.count == inertial_values::room_for_bodies || !has_room_for_names()) return;
+    if (!is_inertia_asked && !is_mass_asked) return;
+    inertial_values::of_body& made = into_.bodies[into_.count++];
+    made.called = place_of(b.called);
+    if (is_mass_asked) made.mass = place_of(b.mass);
+    if (!is_inertia_asked) return;
+    const mechanics::matrix3& inertia = b.inertia.parts[0].value;
+    for (int i = 0; i < 3; ++i) {
+      made.inertia[i] = place_of(inertia(i, i));
+      made.inertia[3 + i] = place_of(inertia(i, (i + 1) % 3));
+    }
+    if (b.about != mechanics::none && b.about != b.center) add_way(b, made);
+  }
+  /// An inertia that is numbers alone was looked at as the model was read, and an effective one is none.
+  static constexpr bool has_inertia_to_ask(const mechanics::body& b) {
+    if (b.inertia.parts.size() != 1 || b.effective) return false;
+    const mechanics::dyadic::part& only = b.inertia.parts[0];
+    bool is_of_numbers = true;
+    for (int i = 0; i < 9; ++i) is_of_numbers = is_of_numbers && only.value(i / 3, i % 3).is_constant();
+    return only.left == only.right && !is_of_numbers;
+  }
+  constexpr void add_way(const mechanics::body& b, inertial_values::of_body& made) {
+    made.about = place_of(m_.points[b.about].called);
+    mechanics::vector way;
+    if (!mechanics::detail::take_way(m_, b, way)) return;
+    const int axes = b.inertia.parts[0].left;
+    int places[3]{};
+    for (int i = 0; i < 3; ++i) places[i] = place_of(expression(*m_.g, symbolic::graph::zero));
+    for (const mechanics::vector::part& p : way.parts)
+      for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
+        if (p.frame != axes) return;
+        places[i] = place_of(p.value[i]);
+      }
+    if (made.mass == 0) made.mass = place_of(b.mass);
+    for (int i = 0; i < 3; ++i) made.way[i] = places[i];
+  }
+
+  /// Those of a body and of a point.
+  constexpr bool has_room_for_names() const { return into_.named + 2 <= inertial_values::room_for_names; }
+  constexpr int place_of(const symbolic::name& called) {
+    into_.names[into_.named] = called;
+    return into_.named++;
+  }
+
+  /// The step that has a value, from 1 on; 0: it is not of parameters alone, or there is no room.
+  constexpr int place_of(const expression& value) {
     const int known = nodes_.size();
     const int step = step_of(value.node());
     if (step < 0) {
       while (nodes_.size() > known) nodes_.pop();
       into_.steps = known;
-      return;
     }
-    into_.step_of[into_.count] = step;
-    into_.is_moment[into_.count] = is_moment;
-    if (is_new) into_.names[into_.bodies++] = b.called;
-    into_.body[into_.count] = into_.bodies - 1;
-    ++into_.count;
+    return step + 1;
   }
 
   /// The step that has the value of a node, or -1 where it is not of parameters alone, or is none of numbers.

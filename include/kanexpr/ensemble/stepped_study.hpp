@@ -5,6 +5,7 @@
 #include <kanexpr/ensemble/study_in_steps.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/contradiction.hpp>
+#include <kanexpr/simulate/prescribed_rates.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
@@ -135,6 +136,8 @@ private:
         if (std::string mistake = contradiction_at_start(told, x); !mistake.empty())
           return done.fail(std::move(mistake));
       }
+      if (std::string mistake = contradiction_in_rates(x, r); !mistake.empty())
+        return done.fail(std::move(mistake));
       of.x.set(place, rounded<state<System, Number>>(x));
       of.p.set(place, rounded<parameter_values<System, Number>>(p));
       of.r.set(place, rounded<input_values<System, Number>>(r));
@@ -149,6 +152,23 @@ private:
     if (told_.guesses_dependent) return {};
     return simulated::contradiction_at_start(known, told, found,
                                              [&](std::size_t i) { return given_.tells(told, i); });
+  }
+
+  /// In rates of prescribed quantities.
+  std::string contradiction_in_rates(const state<System>& x, const input_values<System>& r) const {
+    if constexpr (!simulated::has_prescribed_rates(known)) {
+      return {};
+    } else if constexpr (!has_law) {
+      return simulated::contradiction_in_constants(known, r.data());
+    } else {
+      const time_span span{told_.start, told_.start + told_.step * told_.steps};
+      return simulated::contradiction_in_function(
+          known, span, x.data(), [this](double t, const double* at, double* inputs) {
+            const input_values<System> given =
+                law_(t, rounded<state<System, Number>>(state<System>(at))).template cast<double>();
+            std::copy_n(given.data(), given.size(), inputs);
+          });
+    }
   }
 
   template <class Vector, class Given>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/values_reader.hpp>
 #include <kanexpr/export/differentiated.hpp>
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/implicit_form.hpp>
@@ -13,7 +14,9 @@
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <functional>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -33,6 +36,15 @@ struct exported {
   exported_system system{};
   std::string mistake{};
 };
+
+/// What parameters are, as far as they are given.
+inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<double>>& given) {
+  std::vector<double> numbers;
+  numbers.reserve(given.size());
+  for (const std::optional<double>& each : given)
+    numbers.push_back(each.value_or(std::numeric_limits<double>::quiet_NaN()));
+  return numbers;
+}
 
 /// Derives each function by itself, so that its code is that of the compiled one, whatever else is exported.
 class exporter {
@@ -85,6 +97,9 @@ private:
       place_.push_back(static_cast<int>(s.parameters.size()));
       if (!is_bound_[i]) s.parameters.push_back(parameters[i]);
     }
+    if (const mechanics::sentence impossible =
+            compiled::check_masses(*known_, numbers_or_unknown(is_bound_).data()))
+      refuse(std::string(impossible.view()));
   }
 
   std::vector<std::string> names_of(symbolic::symbol_kind kind) const {

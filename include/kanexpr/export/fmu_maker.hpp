@@ -194,6 +194,24 @@ private:
     for (const fmu_variable& each : f.parameters)
       if (const std::string& name = called(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
+    if (const mechanics::sentence impossible =
+            compiled::check_masses(*known_, numbers_or_unknown(first_parameters()).data()))
+      refuse(std::string(impossible.view()));
+  }
+
+  /// Those that are bound, and the start values of the others.
+  std::vector<std::optional<double>> first_parameters() const {
+    std::vector<std::optional<double>> all;
+    using symbolic::symbol_kind;
+    for (int i = 0; i < known_->parameters; ++i) {
+      const std::string_view name = known_->names[known_->first_of(symbol_kind::parameter) + i].view();
+      all.emplace_back();
+      for (const bound_parameter& each : chosen_.bound)
+        if (each.name == name) all.back() = each.value;
+      for (const fmu_variable& each : made_.of.parameters)
+        if (called(each) == name) all.back() = each.start;
+    }
+    return all;
   }
 
   static const std::string& called(const fmu_variable& v) { return v.of.empty() ? v.name : v.of; }

@@ -229,7 +229,7 @@ private:
       for (const auto& [letters, e] : {std::pair("ixy_", i.xy), {"iyz_", i.yz}, {"izx_", i.zx}})
         scalars.push_back(value(letters + called, e));
     std::string inertia = "inertia<" + text::list(scalars) + ">";
-    if (numbers && is_of_no_body(i)) inertia = "effective_inertia<" + inertia + ">";
+    if (is_of_no_body(i)) inertia = "effective_inertia<" + inertia + ">";
     return "body<" + text::list({mass, center, inertia}) + ">";
   }
 

@@ -112,6 +112,10 @@ inline plan plan_of(const robot& r, const model_options& options) {
   constexpr std::size_t most_bodies = 400;
   plan p;
   if (p.mistake = check_robot(r); !p.mistake.empty()) return p;
+  if (!numeric::is_finite(options.gravity.value_or(0))) {
+    p.mistake = "the gravity that the model is given is not finite";
+    return p;
+  }
   p.what = articulation_of(r);
   if (p.what.bodies.size() > most_bodies) {
     p.mistake = "the robot has " + std::to_string(p.what.bodies.size()) +

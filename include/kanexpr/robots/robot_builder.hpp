@@ -218,7 +218,7 @@ private:
         is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), to_center);
     weights_[b.link] = {m, center};
     rigid_body(called + "_body", center, axes, m, inertia(axes, xx, yy, zz, xy, yz, zx));
-    if (options_.bind == binding::numbers && is_of_no_body(i)) effective_inertia(called + "_body");
+    if (is_of_no_body(i)) effective_inertia(called + "_body");
   }
 
   /// What turns n times as fast as the joint, beside the links: n² J is felt at the joint, and nothing else.

@@ -138,7 +138,7 @@ public:
       for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     }
     reader.look_for_infinite();
-    reader.look_for_negative();
+    reader.look_for_impossible();
     mistake = reader.mistake();
   }
 

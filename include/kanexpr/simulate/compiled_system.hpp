@@ -4,6 +4,7 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/prescribed_rates.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/system.hpp>
 
@@ -111,6 +112,15 @@ public:
     inputs given;
     options_.inputs.give(t, state(x), given);
     std::copy_n(given.data(), given.size(), r);
+  }
+  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
+    if constexpr (has_prescribed_rates(of))
+      return [source = options_.inputs](double t, const double* x, double* r) {
+        inputs given;
+        source.give(t, state(x), given);
+        std::copy_n(given.data(), given.size(), r);
+      };
+    return {};
   }
   double event(std::size_t which, double t, const double* x, const double* r) const override {
     return options_.events[which].value(t, state(x), p_, inputs(r));

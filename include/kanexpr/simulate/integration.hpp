@@ -7,6 +7,7 @@
 #include <kanexpr/simulate/contradiction.hpp>
 #include <kanexpr/simulate/departures.hpp>
 #include <kanexpr/simulate/moving_system.hpp>
+#include <kanexpr/simulate/prescribed_rates.hpp>
 #include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/simulate/state_sizes.hpp>
@@ -67,6 +68,7 @@ private:
     if (std::string mistake = contradiction_at_start(first); !mistake.empty())
       return fail(std::move(mistake));
     state_ = first;
+    if (std::string mistake = contradiction_in_rates(); !mistake.empty()) return fail(std::move(mistake));
     const state_sizes found(around_, span_.from, first, around_.length());
     around_.set_sizes(span_.from, first, found.sizes());
     if (std::string mistake =
@@ -90,6 +92,13 @@ private:
       return options_.is_left_out.empty() || !options_.is_left_out[i];
     };
     return simulated::contradiction_at_start(known(), state_, found, is_given);
+  }
+
+  /// In rates of prescribed quantities.
+  std::string contradiction_in_rates() const {
+    if (!has_prescribed_rates(known())) return {};
+    if (options_.inputs_are_constant) return contradiction_in_constants(known(), around_.r().data());
+    return contradiction_in_function(known(), span_, state_.data(), around_.system().copy_of_inputs());
   }
 
   void come_to(double t, const state& x) {

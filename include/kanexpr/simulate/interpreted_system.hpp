@@ -167,6 +167,15 @@ public:
     check_vector(given, compiled::symbols_of::inputs);
     std::copy(given.begin(), given.end(), r);
   }
+  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
+    return [source = inputs_, at = x_, none = no_inputs_](double t, const double* x, double* r) mutable {
+      std::copy_n(x, at.size(), at.data());
+      input_values<model> given = none;
+      source.give(t, at, given);
+      if (given.mistake() || given.size() != none.size()) throw misnamed(given.mistake());
+      std::copy(given.begin(), given.end(), r);
+    };
+  }
   double event(std::size_t which, double t, const double* x, const double* r) const override {
     take(x, r);
     const double value = options_.events[which].value(t, x_, p_, r_);

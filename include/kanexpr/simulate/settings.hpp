@@ -42,7 +42,7 @@ struct settings {
   std::vector<watched_event> events;
   const std::function<void(double t, time_span)>& progress;
   std::string_view mistake_in_inputs;
-  bool inputs_depend_on_state;
+  bool inputs_depend_on_state, inputs_are_constant;
   std::size_t bytes_of_sample;
   bool guesses_dependent;
   std::vector<bool> is_left_out{}; ///< of the state; empty: all of it is given

@@ -32,6 +32,7 @@ settings settings_of(const simulation_options<System>& o) {
              o.progress,
              o.inputs.mistake().view(),
              o.inputs.depends_on_state(),
+             o.inputs.constants().has_value(),
              sizeof(sample<System>),
              o.guesses_dependent};
   for (const event<System>& e : o.events)

@@ -8,6 +8,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -68,6 +69,9 @@ public:
 
   /// The functions of the user, which may throw.
   virtual void give_inputs(double t, const double* x, double* r) const = 0;
+  /// A function of its own that gives the inputs, where rates of prescribed quantities are among them: what
+  /// the user's function keeps from call to call is its copy's.
+  virtual std::function<void(double t, const double* x, double* r)> copy_of_inputs() const = 0;
   virtual double event(std::size_t which, double t, const double* x, const double* r) const = 0;
   virtual after_event handle(std::size_t which, double t, double* x, const double* r) const = 0;
   virtual void show(double t, const double* x, const double* r) const = 0;

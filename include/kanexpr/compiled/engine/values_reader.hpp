@@ -6,6 +6,17 @@
 
 namespace kanexpr::compiled {
 
+KANEXPR_ENGINE mechanics::sentence check_masses(const deriving::survey& known, const double* parameters) {
+  for (int i = 0; i < known.parameters; ++i)
+    if (const int place = known.coordinates + known.speeds + i;
+        (known.is_mass[place] || known.is_moment[place]) && numeric::is_finite(parameters[i]) &&
+        parameters[i] < 0)
+      return mechanics::sentence({symbol_called(known, place).view(),
+                                  known.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,",
+                                  " is negative"});
+  return known.inertial.count == 0 ? mechanics::sentence() : known.inertial.mistake(parameters);
+}
+
 KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
   const int place = place_of(what.name());
   if (range_.holds(place)) {
@@ -37,18 +48,9 @@ KANEXPR_ENGINE void values_reader::look_for_infinite() {
     mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
 }
 
-KANEXPR_ENGINE void values_reader::look_for_negative() {
-  for (int i = 0; i < range_.size && !mistake_; ++i)
-    if (const int place = range_.first + i;
-        values_[i] < 0 && (known_.is_mass[place] || known_.is_moment[place]))
-      fail({symbol_called(known_, place).view(),
-            known_.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,", " is negative"});
-  const deriving::inertial_values& longer = known_.inertial;
-  if (mistake_ || longer.count == 0 || range_.first != known_.first_of(symbolic::symbol_kind::parameter))
-    return;
-  if (const int i = longer.first_negative(values_); i >= 0)
-    fail({longer.is_moment[i] ? "a moment of inertia of " : "the mass of ",
-          longer.names[longer.body[i]].view(), " is negative"});
+KANEXPR_ENGINE void values_reader::look_for_impossible() {
+  if (!mistake_ && range_.first == known_.first_of(symbolic::symbol_kind::parameter))
+    mistake_ = check_masses(known_, values_);
 }
 
 KANEXPR_ENGINE int values_reader::place_of(std::string_view name) const {

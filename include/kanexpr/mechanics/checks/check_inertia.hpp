@@ -58,6 +58,19 @@ struct numeric_inertia {
   }
 };
 
+/// Takes the way from a body's mass centre to the point that its inertia is about, where the two are
+/// connected.
+constexpr bool take_way(const mechanism& m, const body& b, vector& way) {
+  sequence<int> above; // points from which the mass centre is offset
+  for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
+  int common = b.about;
+  for (; common != none && !above.contains(common); common = m.points[common].parent)
+    way.add(m.points[common].offset);
+  if (common == none) return false;
+  for (int p = b.center; p != common; p = m.points[p].parent) way.subtract(m.points[p].offset);
+  return true;
+}
+
 /// The way from a body's mass centre to the point that its inertia is about, if that is numbers in the axes
 /// of the inertia, and the mass is one.
 struct numeric_way {
@@ -68,14 +81,8 @@ struct numeric_way {
   constexpr numeric_way() = default;
   constexpr numeric_way(const mechanism& m, const body& b, int axes) {
     if (b.about == none || b.about == b.center || !b.mass.is_constant()) return;
-    sequence<int> above; // points from which the mass centre is offset
-    for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
-    int common = b.about;
     vector way;
-    for (; common != none && !above.contains(common); common = m.points[common].parent)
-      way.add(m.points[common].offset);
-    if (common == none) return;
-    for (int p = b.center; p != common; p = m.points[p].parent) way.subtract(m.points[p].offset);
+    if (!take_way(m, b, way)) return;
     mass = m.g->number_at(b.mass.node()).value();
     for (const vector::part& p : way.parts)
       for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
@@ -87,10 +94,9 @@ struct numeric_way {
   }
 };
 
-/// Of an inertia whose largest entry is 1, and was `largest` before.
-constexpr sentence check_principal_values(const mechanism& m, const body& b, numeric_inertia inertia,
-                                          double largest, const numeric_way& way) {
-  const std::string_view called = b.called.view();
+/// Of an inertia whose largest entry is 1, and was `largest` before, about the mass centre or another point.
+constexpr sentence check_principal_values(std::string_view called, std::string_view about,
+                                          numeric_inertia inertia, double largest, const numeric_way& way) {
   if (!inertia.positive(1, 1e-9))
     return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
   constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
@@ -105,13 +111,19 @@ constexpr sentence check_principal_values(const mechanism& m, const body& b, num
   for (int i = 0; i < 3; ++i)
     is_too_small = is_too_small || (way.known && is_given[i] && inertia.at[i][i] < -rounded * whole);
   if (is_too_small)
-    return sentence({"the inertia of ", called, " about ", m.points[b.about].called.view(),
-                     " is less than what its mass alone has there"});
+    return sentence(
+        {"the inertia of ", called, " about ", about, " is less than what its mass alone has there"});
   if (!is_planar && !inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
     return sentence({"the inertia of ", called,
                      " is that of no body: one principal moment is larger than the other two together; if it "
                      "is meant, write effective_inertia<...> around it"});
   return {};
+}
+
+constexpr sentence check_principal_values(const mechanism& m, const body& b, const numeric_inertia& inertia,
+                                          double largest, const numeric_way& way) {
+  return check_principal_values(b.called.view(), b.about == none ? "" : m.points[b.about].called.view(),
+                                inertia, largest, way);
 }
 
 } // namespace detail
