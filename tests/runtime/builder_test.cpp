@@ -611,7 +611,7 @@ TEST(builder_mistakes, takes_no_letter_and_no_limits_out_of_order) {
   static_assert(!std::is_constructible_v<kanexpr::runtime::number_or_expression, char>);
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(1), b.number(-1)), 0.0, 0.0)); }),
-      "a force holds clamp with limits out of order; write clamp(x, least, most)");
+      "a vector holds clamp with limits out of order; write clamp(x, least, most)");
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(-1), b.number(1)), 0.0, 0.0)); }),
       "");

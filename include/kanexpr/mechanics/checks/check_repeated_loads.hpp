@@ -81,7 +81,9 @@ private:
   template <class Load>
   constexpr void compare(const Load& one, const Load& other, bool is_opposite) {
     if (one.value.is_zero() || other.value.is_zero()) return;
-    if ((is_opposite ? one.value + other.value : one.value - other.value).is_zero())
+    vector difference = one.value;
+    is_opposite ? difference.add(other.value) : difference.subtract(other.value);
+    if (difference.is_zero())
       by_.fail({told(one, other).view()});
     else if (is_turned(one.value, other.value) &&
              hold_the_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))

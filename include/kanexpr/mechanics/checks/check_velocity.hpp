@@ -23,7 +23,7 @@ public:
   constexpr sentence run() {
     if (!draw()) return {};
     for (int p = 0; p < m_.points.size(); ++p)
-      if (is_to_agree(m_.points[p]) && !agrees(p))
+      if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
         return sentence({"the velocity of point ", m_.points[p].called.view(),
                          " is not the rate of its position; if that is meant, write "
                          "velocity_apart_from_position"});
@@ -114,6 +114,13 @@ private:
       for (const vector::part& part : v->parts)
         if (!motion_.is_proper(part.frame)) return false;
     return motion_.is_proper(p.reference);
+  }
+
+  constexpr bool is_defined(int place) const {
+    for (int p = place; p != none; p = m_.points[p].parent)
+      if (!motion_.is_defined(m_.points[p].offset) || !motion_.is_defined(m_.points[p].velocity))
+        return false;
+    return true;
   }
 
   constexpr bool agrees(int place) const {

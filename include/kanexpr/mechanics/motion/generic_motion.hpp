@@ -138,6 +138,14 @@ private:
     return static_cast<double>(random_ >> 11) / 9007199254740992.0;
   }
 
+  constexpr bool is_defined(const frame& f) const {
+    if ((f.kind == orientation::about_basis || f.kind == orientation::about_axis) && !is_defined(f.angle))
+      return false;
+    for (int i = 0; i < 9 && (f.kind == orientation::about_axis || f.kind == orientation::matrix); ++i)
+      if (!is_defined(f.to_parent(i / 3, i % 3))) return false;
+    return is_defined(f.angular_velocity);
+  }
+
   constexpr void set_rate(int rate, double value) {
     symbols_[rate].value = value;
     const int q = m_.coordinate_rates.find({g_, rate});
@@ -204,6 +212,8 @@ private:
 
   constexpr bool evaluate() {
     scalars_.at([&](int id) { return symbols_[id]; });
+    for (const frame& f : m_.frames)
+      if (!is_defined(f)) return false;
     for (int f = 0; f < frames_.size(); ++f) place(f);
     for (int f = 0; f < frames_.size(); ++f) {
       turn(f);
