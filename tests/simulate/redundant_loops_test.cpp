@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/model.hpp>
 
 #include <Eigen/QR>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -53,6 +54,22 @@ struct bead_in_a_plane : builder {
     kinematic_equation(dot(x) - u);
     kinematic_equation(dot(y) - v);
     particle("Bead", offset("P", origin("O"), along(inertial_frame(), x, y, 0)), number(1));
+  }
+};
+
+/// A bead where z = x² holds on a cylinder about z: neither follows from the other.
+struct bead_in_a_bowl : builder {
+  explicit bead_in_a_bowl(bool has_parameter) : builder("N") {
+    const expression x = coordinate("x"), y = coordinate("y"), z = coordinate("z");
+    kinematic_equation(dot(x) - speed("vx"));
+    kinematic_equation(dot(y) - speed("vy"));
+    kinematic_equation(dot(z) - speed("vz"));
+    particle("Bead", offset("P", origin("O"), along(inertial_frame(), x, y, z)), number(1));
+    const expression l = has_parameter ? parameter("l") : number(1);
+    configuration_constraint(x * x + y * y - l * l);
+    configuration_constraint(z - x * x / l);
+    redundant(2);
+    gravity(along(inertial_frame(), 0, 0, -9.81));
   }
 };
 
@@ -259,20 +276,66 @@ TEST(redundant_constraints, hold_states) {
   EXPECT_EQ(m.get(mechanics::quantity::redundant_residual).rows, 1);
 }
 
-// Others that call what does not follow redundant are told where it does not hold.
+// Others that call what does not follow redundant: where numbers say all, while deriving.
+TEST(redundant_constraints, that_bind_are_refused) {
+  bead_in_a_plane across;
+  across.configuration_constraint(across.x - across.y);
+  across.configuration_constraint(across.x + across.y - 2);
+  across.redundant(1);
+  EXPECT_EQ(derive(across).mistake(),
+            "configuration constraint 1 does not follow from the others; redundant<1> would let it go");
+  // The bead of a bowl that is bent in one direction, on a cylinder.
+  EXPECT_EQ(derive(bead_in_a_bowl(false)).mistake(),
+            "configuration constraint 2 does not follow from the others; redundant<2> would let it go");
+}
+
+// Where values of parameters decide, as of bars that have one length, when states are there.
 TEST(redundant_constraints, that_do_not_hold_are_told) {
   bead_in_a_plane b;
   b.configuration_constraint(b.x - b.y);
-  b.configuration_constraint(b.x + b.y - 2);
+  const expression k = b.parameter("l"); // at 1 they follow from each other
+  b.configuration_constraint(b.x - k * b.y + k - 1);
   b.redundant(2);
   model m = derive(b);
-  Eigen::VectorXd at(4);
-  at << 1, 1, 0, 0;
-  EXPECT_TRUE(assemble(m, at));
-  at << 3, 3, 0, 0;
-  EXPECT_EQ(assemble(m, at).cause(), "redundant constraint 1 is off by 4");
-  EXPECT_EQ(check_consistency(m, at, Eigen::VectorXd(), Eigen::VectorXd()).cause(),
-            "redundant constraint 1 is off by 4");
+  Eigen::VectorXd at(4), l(1);
+  at << 3, 3, 0.5, 0.5;
+  l << 1;
+  EXPECT_TRUE(assemble(m, at, l));
+  l << 2;
+  EXPECT_EQ(assemble(m, at, l).cause(), "redundant constraint 1 is off by -2");
+  const consistency placed = check_consistency(m, at, l, Eigen::VectorXd());
+  EXPECT_EQ(placed.cause(), "redundant constraint 1 is off by -2");
+  EXPECT_EQ(placed.configuration_residual, 2);
+  at << 1, 1, 0.5, 0.5;
+  EXPECT_EQ(assemble(m, at, l).cause(), "the rate of redundant constraint 1 is off by -0.5");
+  const consistency moving = check_consistency(m, at, l, Eigen::VectorXd());
+  EXPECT_EQ(moving.cause(), "the rate of redundant constraint 1 is off by -0.5");
+  EXPECT_EQ(moving.velocity_residual, 0.5);
+}
+
+template <integrator by>
+void leaves_no_bowl() {
+  const auto moved = [](double vz) {
+    return simulate<by>(derive(bead_in_a_bowl(true)),
+                        {{"x", 0.6}, {"y", 0.8}, {"z", 0.36}, {"vx", 0.8}, {"vy", -0.6}, {"vz", vz}},
+                        {{"l", 1}}, {0, 0.5});
+  };
+  const auto run = moved(0.96);
+  EXPECT_THAT(run.cause(), testing::HasSubstr(": redundant constraint 1 is off by "));
+  EXPECT_THAT(run.cause(), testing::HasSubstr(": it does not follow from the other constraints"));
+  EXPECT_LT(run.time, 0.05);
+  EXPECT_GT(run.trajectory.constraint_residuals().back(), 1e-6);
+  EXPECT_EQ(
+      moved(1.96).cause(),
+      "the simulation ended at t = 0 with x = 0.6, y = 0.8, z = 0.36, vx = 0.8, vy = -0.6, vz = 1.96: the "
+      "rate of redundant constraint 1 is off by 1");
+}
+
+TEST(redundant_constraints, that_do_not_follow_end_simulations) {
+  leaves_no_bowl<integrator::adams>();
+  leaves_no_bowl<integrator::explicit_runge_kutta>();
+  leaves_no_bowl<integrator::bdf>();
+  leaves_no_bowl<integrator::differential_algebraic>();
 }
 
 } // namespace

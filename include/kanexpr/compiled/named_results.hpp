@@ -66,6 +66,8 @@ struct named_results {
   /// J and γ of their rates, in J u̇ + γ = 0.
   static constexpr of<quantity::redundant_jacobian> redundant_jacobian{};
   static constexpr of<quantity::redundant_bias> redundant_bias{};
+  static constexpr of<quantity::redundant_rate> redundant_rate{};
+  static constexpr of<quantity::redundant_rate_terms> redundant_rate_terms{};
   /// Its derivatives by the dependent coordinates.
   static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
   /// Its derivatives by all coordinates.

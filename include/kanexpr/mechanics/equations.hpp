@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/checks/check_coriolis.hpp>
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
+#include <kanexpr/mechanics/checks/check_redundant.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
 #include <kanexpr/mechanics/constraints/redundant_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
@@ -81,6 +82,9 @@ public:
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_choice(*m_, given, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_, configuration_);
+    if (!mistake_ && !constraints_.redundant.empty())
+      mistake_ = check_redundant_rates(s_, system_->constraints.redundant, constraints_, configuration_,
+                                       rates_of_redundant());
     if (mistake_) return;
     coordinates_ = partition_of(by_q, configuration_, given.dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));
@@ -149,6 +153,8 @@ public:
     case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
     case quantity::redundant_jacobian: return redundant_alone(moving(), constraints_).jacobian;
     case quantity::redundant_bias: return column(dynamics_.bias_of(redundant_alone(moving(), constraints_)));
+    case quantity::redundant_rate: return column(rates_of_redundant());
+    case quantity::redundant_rate_terms: return column(symbolic::terms_of(*m_->g, rates_of_redundant()));
     case quantity::configuration_jacobian_by_dependent:
       return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
     case quantity::configuration_jacobian_by_all: return configuration_;
@@ -340,6 +346,13 @@ private:
     return solved.x;
   }
 
+  constexpr sequence<expression> rates_of_redundant() {
+    known_rates known(*m_, s_.coordinate_rates);
+    without_auxiliary_speeds drop(*m_);
+    sequence<expression> rates;
+    for (const expression& f : constraints_.redundant) rates.push(drop.in(known.in(moving().rate(f))));
+    return rates;
+  }
   constexpr sequence<expression> velocity_residual() const {
     sequence<expression> residual;
     for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);

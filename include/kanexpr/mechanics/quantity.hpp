@@ -39,6 +39,8 @@ enum class quantity : unsigned char {
   redundant_terms,                     ///< how large the terms are of which that is the sum
   redundant_jacobian,                  ///< J of their rates, a column for each speed
   redundant_bias,                      ///< γ of them, in J u̇ + γ = 0
+  redundant_rate,                      ///< the rates of what the redundant constraints leave
+  redundant_rate_terms,                ///< how large the terms are of which that is the sum
   configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
   configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
   configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
@@ -164,6 +166,10 @@ inline constexpr result_row results[]{
      stage::constrained},
     {quantity::redundant_bias, "redundant_bias", extent_by::redundant_constraints, extent_by::one,
      stage::equations},
+    {quantity::redundant_rate, "redundant_rate", extent_by::redundant_constraints, extent_by::one,
+     stage::constrained},
+    {quantity::redundant_rate_terms, "redundant_rate_terms", extent_by::redundant_constraints, extent_by::one,
+     stage::constrained},
     {quantity::configuration_jacobian_by_dependent, "configuration_jacobian_by_dependent",
      extent_by::configuration_constraints, extent_by::configuration_constraints, stage::constrained},
     {quantity::configuration_jacobian_by_all, "configuration_jacobian_by_all",

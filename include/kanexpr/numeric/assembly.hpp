@@ -53,6 +53,9 @@ double largest(const Vector& v) {
   return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
+/// The larger of two, and no number where one is none.
+inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
+
 /// How large the terms of some constraints are at a state, also where they happen to vanish: the largest
 /// there and at a few others around it, as far away as coordinates are from zero, in whatever units.
 template <class Terms, class State>
@@ -86,23 +89,39 @@ bool is_rounding(const Vector& left, const Vector& terms) {
   return true;
 }
 
-/// Which of the constraints that nothing is solved with does not hold beside its terms, and by how much.
-template <class Constraints, class State>
-mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
+/// Which of some constraints does not hold beside its terms, and by how much.
+template <class Vector, class Terms, class State>
+mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
+                              double tolerance, std::string_view which) {
   constexpr double rounding = 1e-5; // of terms that vanish where they are usually so large
-  const auto left = c.redundant_residual(x);
-  const auto terms_at = [&](const State& at) { return c.redundant_terms(at); };
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
     if (const double off = static_cast<double>(left(i));
-        !(std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
-          std::abs(off) <=
-              rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, c.all_coordinates())(i))))
-      return with_number(
-          mechanics::sentence({"redundant constraint ", mechanics::counted(i + 1).view(), " is off by "})
-              .view(),
-          off);
+        !(is_finite(off) &&
+          (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
+           std::abs(off) <=
+               rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, coordinates)(i)))))
+      return with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
+                         off);
   return {};
+}
+
+/// Which of the constraints that nothing is solved with does not hold.
+template <class Constraints, class State>
+mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
+  return first_off(
+      c.redundant_residual(x), [&](const State& at) { return c.redundant_terms(at); }, x, c.all_coordinates(),
+      tolerance, "redundant constraint ");
+}
+
+/// Of which the rate does not vanish. It does where the other constraints hold exactly; where these leave a
+/// little, that is multiplied by how nearly they depend on each other.
+template <class Constraints, class State>
+mechanics::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
+  constexpr double nearly_dependent = 1e3;
+  return first_off(
+      c.redundant_rate(x), [&](const State& at) { return c.redundant_rate_terms(at); }, x,
+      c.all_coordinates(), nearly_dependent * tolerance, "the rate of redundant constraint ");
 }
 
 /// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
@@ -164,6 +183,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     return report;
   }
   if (report.failure = redundant_off(c, placed, 1e-9); report.failure) return report;
+  if (report.failure = redundant_rate_off(c, placed, 1e-9); report.failure) return report;
   report.assembled = true;
   x = placed;
   return report;
@@ -175,16 +195,8 @@ template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
-    constexpr double rounding = 1e-5; // of terms that vanish where they are usually so large
-    const auto sizes = terms(x);
-    for (int i = 0; i < residual.size() && !report.failure; ++i)
-      if (const double left = static_cast<double>(residual(i)), size = static_cast<double>(sizes(i));
-          !(is_finite(left) &&
-            (std::abs(left) <= tolerance * size ||
-             std::abs(left) <=
-                 rounding * tolerance * static_cast<double>(usual_terms(terms, x, c.all_coordinates())(i)))))
-        report.failure = with_number(
-            mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(), left);
+    if (!report.failure)
+      report.failure = first_off(residual, terms, x, c.all_coordinates(), tolerance, which);
     return largest(residual);
   };
   report.configuration_residual = look_at(
@@ -193,6 +205,9 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   report.velocity_residual = look_at(
       c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
   if (!report.failure) report.failure = redundant_off(c, x, tolerance);
+  if (!report.failure) report.failure = redundant_rate_off(c, x, tolerance);
+  report.configuration_residual = larger(report.configuration_residual, largest(c.redundant_residual(x)));
+  report.velocity_residual = larger(report.velocity_residual, largest(c.redundant_rate(x)));
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2
   for (int i = 0; i < halves.size() && !report.failure; ++i)
     if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));

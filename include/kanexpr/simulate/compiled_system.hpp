@@ -65,10 +65,13 @@ public:
     if constexpr (m != 0)
       tell(call<quantity::velocity_residual, quantity::constraint_jacobian>(t, x, r), left, by_speeds);
   }
-  void redundant(double t, const double* x, const double* r, double* left, double* terms) const override {
+  void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
+                 double* rate_terms) const override {
     if constexpr (of.redundant_constraints != 0) {
       told(call<quantity::redundant_residual>(t, x, r), left);
       told(call<quantity::redundant_terms>(t, x, r), terms);
+      told(call<quantity::redundant_rate>(t, x, r), rate);
+      told(call<quantity::redundant_rate_terms>(t, x, r), rate_terms);
     }
   }
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {

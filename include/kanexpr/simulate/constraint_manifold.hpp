@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/constraints_of.hpp>
 #include <kanexpr/simulate/manifold.hpp>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -39,6 +40,25 @@ public:
   vector configuration_residual(double t, const vector& x, const vector& r) override {
     const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
     return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
+  }
+  mechanics::sentence redundant_off(double t, const vector& x, const vector& r, double tolerance) override {
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+    const constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
+    const vector left = constraints.redundant_residual(x);
+    vector terms = constraints.redundant_terms(x), beside = x;
+    if ((left.cwiseAbs().array() <= tolerance * terms.array()).all()) return {};
+    for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here, and are usually so large
+      for (int i = 0; i < n_; ++i) beside(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
+      terms = terms.cwiseMax(constraints.redundant_terms(beside)).eval();
+    }
+    for (Eigen::Index i = 0; i < left.size(); ++i)
+      if (!(std::abs(left(i)) <= tolerance * terms(i)))
+        return numeric::with_number(
+            mechanics::sentence(
+                {"redundant constraint ", mechanics::counted(static_cast<int>(i) + 1).view(), " is off by "})
+                .view(),
+            left(i));
+    return {};
   }
 
   void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) override {

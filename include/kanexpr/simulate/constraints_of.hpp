@@ -46,6 +46,8 @@ public:
   }
   vector redundant_residual(const vector& x) const { return redundant(x).col(0); }
   vector redundant_terms(const vector& x) const { return redundant(x).col(1); }
+  vector redundant_rate(const vector& x) const { return redundant(x).col(2); }
+  vector redundant_rate_terms(const vector& x) const { return redundant(x).col(3); }
   bool configuration_holds(const vector& x) const { return look_(x).configuration_holds(x); }
   bool velocities_hold(const vector& x) const { return look_(x).velocities_hold(x); }
   status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
@@ -62,9 +64,12 @@ public:
 
 private:
   Eigen::MatrixXd redundant(const vector& x) const {
-    Eigen::MatrixXd both(of_.known.redundant_constraints, 2);
-    of_.redundant(t_, x.data(), r_.data(), both.data(), both.data() + both.rows());
-    return both;
+    const Eigen::Index rows = of_.known.redundant_constraints;
+    Eigen::MatrixXd all(rows, 4);
+    if (rows != 0)
+      of_.redundant(t_, x.data(), r_.data(), all.data(), all.data() + rows, all.data() + 2 * rows,
+                    all.data() + 3 * rows);
+    return all;
   }
   void evaluate(const vector& x) {
     vector at = x;

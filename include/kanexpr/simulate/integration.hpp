@@ -154,6 +154,23 @@ private:
     return around_.take(t, x) == answer::given || fail_here("");
   }
 
+  /// Whether what is solved for nothing followed from the other constraints until here.
+  bool holds_redundant(double t, const state& x) {
+    if (known().redundant_constraints == 0 || around_.constraints() == nullptr) return true;
+    if (around_.take(t, x) != answer::given) return fail_here("");
+    const double error = (std::max)(options_.relative_tolerance, largest_absolute_tolerance()),
+                 tolerance = (std::max)(1e-6, 1e3 * error); // steps leave the other constraints a little
+    const mechanics::sentence off = around_.constraints()->redundant_off(t, x, around_.r(), tolerance);
+    return !off || fail_here(off.cause() + " at t = " + digits(t) +
+                             ": it does not follow from the other constraints");
+  }
+  double largest_absolute_tolerance() const {
+    double most = 0;
+    for (std::size_t i = 0; i < absolute_tolerances_.size(); ++i)
+      most = (std::max)(most, absolute_tolerances_[i] / around_.sizes()(static_cast<Eigen::Index>(i)));
+    return most;
+  }
+
   void go() {
     std::vector<int> passed;
     bool goes_on = departures_.begin(result_.time, state_, around_.length(), passed) ||
@@ -182,6 +199,7 @@ private:
       find_departure(left, elapsed, x);
       t = around_.time(elapsed);
     }
+    if (!holds_redundant(t, x)) return false;
     elapsed_ = elapsed, result_.time = t, state_ = x;
     come_to(t, x);
     if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);

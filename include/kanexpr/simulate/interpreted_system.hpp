@@ -88,7 +88,8 @@ public:
     if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
     if (of.redundant_constraints != 0)
       redundant_.emplace(
-          m, std::initializer_list<quantity>{quantity::redundant_residual, quantity::redundant_terms});
+          m, std::initializer_list<quantity>{quantity::redundant_residual, quantity::redundant_terms,
+                                             quantity::redundant_rate, quantity::redundant_rate_terms});
     if (of.constraints != 0) {
       velocities_.emplace(m, velocities_and_derivatives);
       dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
@@ -127,8 +128,9 @@ public:
                   double* by_speeds) const override {
     tell(velocities_, t, x, r, left, by_speeds);
   }
-  void redundant(double t, const double* x, const double* r, double* left, double* terms) const override {
-    tell(redundant_, t, x, r, left, terms);
+  void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
+                 double* rate_terms) const override {
+    tell(redundant_, t, x, r, left, terms, rate, rate_terms);
   }
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
     if (!dependent_speeds_) return {};
@@ -261,11 +263,13 @@ private:
   status call(interpreted_results<double>& f, double t, const double* x, const double* r) const {
     return f.evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
   }
+  template <class... Outputs>
   void tell(std::optional<interpreted_results<double>>& f, double t, const double* x, const double* r,
-            double* first, double* second) const {
+            Outputs*... into) const {
     if (!f) return;
     call(*f, t, x, r);
-    f->tell(0, first), f->tell(1, second);
+    std::size_t which = 0;
+    (f->tell(which++, into), ...);
   }
 
   void take(const double* x, const double* r) const {

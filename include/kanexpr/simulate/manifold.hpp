@@ -22,6 +22,8 @@ public:
   virtual assembly assemble(double t, vector& x, const vector& r) = 0;
   /// What the configuration constraints leave.
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
+  /// Which redundant constraint does not hold to a tolerance of its terms, and by how much; empty: none.
+  virtual mechanics::sentence redundant_off(double t, const vector& x, const vector& r, double tolerance) = 0;
 
   /// Sets how large the entries of a state are; it looks around the one that is given.
   virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;

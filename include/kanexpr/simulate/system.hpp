@@ -52,8 +52,9 @@ public:
   /// What the constraints on speeds leave, and its derivatives by all speeds, by columns.
   virtual void velocities(double t, const double* x, const double* r, double* left,
                           double* by_speeds) const = 0;
-  /// What the redundant constraints leave, and how large their terms are.
-  virtual void redundant(double t, const double* x, const double* r, double* left, double* terms) const = 0;
+  /// What the redundant constraints leave, and how large their terms are; then the same of their rates.
+  virtual void redundant(double t, const double* x, const double* r, double* left, double* terms,
+                         double* rate, double* rate_terms) const = 0;
   virtual status dependent_speeds(double t, const double* x, const double* r, double* u) const = 0;
 
   /// What the equations of all speeds are made of, M u̇ = f + Jᵀ λ with J u̇ + γ = 0; and q̇.

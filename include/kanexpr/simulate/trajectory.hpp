@@ -65,8 +65,12 @@ public:
     using constraints = compiled::constraints_at<System, parameters_type, input_values<System>>;
     return collect([&](const sample& s) {
       const constraints here(s.t, parameters(), s.r);
-      return (std::max)(numeric::largest(here.configuration_residual(s.x)),
-                        numeric::largest(here.velocity_residual(s.x)));
+      double most = 0;
+      for (const double each :
+           {numeric::largest(here.configuration_residual(s.x)), numeric::largest(here.velocity_residual(s.x)),
+            numeric::largest(here.redundant_residual(s.x)), numeric::largest(here.redundant_rate(s.x))})
+        most = numeric::larger(most, each);
+      return most;
     });
   }
 

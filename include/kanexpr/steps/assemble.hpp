@@ -86,6 +86,18 @@ public:
     else
       return out_of_line<function<System, quantity::redundant_terms>>{}(t_, x, p_, r_);
   }
+  redundant_vector redundant_rate(const state& x) const {
+    if constexpr (known.redundant_constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::redundant_rate>>{}(t_, x, p_, r_);
+  }
+  redundant_vector redundant_rate_terms(const state& x) const {
+    if constexpr (known.redundant_constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, quantity::redundant_rate_terms>>{}(t_, x, p_, r_);
+  }
   /// To rounding.
   bool configuration_holds(const state& x) const {
     return numeric::is_rounding(

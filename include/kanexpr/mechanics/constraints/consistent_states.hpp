@@ -214,18 +214,26 @@ private:
   detail::generic_values generic_;
 };
 
+/// How many states are looked at, of how many attempts to find one, and how many have to be found.
+struct looks {
+  int attempts = 12;
+  int states = 3;
+  int least = 2;
+};
+
 /// The first of some expressions that vanishes nowhere where constraints hold, as far as states are found
 /// that satisfy them; or none.
-constexpr int first_that_never_vanishes(consistent_states& states, const sequence<expression>& wanted) {
+constexpr int first_that_never_vanishes(consistent_states& states, const sequence<expression>& wanted,
+                                        const looks& at = {}) {
   sequence<char> vanishes(wanted.size(), 0);
   int looked = 0;
-  for (int attempts = 0; attempts < 12 && looked < 3 && vanishes.contains(0); ++attempts) {
+  for (int attempts = 0; attempts < at.attempts && looked < at.states && vanishes.contains(0); ++attempts) {
     if (!states.next()) continue;
     ++looked;
     for (int i = 0; i < wanted.size(); ++i)
       if (vanishes[i] == 0 && states.vanishes(wanted[i])) vanishes[i] = 1;
   }
-  return vanishes.contains(0) && looked < 2 ? none : vanishes.find(0);
+  return vanishes.contains(0) && looked < at.least ? none : vanishes.find(0);
 }
 
 } // namespace kanexpr::mechanics

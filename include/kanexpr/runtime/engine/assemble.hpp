@@ -25,6 +25,8 @@ public:
         terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
         redundant_(m.function(m.get(mechanics::quantity::redundant_residual))),
         redundant_terms_(m.function(m.get(mechanics::quantity::redundant_terms))),
+        redundant_rate_(m.function(m.get(mechanics::quantity::redundant_rate))),
+        redundant_rate_terms_(m.function(m.get(mechanics::quantity::redundant_rate_terms))),
         jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_by_all))),
         velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
         velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
@@ -49,6 +51,10 @@ public:
   Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
   Eigen::VectorXd redundant_residual(const Eigen::VectorXd& x) { return redundant_(t_, x, p_, r_); }
   Eigen::VectorXd redundant_terms(const Eigen::VectorXd& x) { return redundant_terms_(t_, x, p_, r_); }
+  Eigen::VectorXd redundant_rate(const Eigen::VectorXd& x) { return redundant_rate_(t_, x, p_, r_); }
+  Eigen::VectorXd redundant_rate_terms(const Eigen::VectorXd& x) {
+    return redundant_rate_terms_(t_, x, p_, r_);
+  }
   /// To rounding.
   bool configuration_holds(const Eigen::VectorXd& x) {
     return numeric::is_rounding(
@@ -105,8 +111,8 @@ private:
   double t_;
   given_vector p_;
   given_vector r_;
-  interpreted<double> residual_, terms_, redundant_, redundant_terms_, jacobian_, velocity_residual_,
-      velocity_terms_, speeds_solved_;
+  interpreted<double> residual_, terms_, redundant_, redundant_terms_, redundant_rate_, redundant_rate_terms_,
+      jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
 };
 
 /// Why the constraints of a model cannot be looked at in a state of so many entries; empty: they can.

@@ -1,0 +1,6 @@
+// expect: configuration constraint 2 does not follow from the others; redundant<2> would let it go
+#include "pendulum.hpp"
+
+struct System : bound_pendulum<configuration_constraints<s == 2 * q, s * s == 1 - q>, redundant<2>> {};
+
+int main() { use<System>(); }
