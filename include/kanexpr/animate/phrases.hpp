@@ -28,13 +28,15 @@ inline constexpr phrases<sizeof...(expressions)> phrases_of{describe::phrase_of<
 
 /// Position of a point from its origin.
 template <class Point>
-inline constexpr phrase place =
-    describe::phrase_of<describe::motion_of(describe::token_kind::position, &describe::point_of<Point>)>;
+inline constexpr phrase place = describe::phrase_of<describe::motion_of(
+    describe::token_kind::position, &describe::point_of<Point>, !is_known_to_all_files<Point>)>;
 
 /// Two axes of a frame; the third is their product.
 template <class Frame>
-inline constexpr phrase x_of = describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 0)>;
+inline constexpr phrase x_of =
+    describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 0, !is_known_to_all_files<Frame>)>;
 template <class Frame>
-inline constexpr phrase y_of = describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 1)>;
+inline constexpr phrase y_of =
+    describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 1, !is_known_to_all_files<Frame>)>;
 
 } // namespace kanexpr::animate

@@ -48,6 +48,12 @@ constexpr whole_name whole_name_of() {
   return {whole.substr(0, end), start};
 }
 
+/// Whether every source file that writes the name of a type means one type by it: not in an unnamed
+/// namespace, which compilers write with brackets, nor in a function.
+template <class Type>
+inline constexpr bool is_known_to_all_files =
+    whole_name_of<Type>().whole.find_first_of("({") == std::string_view::npos;
+
 /// The name of a type as its model wrote it, without namespaces: `Link<3>`.
 template <class Type>
 constexpr std::string_view type_name() {

@@ -5,12 +5,6 @@
 
 namespace kanexpr::compiled {
 
-/// Whether every source file that writes the name of a system means one type by it: not in an unnamed
-/// namespace, which compilers write with brackets, nor in a function.
-template <class System>
-inline constexpr bool is_known_to_all_files =
-    whole_name_of<System>().whole.find_first_of("({") == std::string_view::npos;
-
 template <class System>
 inline constexpr std::uint64_t digest_of_name = [] {
   symbolic::digest all;

@@ -228,7 +228,7 @@ constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equ
 }
 
 /// The request that a template argument of a compiled function stands for. This one is foreign.
-template <auto wanted>
+template <auto wanted, class Where = describe::file_of<wanted>>
 struct requested {
   static constexpr request value{};
 };

@@ -292,6 +292,7 @@ struct external {
     last.index = 0;
     last.external =
         &describe::external_of<describe::external_family<called, count, Function, Derivatives...>>;
+    last.is_of_one_file = !is_known_to_all_files<external>;
     return all;
   }
 

@@ -45,11 +45,12 @@ constexpr frame_record record_frame() {
 template <class Frame>
 inline constexpr frame_record frame_of = record_frame<Frame>();
 
-constexpr vector<1> basis(const frame_record* frame, int axis) {
+constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_file = false) {
   token t{};
   t.what = token_kind::basis;
   t.index = axis;
   t.frame = frame;
+  t.is_of_one_file = is_of_one_file;
   return {{t}};
 }
 
@@ -69,9 +70,9 @@ struct axes : orientation_words {
   static constexpr bool are_of_another = is_another;
   static constexpr const frame_record* described =
       is_another ? &frame_under_another_name<Frame> : &frame_of<Frame>;
-  static constexpr vector<1> x = basis(described, 0);
-  static constexpr vector<1> y = basis(described, 1);
-  static constexpr vector<1> z = basis(described, 2);
+  static constexpr vector<1> x = basis(described, 0, !is_known_to_all_files<Frame>);
+  static constexpr vector<1> y = basis(described, 1, !is_known_to_all_files<Frame>);
+  static constexpr vector<1> z = basis(described, 2, !is_known_to_all_files<Frame>);
 };
 
 } // namespace describe

@@ -13,10 +13,12 @@ struct kinematics_of_frame {
 
 constexpr shape shape_of(const kinematics_of_frame&) { return shape::kinematics; }
 
-constexpr kinematics_of_frame kinematics_between(const frame_record* frame, const frame_record* reference) {
+constexpr kinematics_of_frame kinematics_between(const frame_record* frame, const frame_record* reference,
+                                                 bool is_of_one_file) {
   kinematics_of_frame both{{with(token_kind::angular_velocity), with(token_kind::angular_velocity)}};
   both.tokens[0].frame = frame;
   both.tokens[1].frame = reference;
+  both.tokens[0].is_of_one_file = is_of_one_file;
   return both;
 }
 
@@ -38,10 +40,11 @@ inline constexpr describe::simple_kinematics simple{{describe::with(describe::to
 /// a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
 template <class Frame, class... Reference>
 inline constexpr describe::kinematics_of_frame kinematics_of =
-    describe::kinematics_between(&describe::frame_of<Frame>, nullptr);
+    describe::kinematics_between(&describe::frame_of<Frame>, nullptr, !is_known_to_all_files<Frame>);
 
 template <class Frame, class Reference>
 inline constexpr describe::kinematics_of_frame kinematics_of<Frame, Reference> =
-    describe::kinematics_between(&describe::frame_of<Frame>, &describe::frame_of<Reference>);
+    describe::kinematics_between(&describe::frame_of<Frame>, &describe::frame_of<Reference>,
+                                 !is_known_to_all_files<Frame> || !is_known_to_all_files<Reference>);
 
 } // namespace kanexpr

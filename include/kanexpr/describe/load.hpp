@@ -185,6 +185,15 @@ constexpr load_record record_load() {
 }
 
 template <class Load>
+constexpr bool is_load_of_one_file() {
+  if constexpr (requires { Load::load; })
+    for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest})
+      for (int i = 0; i < each->size; ++i)
+        if (each->tokens[i].is_of_one_file) return true;
+  return false;
+}
+
+template <class Load, class Where = typename known_in<is_load_of_one_file<Load>()>::type>
 inline constexpr load_record load_of = record_load<Load>();
 
 } // namespace describe

@@ -8,15 +8,17 @@ namespace kanexpr {
 
 namespace describe {
 
-constexpr vector<1> motion_of(token_kind what, const point_record* point) {
+constexpr vector<1> motion_of(token_kind what, const point_record* point, bool is_of_one_file) {
   token t = with(what);
   t.point = point;
+  t.is_of_one_file = is_of_one_file;
   return {{t}};
 }
 
-constexpr vector<1> motion_of(token_kind what, const frame_record* frame) {
+constexpr vector<1> motion_of(token_kind what, const frame_record* frame, bool is_of_one_file) {
   token t = with(what);
   t.frame = frame;
+  t.is_of_one_file = is_of_one_file;
   return {{t}};
 }
 
@@ -43,38 +45,42 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
 /// The position of `Point` from `From`; both must hang on one origin.
 template <class Point, class... From>
 inline constexpr auto position_of =
-    describe::misused<vector>(describe::motion_of(describe::token_kind::position, &describe::point_of<Point>),
+    describe::misused<vector>(describe::motion_of(describe::token_kind::position, &describe::point_of<Point>,
+                                                  !is_known_to_all_files<Point>),
                               describe::misuse::points);
 
 template <class Point, class From>
 inline constexpr auto position_of<Point, From> =
-    describe::motion_of(describe::token_kind::position, &describe::point_of<Point>) -
-    describe::motion_of(describe::token_kind::position, &describe::point_of<From>);
+    describe::motion_of(describe::token_kind::position, &describe::point_of<Point>,
+                        !is_known_to_all_files<Point>) -
+    describe::motion_of(describe::token_kind::position, &describe::point_of<From>,
+                        !is_known_to_all_files<From>);
 
 /// Velocity of a point in the inertial frame.
 template <class Point, class... In>
-inline constexpr auto velocity_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::token_kind::velocity, &describe::point_of<Point>));
+inline constexpr auto velocity_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
+    describe::token_kind::velocity, &describe::point_of<Point>, !is_known_to_all_files<Point>));
 
 /// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
 template <class Point, class... In>
-inline constexpr auto acceleration_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::token_kind::acceleration, &describe::point_of<Point>));
+inline constexpr auto acceleration_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
+    describe::token_kind::acceleration, &describe::point_of<Point>, !is_known_to_all_files<Point>));
 
 /// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
 template <class Frame, class... In>
-inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::token_kind::angular_velocity, &describe::frame_of<Frame>));
+inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
+    describe::token_kind::angular_velocity, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
 
 template <class Frame, class... In>
-inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(
-    describe::motion_of(describe::token_kind::angular_acceleration, &describe::frame_of<Frame>));
+inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
+    describe::token_kind::angular_acceleration, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
 
 /// The time derivative of a vector as it is seen in `Frame`.
 template <class Frame, int size>
 constexpr vector<size + 1> derivative_in(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::derivative);
   t.frame = &describe::frame_of<Frame>;
+  t.is_of_one_file = !is_known_to_all_files<Frame>;
   return describe::join<vector<size + 1>>(v.tokens, t);
 }
 
@@ -89,6 +95,7 @@ template <class Frame, int size>
 constexpr vector<size + 1> in_axes_of(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::in_axes);
   t.frame = &describe::frame_of<Frame>;
+  t.is_of_one_file = !is_known_to_all_files<Frame>;
   return describe::join<vector<size + 1>>(v.tokens, t);
 }
 

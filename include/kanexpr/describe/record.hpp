@@ -50,7 +50,35 @@ constexpr auto with_numbers_as_scalars(const Written& value) {
     return value;
 }
 
+namespace {
+struct this_file;
+}
+
+/// Whether an expression mentions what only one source file knows.
 template <auto value>
+inline constexpr bool is_of_one_file = [] {
+  if constexpr (requires { value.tokens[0].is_of_one_file; })
+    for (const token& t : value.tokens)
+      if (t.is_of_one_file) return true;
+  return false;
+}();
+
+/// Two source files may each have entities of one name in an unnamed namespace. g++ does not look at what the
+/// values of template arguments point at, so it would let the linker take one file's expressions for the
+/// other's. A type that no other file has keeps them apart.
+template <bool is_of_one_file>
+struct known_in {
+  using type = void;
+};
+template <>
+struct known_in<true> {
+  using type = this_file;
+};
+
+template <auto... values>
+using file_of = typename known_in<(is_of_one_file<values> || ...)>::type;
+
+template <auto value, class Where = file_of<value>>
 struct stored {
   static constexpr auto expression = with_numbers_as_scalars(value);
   static constexpr phrase words = [] {
@@ -63,8 +91,8 @@ struct stored {
 };
 
 /// The phrase for any expression that a model gives as a template argument.
-template <auto value>
-inline constexpr phrase phrase_of = stored<value>::words;
+template <auto value, class Where = file_of<value>>
+inline constexpr phrase phrase_of = stored<value, Where>::words;
 
 inline constexpr phrase no_phrase = phrase_of<constant(0)>;
 

@@ -64,6 +64,7 @@ struct token {
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
   const external_record* external = nullptr;
+  bool is_of_one_file = false; ///< what it points at, which only one source file knows
 };
 
 } // namespace kanexpr::describe

@@ -16,7 +16,7 @@ struct changed_value {
   wanted_result to{};
 };
 
-template <auto value>
+template <auto value, class Where = describe::file_of<value>>
 changed_value set(const symbol_name& what) {
   return {what, {what.name(), deriving::requested<value>::value}};
 }
@@ -35,7 +35,7 @@ struct exported_event {
 
 /// The event that an expression of the model passes zero, or that an equation holds:
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
-template <auto watched>
+template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
                     std::vector<changed_value> changes = {}, after_event then = after_event::go_on) {
   return {name, {name, deriving::requested<watched>::value}, direction, std::move(changes), then};

@@ -109,7 +109,7 @@ inline wanted_function results(std::string_view names) {
 }
 
 /// An expression of the model, by a name of its own: `expression<position_of<P>>("tip")`.
-template <auto wanted>
+template <auto wanted, class Where = describe::file_of<wanted>>
 wanted_function expression(std::string name) {
   wanted_function one;
   one.name = name;

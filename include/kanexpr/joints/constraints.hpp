@@ -59,7 +59,8 @@ constexpr auto kept_parallel() {
   if constexpr (requires { requires sizeof(axis.tokens) == sizeof(token); }) {
     constexpr token t = axis.tokens[0];
     if constexpr (t.what == token_kind::basis && t.frame != nullptr)
-      return zero_along<direction, basis(t.frame, (t.index + 1) % 3), basis(t.frame, (t.index + 2) % 3)>;
+      return zero_along<direction, basis(t.frame, (t.index + 1) % 3, t.is_of_one_file),
+                        basis(t.frame, (t.index + 2) % 3, t.is_of_one_file)>;
     else
       return mistaken<left_out>(misuse::parallel);
   } else {
@@ -72,11 +73,6 @@ constexpr auto parallel_ones() {
     return kept_parallel<direction_and_axis...>();
   else
     return mistaken<left_out>(misuse::parallel_arguments);
-}
-
-constexpr vector<1> velocity_at(const point_record* point) { return motion_of(token_kind::velocity, point); }
-constexpr vector<1> turning_of(const frame_record* frame) {
-  return motion_of(token_kind::angular_velocity, frame);
 }
 
 /// The way from a plane whose normal is `up` towards the middle of a wheel, in the plane of the wheel.
@@ -113,22 +109,22 @@ constexpr auto height_of_center() {
 
 template <class Place>
 constexpr auto velocity_of_place() {
-  return velocity_at(parts_of<Place>::point());
+  return motion_of(token_kind::velocity, parts_of<Place>::point(), !is_known_to_all_files<Place>);
 }
 template <class Place>
 constexpr auto turning_of_place() {
-  return turning_of(parts_of<Place>::frame());
+  return motion_of(token_kind::angular_velocity, parts_of<Place>::frame(), !is_known_to_all_files<Place>);
 }
 template <class Place, class From>
 constexpr auto position_between() {
-  return motion_of(token_kind::position, parts_of<Place>::point()) -
-         motion_of(token_kind::position, parts_of<From>::point());
+  return motion_of(token_kind::position, parts_of<Place>::point(), !is_known_to_all_files<Place>) -
+         motion_of(token_kind::position, parts_of<From>::point(), !is_known_to_all_files<From>);
 }
 
 /// An axis of a frame, or of what has one.
 template <class Frame>
 constexpr vector<1> axis_of(int index) {
-  return basis(parts_of<Frame>::frame(), index);
+  return basis(parts_of<Frame>::frame(), index, !is_known_to_all_files<Frame>);
 }
 
 /// The velocity of the point of `Wheel` that touches `Ground`, as that sees it.

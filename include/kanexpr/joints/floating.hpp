@@ -28,10 +28,11 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
   template <class Joint>
   static constexpr void move(point_record& r) {
     r.offset = phrase_of<Joint::template q<0> * basis(Joint::home_frame(), 0) +
-                         Joint::template q<1> * basis(Joint::home_frame(), 1) +
-                         Joint::template q<2> * basis(Joint::home_frame(), 2)>;
+                             Joint::template q<1> * basis(Joint::home_frame(), 1) +
+                             Joint::template q<2> * basis(Joint::home_frame(), 2),
+                         Joint>;
     r.reference = Joint::parent_frame();
-    r.velocity = phrase_of<drift<Joint>>;
+    r.velocity = phrase_of<drift<Joint>, Joint>;
     r.from_parent = true;
   }
 
@@ -41,9 +42,10 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
 
   template <class Joint>
   static constexpr listing<phrase> kinematics() {
-    return list_of<phrase, &phrase_of<rate_of_position<Joint, 0>>, &phrase_of<rate_of_position<Joint, 1>>,
-                   &phrase_of<rate_of_position<Joint, 2>>,
-                   &phrase_of<floating_joint::template kinematics_of_orientation<Joint>>>::all;
+    return list_of<phrase, &phrase_of<rate_of_position<Joint, 0>, Joint>,
+                   &phrase_of<rate_of_position<Joint, 1>, Joint>,
+                   &phrase_of<rate_of_position<Joint, 2>, Joint>,
+                   &phrase_of<floating_joint::template kinematics_of_orientation<Joint>, Joint>>::all;
   }
 };
 

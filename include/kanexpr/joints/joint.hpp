@@ -87,7 +87,7 @@ constexpr void turn_about(frame_record& r, const phrase& angle, const phrase& ax
 
 template <class Joint>
 constexpr void not_turned(frame_record& r) {
-  turn_about(r, no_phrase, phrase_of<basis(Joint::home_frame(), 2)>);
+  turn_about(r, no_phrase, phrase_of<basis(Joint::home_frame(), 2), Joint>);
 }
 
 template <class Joint, std::size_t index>
@@ -229,7 +229,7 @@ struct joint : axes<Self>, place_words, joint_words {
       r.origin_of = child_frame();
     } else if constexpr (is_off_child) {
       r.parent = joint_point();
-      r.offset = phrase_of<from_joint(child_frame())>;
+      r.offset = phrase_of<from_joint(child_frame()), Self>;
     } else {
       r = joint_record_of_point();
     }
@@ -248,7 +248,7 @@ struct joint : axes<Self>, place_words, joint_words {
     point_record r;
     r.called = r.calls_itself = name_behind<Self, "base">.view();
     r.parent = parent_point();
-    if constexpr (is_off_parent) r.offset = phrase_of<word<joint_word::at>::in_parent>;
+    if constexpr (is_off_parent) r.offset = phrase_of<word<joint_word::at>::in_parent, Self>;
     return r;
   }
   static constexpr point_record joint_record_of_point() {
@@ -258,7 +258,7 @@ struct joint : axes<Self>, place_words, joint_words {
       r.parent = base_point();
       Kind::template move<Self>(r);
     } else if constexpr (!is_off_parent) {
-      r.offset = phrase_of<0.0 * basis(parent_frame(), 0)>;
+      r.offset = phrase_of<0.0 * basis(parent_frame(), 0), Self>;
     }
     return r;
   }
@@ -267,7 +267,7 @@ struct joint : axes<Self>, place_words, joint_words {
     r.called = r.calls_itself = name_behind<Self, "center">.view();
     r.parent = &point_of<Self>;
     if constexpr (has<joint_word::body>)
-      r.offset = phrase_of<by_axes_of(child_frame(), word<joint_word::body>::center_given)>;
+      r.offset = phrase_of<by_axes_of(child_frame(), word<joint_word::body>::center_given), Self>;
     return r;
   }
   static constexpr body_record body_record_of_child() {
@@ -320,12 +320,12 @@ private:
   template <std::size_t... of_position, std::size_t... of_motion>
   static constexpr void list_symbols(joint_record& r, std::index_sequence<of_position...>,
                                      std::index_sequence<of_motion...>) {
-    r.coordinates = list_of<phrase, &phrase_of<q<of_position>>...>::all;
-    r.speeds = list_of<phrase, &phrase_of<u<of_motion>>...>::all;
+    r.coordinates = list_of<phrase, &phrase_of<q<of_position>, Self>...>::all;
+    r.speeds = list_of<phrase, &phrase_of<u<of_motion>, Self>...>::all;
   }
   template <std::size_t... index>
   static constexpr listing<phrase> simple_kinematics(std::index_sequence<index...>) {
-    return list_of<phrase, &phrase_of<rate_is_speed<Self, index>>...>::all;
+    return list_of<phrase, &phrase_of<rate_is_speed<Self, index>, Self>...>::all;
   }
 
   /// The axes that need a look: whether they have a length, are fixed, and two of them are not parallel.
@@ -337,10 +337,10 @@ private:
       if constexpr (given::count == 1 && is_basis_of(parent_frame(), given::first))
         return {};
       else if constexpr (given::count == 1)
-        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first)>>::all;
+        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first), Self>>::all;
       else
-        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first)>,
-                       &phrase_of<by_axes_of(home_frame(), given::second)>>::all;
+        return list_of<phrase, &phrase_of<by_axes_of(home_frame(), given::first), Self>,
+                       &phrase_of<by_axes_of(home_frame(), given::second), Self>>::all;
     }
   }
 

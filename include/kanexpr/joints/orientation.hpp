@@ -45,24 +45,24 @@ struct free_orientation {
     if constexpr (by_angles) {
       Joint::template word<joint_word::special>::turn_by(r);
       r.given_as = "an angle of frame ";
-      r.given[0] = phrase_of<Joint::template q<first_q>>;
-      r.given[1] = phrase_of<Joint::template q<first_q + 1>>;
-      r.given[2] = phrase_of<Joint::template q<first_q + 2>>;
+      r.given[0] = phrase_of<Joint::template q<first_q>, Joint>;
+      r.given[1] = phrase_of<Joint::template q<first_q + 1>, Joint>;
+      r.given[2] = phrase_of<Joint::template q<first_q + 2>, Joint>;
     } else { // the real part comes last in the state
       r.orientation = orientation_word::quaternion;
       r.given_as = "the quaternion of frame ";
-      r.given[0] = phrase_of<Joint::template q<first_q + 3>>;
-      r.given[1] = phrase_of<Joint::template q<first_q>>;
-      r.given[2] = phrase_of<Joint::template q<first_q + 1>>;
-      r.given[3] = phrase_of<Joint::template q<first_q + 2>>;
+      r.given[0] = phrase_of<Joint::template q<first_q + 3>, Joint>;
+      r.given[1] = phrase_of<Joint::template q<first_q>, Joint>;
+      r.given[2] = phrase_of<Joint::template q<first_q + 1>, Joint>;
+      r.given[3] = phrase_of<Joint::template q<first_q + 2>, Joint>;
     }
     r.reference = Joint::home_frame();
-    r.angular_velocity = phrase_of<spin<Joint>>;
+    r.angular_velocity = phrase_of<spin<Joint>, Joint>;
   }
 
   template <class Joint>
   static constexpr auto kinematics_of_orientation =
-      kinematics_between(Joint::child_frame(), Joint::home_frame());
+      kinematics_between(Joint::child_frame(), Joint::home_frame(), !is_known_to_all_files<Joint>);
 };
 
 template <class... Words>

@@ -22,11 +22,11 @@ struct planar_joint {
 
   template <class Joint>
   static constexpr void turn(frame_record& r) {
-    turn_about(r, phrase_of<Joint::template q<2>>, phrase_of<normal<Joint>>);
+    turn_about(r, phrase_of<Joint::template q<2>, Joint>, phrase_of<normal<Joint>, Joint>);
   }
   template <class Joint>
   static constexpr void move(point_record& r) {
-    r.offset = phrase_of<Joint::template q<0> * first<Joint> + Joint::template q<1> * second<Joint>>;
+    r.offset = phrase_of<Joint::template q<0> * first<Joint> + Joint::template q<1> * second<Joint>, Joint>;
   }
 
   template <class Joint>

@@ -19,7 +19,7 @@ struct prismatic_joint {
   }
   template <class Joint>
   static constexpr void move(point_record& r) {
-    r.offset = phrase_of<Joint::template q<0> * Joint::template axis_at_home<0>>;
+    r.offset = phrase_of<Joint::template q<0> * Joint::template axis_at_home<0>, Joint>;
   }
 
   template <class Joint>

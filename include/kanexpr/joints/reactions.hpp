@@ -29,9 +29,9 @@ struct freed_joint {
     frame_record r = frame_of<Joint>;
     r.reference = r.parent;
     if constexpr (requires { kind::template spin<Joint>; })
-      r.angular_velocity = phrase_of<kind::template spin<Joint> + bound_spin()>;
+      r.angular_velocity = phrase_of<kind::template spin<Joint> + bound_spin(), Joint>;
     else
-      r.angular_velocity = phrase_of<bound_spin()>;
+      r.angular_velocity = phrase_of<bound_spin(), Joint>;
     return r;
   }();
 
@@ -41,13 +41,13 @@ struct freed_joint {
     point_record r = *Joint::joint_point();
     if constexpr (!kind::moves) {
       r.parent = Joint::base_point();
-      r.offset = phrase_of<0.0 * basis(Joint::parent_frame(), 0)>;
+      r.offset = phrase_of<0.0 * basis(Joint::parent_frame(), 0), Joint>;
     }
     r.reference = Joint::parent_frame();
     if constexpr (requires { kind::template drift<Joint>; })
-      r.velocity = phrase_of<kind::template drift<Joint> + bound_drift()>;
+      r.velocity = phrase_of<kind::template drift<Joint> + bound_drift(), Joint>;
     else
-      r.velocity = phrase_of<bound_drift()>;
+      r.velocity = phrase_of<bound_drift(), Joint>;
     r.from_parent = true;
     return r;
   }();
@@ -65,8 +65,9 @@ inline constexpr reaction_record reaction_of = [] {
     r.freed_frame = &freed::frame;
     r.point = Joint::joint_point();
     r.freed_point = &freed::point;
-    r.speeds = list_of<phrase, &phrase_of<speeds::f1>, &phrase_of<speeds::f2>, &phrase_of<speeds::f3>,
-                       &phrase_of<speeds::t1>, &phrase_of<speeds::t2>, &phrase_of<speeds::t3>>::all;
+    r.speeds = list_of<phrase, &phrase_of<speeds::f1, Joint>, &phrase_of<speeds::f2, Joint>,
+                       &phrase_of<speeds::f3, Joint>, &phrase_of<speeds::t1, Joint>,
+                       &phrase_of<speeds::t2, Joint>, &phrase_of<speeds::t3, Joint>>::all;
   }
   return r;
 }();

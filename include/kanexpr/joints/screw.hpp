@@ -42,11 +42,11 @@ struct screw_joint {
 
   template <class Joint>
   static constexpr void turn(frame_record& r) {
-    turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+    turn_about(r, phrase_of<Joint::template q<0>, Joint>, phrase_of<Joint::template axis_at_home<0>, Joint>);
   }
   template <class Joint>
   static constexpr void move(point_record& r) {
-    r.offset = phrase_of<pitch_of<Joint>() * Joint::template q<0> * Joint::template axis_at_home<0>>;
+    r.offset = phrase_of<pitch_of<Joint>() * Joint::template q<0> * Joint::template axis_at_home<0>, Joint>;
   }
 
   template <class Joint>

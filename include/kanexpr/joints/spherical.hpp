@@ -19,7 +19,8 @@ struct spherical_joint : free_orientation<by_angles, 0, 0> {
 
   template <class Joint>
   static constexpr listing<phrase> kinematics() {
-    return list_of<phrase, &phrase_of<spherical_joint::template kinematics_of_orientation<Joint>>>::all;
+    return list_of<phrase,
+                   &phrase_of<spherical_joint::template kinematics_of_orientation<Joint>, Joint>>::all;
   }
 };
 

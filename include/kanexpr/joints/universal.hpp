@@ -11,7 +11,7 @@ inline constexpr frame_record cross_of_joint = [] {
   frame_record r;
   r.called = r.calls_itself = name_behind<Joint, "cross">.view();
   r.parent = Joint::home_frame();
-  turn_about(r, phrase_of<Joint::template q<0>>, phrase_of<Joint::template axis_at_home<0>>);
+  turn_about(r, phrase_of<Joint::template q<0>, Joint>, phrase_of<Joint::template axis_at_home<0>, Joint>);
   return r;
 }();
 
@@ -25,8 +25,8 @@ struct universal_joint {
   template <class Joint>
   static constexpr void turn(frame_record& r) {
     r.parent = &cross_of_joint<Joint>;
-    turn_about(r, phrase_of<Joint::template q<1>>,
-               phrase_of<Joint::template axis_in<1>(&cross_of_joint<Joint>)>);
+    turn_about(r, phrase_of<Joint::template q<1>, Joint>,
+               phrase_of<Joint::template axis_in<1>(&cross_of_joint<Joint>), Joint>);
   }
 
   template <class Joint>

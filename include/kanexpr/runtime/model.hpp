@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/derive/check_words.hpp>
+#include <kanexpr/derive/entity_digests.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
 #include <kanexpr/derive/sensitivity_request.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
@@ -29,7 +30,9 @@ struct survey;
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use.
-  explicit model(const deriving::checked_words& from, std::span<const deriving::request> also = {});
+  /// `meant` are the digests of entities in the file that means the system.
+  explicit model(const deriving::checked_words& from, std::span<const deriving::request> also = {},
+                 std::span<const std::uint64_t> meant = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
@@ -77,7 +80,7 @@ public:
                                    const linearization_point& third = {});
 
   /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
-  template <auto... measured>
+  template <auto... measured, class Where = describe::file_of<measured...>>
   symbolic::matrix measured_by() {
     const deriving::request all[]{deriving::requested<measured>::value...};
     return measured_by(all);
@@ -94,14 +97,14 @@ public:
   mechanics::vector imposed(const mechanics::vector& v);
 
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
-  template <auto wanted>
+  template <auto wanted, class Where = describe::file_of<wanted>>
   symbolic::matrix get() {
     return get(deriving::requested<wanted>::value);
   }
   symbolic::matrix get(const deriving::request& wanted);
 
   /// A vector of the model as a sum over its frames.
-  template <auto wanted>
+  template <auto wanted, class Where = describe::file_of<wanted>>
   mechanics::vector vector() {
     return vector(describe::phrase_of<wanted>);
   }
@@ -145,13 +148,14 @@ private:
 };
 
 /// Derives a system while the program runs.
-template <class System, auto... also>
+template <class System, auto... also, std::uint64_t described = deriving::digests_as_read<System>[0]>
 model derive() {
+  const std::span<const std::uint64_t> meant(deriving::digests_as_meant<System, described>);
   if constexpr (sizeof...(also) == 0) {
-    return model(deriving::words_of<System>);
+    return model(deriving::words_of<System>, {}, meant.subspan(1));
   } else {
     const deriving::request all[]{deriving::requested<also>::value...};
-    return model(deriving::words_of<System>, all);
+    return model(deriving::words_of<System>, all, meant.subspan(1));
   }
 }
 

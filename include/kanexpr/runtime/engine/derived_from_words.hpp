@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derive/entity_digests.hpp>
 #include <kanexpr/derive/request.hpp>
 #include <kanexpr/derive/stages.hpp>
 #include <kanexpr/runtime/derived.hpp>
@@ -11,8 +12,11 @@ namespace kanexpr::runtime {
 /// Derived from the words of a model.
 class derived_from_words final : public derived {
 public:
-  derived_from_words(const deriving::checked_words& from, std::span<const deriving::request> also)
+  derived_from_words(const deriving::checked_words& from, std::span<const deriving::request> also,
+                     std::span<const std::uint64_t> meant)
       : mistake_(from.mistake), system_(from.record) {
+    if (mistake_) return;
+    if (!meant.empty()) mistake_ = deriving::entity_digests(from.record).unlike(meant);
     if (mistake_) return;
     deriving::go_on(system_, deriving::stage::constrained);
     deriving::visit(also, system_.reader());

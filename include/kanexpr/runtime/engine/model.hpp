@@ -48,8 +48,9 @@ inline symbolic::matrix result_of(derived& system, const deriving::request& want
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const deriving::checked_words& from, std::span<const deriving::request> also)
-    : system_(std::make_shared<runtime::derived_from_words>(from, also)) {}
+KANEXPR_ENGINE model::model(const deriving::checked_words& from, std::span<const deriving::request> also,
+                            std::span<const std::uint64_t> meant)
+    : system_(std::make_shared<runtime::derived_from_words>(from, also, meant)) {}
 
 KANEXPR_ENGINE std::string model::mistake() const {
   return std::string((system_->mistake() ? system_->mistake() : system_->refused).view());
