@@ -46,9 +46,9 @@ constexpr int divide_in_lowest_terms(graph& g, int a, int b) {
     if (shared == taken.exponent) --i; // it is gone
   }
   if (!any) return divide(g, a, b);
-  const int numerator = detail::product_of(g, above), denominator = detail::product_of(g, below);
   const int coefficient = g.constant(above.coefficient / below.coefficient);
-  return multiply(g, coefficient, divide(g, numerator, denominator));
+  const int numerator = multiply(g, coefficient, detail::product_of(g, above));
+  return divide(g, numerator, detail::product_of(g, below));
 }
 
 } // namespace kanexpr::symbolic
