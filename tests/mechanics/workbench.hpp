@@ -73,8 +73,7 @@ struct bench : builder {
   }
   Matrix3d to_ground(frame_id f) {
     Matrix3d r;
-    for (int i = 0; i < 3; ++i)
-      r.col(i) = in_ground(along(f, i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0));
+    for (int i = 0; i < 3; ++i) r.col(i) = in_ground(along(f, i == 0, i == 1, i == 2));
     return r;
   }
 };

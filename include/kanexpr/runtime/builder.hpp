@@ -38,7 +38,8 @@ namespace kanexpr::runtime {
 /// A number as it was given: to C++ 1/2 is the whole number 0, which nobody gives on purpose.
 class given_number {
 public:
-  template <describe::plain_number Number>
+  template <class Number>
+    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // i == 0 is 1 or 0
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
@@ -53,7 +54,8 @@ private:
 /// A number among expressions.
 class number_or_expression {
 public:
-  template <describe::plain_number Number>
+  template <class Number>
+    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>)
   number_or_expression(Number value) : held_(given_number(value)) {}
   number_or_expression(expression e) : held_(e) {}
 
