@@ -280,6 +280,29 @@ TEST(simulated_model, is_led_by_a_prescribed_quantity) {
                               prescribe(r, "theta", t, angle);
                             }});
   expect_same_motion(run, compiled);
+
+  const auto cause = [&](const input_source<model>& inputs) {
+    return simulate(derive<System>(), start, numbers, {0, 2}, {.inputs = inputs}).cause();
+  };
+  EXPECT_EQ(cause({{"theta", 0}, {"theta'", 2}, {"theta''", 0}}),
+            "prescribed quantity theta is given as constant, with the rate 2");
+  EXPECT_EQ(cause([](double t, const state<model>&, input_values<model>& r) {
+              r["theta"] = t * t, r["theta'"] = 2 * t, r["theta''"] = -2;
+            }),
+            "prescribed quantity dot(theta) changes at the rate 2 at t = 0.002, and its rate is given as -2");
+}
+
+TEST(simulated_model, takes_no_inertia_that_no_body_has) {
+  kanexpr::runtime::builder b("N");
+  const expression q = b.coordinate("q"), u = b.speed("u"), across = b.parameter("J"), m = b.parameter("m");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto a = b.rotated("A", b.inertial_frame(), q, b.along(b.inertial_frame(), 0, 0, 1));
+  b.rigid_body("Rod", b.origin("O"), a, m, b.inertia(a, 1, 1, 2, across, 0.0, 0.0));
+  const auto cause = [&](double j) {
+    return simulate(b, {{"q", 0}, {"u", 1}}, {{"J", j}, {"m", 1}}, {0, 1}).cause();
+  };
+  EXPECT_EQ(cause(0.001), "");
+  EXPECT_EQ(cause(-3), "the inertia of Rod is indefinite: about some axis its moment is negative");
 }
 
 namespace linkage {

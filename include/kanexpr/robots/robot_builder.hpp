@@ -239,7 +239,7 @@ private:
     const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to;
     gravity(free_fall);
     if (numbers && is_zero(g)) return;
-    expression lifting;
+    expression lifting{};
     for (const moving_body& b : plan_.what.bodies)
       if (b.weightless > 0 && !is_on_ground(b))
         lifting =
