@@ -63,7 +63,8 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p8
 
-// expect: frame Link is turned about an axis that is not fixed in Link_cross
+// expect: joint Link is given its second axis in axes of another frame than its own; write universal<Self,
+// expect: Parent, axis<vector in the parent, vector in the child>, by<two angles, two speeds>>
 namespace p9 {
 struct Link : universal<Link, Arm, axis<Arm::x, Arm::y>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};
@@ -76,3 +77,18 @@ struct Link : planar<Link, Arm, axis<Arm::x, Ground::y>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p10
+
+// expect: a velocity constraint is given the axis of a wheel that is not fixed in Wheel
+namespace p11 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Ground::y, l>>> {};
+void f() { use<System>(); }
+} // namespace p11
+
+// expect: a configuration constraint is given the axis of a wheel that is not fixed in Wheel
+namespace p12 {
+struct Wheel : floating<Wheel, Ground, mass> {};
+struct System
+    : jointed<joints<Wheel>, configuration_constraints<touches<Wheel, Ground, Ground::y + Wheel::x, l>>> {};
+void f() { use<System>(); }
+} // namespace p12

@@ -52,6 +52,7 @@ enum class token_kind : unsigned char {
   partial,    ///< by `symbol`
   in_axes,    ///< of `frame`
   length,     ///< a scalar that must not be a number below zero
+  wheel_axis, ///< a vector that must be fixed in `frame`
   misused,    ///< means nothing in a model: `index` is the describe::misuse
 };
 

@@ -75,9 +75,21 @@ constexpr auto parallel_ones() {
     return mistaken<left_out>(misuse::parallel_arguments);
 }
 
+/// The axis of a wheel, which the reader of phrases looks at.
+template <class Wheel, auto axis>
+constexpr auto axis_of_wheel() {
+  if constexpr (requires { requires shape_of_operand<decltype(unit_along(axis))> == shape::vector; }) {
+    token t = with(token_kind::wheel_axis);
+    t.frame = parts_of<Wheel>::frame();
+    return join<vector<sizeof(unit_along(axis).tokens) / sizeof(token) + 1>>(unit_along(axis).tokens, t);
+  } else {
+    return unit_along(axis);
+  }
+}
+
 /// The way from a plane whose normal is `up` towards the middle of a wheel, in the plane of the wheel.
-template <auto axis, auto up>
-inline constexpr auto up_the_wheel = up - dot(up, unit_along(axis)) * unit_along(axis);
+template <class Wheel, auto axis, auto up>
+inline constexpr auto up_the_wheel = up - dot(up, axis_of_wheel<Wheel, axis>()) * unit_along(axis);
 
 /// A radius or the length of a rod as an expression.
 template <auto given>
@@ -91,20 +103,21 @@ constexpr auto length_of() {
 }
 
 /// From the centre of a wheel to where it touches a plane.
-template <auto axis, auto up, auto radius, auto... tube>
+template <class Wheel, auto axis, auto up, auto radius, auto... tube>
 constexpr auto to_contact() {
   if constexpr (sizeof...(tube) == 0)
-    return -length_of<radius>() * normalized(up_the_wheel<axis, up>);
+    return -length_of<radius>() * normalized(up_the_wheel<Wheel, axis, up>);
   else
-    return -length_of<radius>() * normalized(up_the_wheel<axis, up>) - length_of<one_of<0, tube...>()>() * up;
+    return -length_of<radius>() * normalized(up_the_wheel<Wheel, axis, up>) -
+           length_of<one_of<0, tube...>()>() * up;
 }
 
-template <auto up, auto axis, auto radius, auto... tube>
+template <class Wheel, auto up, auto axis, auto radius, auto... tube>
 constexpr auto height_of_center() {
   if constexpr (sizeof...(tube) == 0)
-    return length_of<radius>() * magnitude(up_the_wheel<axis, up>);
+    return length_of<radius>() * magnitude(up_the_wheel<Wheel, axis, up>);
   else
-    return length_of<radius>() * magnitude(up_the_wheel<axis, up>) + length_of<one_of<0, tube...>()>();
+    return length_of<radius>() * magnitude(up_the_wheel<Wheel, axis, up>) + length_of<one_of<0, tube...>()>();
 }
 
 template <class Place>
@@ -130,7 +143,7 @@ constexpr vector<1> axis_of(int index) {
 /// The velocity of the point of `Wheel` that touches `Ground`, as that sees it.
 template <class Wheel, class Ground, auto axis, auto... radii>
 constexpr auto slip_on() {
-  constexpr auto to_ground = to_contact<axis, axis_of<Ground>(2), radii...>();
+  constexpr auto to_ground = to_contact<Wheel, axis, axis_of<Ground>(2), radii...>();
   constexpr auto of_wheel = velocity_of_place<Wheel>() + cross(turning_of_place<Wheel>(), to_ground);
   if constexpr (parts_of<Ground>::frame()->is_inertial() && parts_of<Ground>::point()->is_origin())
     return of_wheel;
@@ -184,7 +197,7 @@ template <class Wheel, class Ground, auto... axis_and_radii>
 constexpr auto touching() {
   if constexpr (describe_wheel<axis_and_radii...>)
     return dot(position_between<Wheel, Ground>(), axis_of<Ground>(2)) ==
-           height_of_center<axis_of<Ground>(2), axis_and_radii...>();
+           height_of_center<Wheel, axis_of<Ground>(2), axis_and_radii...>();
   else
     return mistaken<Wheel>(misuse::touch_arguments);
 }

@@ -8,6 +8,7 @@
 ///
 ///     symbols                joint_symbols<names<"q">, names<"u">>
 ///     least_axes, most_axes  how many it takes
+///     is_second_axis_of_child   if it is not fixed in the parent
 ///     form                   how it is written
 ///     special                the type of a word of its own, if it takes one
 ///     without_special        what is wrong without that word, if it needs it

@@ -132,6 +132,9 @@ constexpr std::string_view mistake_of_kind() {
     if (is_no_vector<std::remove_cv_t<decltype(given::first)>>() ||
         is_no_vector<std::remove_cv_t<decltype(given::second)>>())
       return "is given an axis that is not a vector";
+    if constexpr (requires { kind::is_second_axis_of_child; })
+      if (holds_other_axes(given::second))
+        return "is given its second axis in axes of another frame than its own";
   }
   return {};
 }

@@ -20,6 +20,7 @@ struct universal_joint {
   static constexpr std::string_view form =
       "universal<Self, Parent, axis<vector in the parent, vector in the child>, by<two angles, two speeds>>";
   static constexpr std::size_t least_axes = 2, most_axes = 2;
+  static constexpr bool is_second_axis_of_child = true;
   static constexpr bool moves = false;
 
   template <class Joint>

@@ -6,6 +6,7 @@
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/check_position.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 
@@ -268,6 +269,7 @@ private:
       if (stack.back().scalar.is_constant() && number_at(stack.back().scalar) < 0)
         fail_by(describe::misuse::negative_length, *phrase_, whom);
       break;
+    case token_kind::wheel_axis: return check_wheel_axis(t, stack.back().vector, whom);
     case token_kind::misused: return check_written(*phrase_, whom);
     case token_kind::position:
     case token_kind::velocity:
@@ -276,6 +278,16 @@ private:
     case token_kind::angular_acceleration:
     case token_kind::derivative: return motion(t, stack, whom);
     }
+  }
+
+  /// What rolls turns about an axis that turns with it.
+  constexpr void check_wheel_axis(const describe::token& t, const mechanics::vector& axis,
+                                  std::string_view whom) {
+    if (is_displaced_) return;
+    const int wheel = frame(t.frame, whom);
+    if (!reading_.mistake && !mechanics::is_fixed(mechanics::express(m_, axis, wheel)))
+      reading_.fail(
+          {reading_.part, whom, " is given the axis of a wheel that is not fixed in ", t.frame->called});
   }
 
   static constexpr const symbolic::composition_word& word_of(const describe::token& t) {

@@ -44,6 +44,7 @@ constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   case token_kind::partial:
   case token_kind::in_axes:
   case token_kind::length:
+  case token_kind::wheel_axis:
   case token_kind::misused: break; // do not have two operands
   }
   return false;

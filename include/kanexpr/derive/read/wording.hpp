@@ -70,7 +70,8 @@ constexpr bool is_whole(const phrase& p) {
     case token_kind::derivative:
     case token_kind::partial:
     case token_kind::in_axes:
-    case token_kind::length: operands = 1; break;
+    case token_kind::length:
+    case token_kind::wheel_axis: operands = 1; break;
     case token_kind::number:
     case token_kind::symbol:
     case token_kind::basis:

@@ -138,7 +138,7 @@ private:
   constexpr int apart_from_place(int center) const {
     bool may = false;
     for (int p = center; p != none && !may; p = m_.points[p].parent) may = may_slip(m_, held_, m_.points[p]);
-    if (!may || moves_as_placed(center)) return none;
+    if (!may || !is_defined(center) || moves_as_placed(center)) return none;
     int found = none, next = none;
     for (int p = center; p != none; next = p, p = m_.points[p].parent)
       if (slips(p) && moves_as_placed(m_.points[p].parent) && !is_contact(p, next) && !rolls(p)) found = p;
