@@ -28,8 +28,8 @@ TEST(screw, turns_as_it_goes) { expect_same_motion<nut::System, nut::Hand>(); }
 // axis and a torque −h F about it.
 namespace spindle {
 constexpr parameter<"h"> h;
-struct Nut : screw<Nut, Ground, axis<Ground::z>, pitch<h>, body<0.7, 0.0 * own::x, inertia<own, 1, 1, 0.02>>> {
-};
+struct Nut
+    : screw<Nut, Ground, axis<Ground::z>, pitch<h>, body<0.7, 0.0 * own::x, inertia<own, 1, 1, 0.02>>> {};
 struct System : kane_system<inertial<Ground>, joints<Nut>, loads<gravity<9.81 * Ground::z>>> {};
 } // namespace spindle
 
