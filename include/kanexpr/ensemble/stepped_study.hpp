@@ -163,10 +163,10 @@ private:
     } else {
       const time_span span{told_.start, told_.start + told_.step * told_.steps};
       return simulated::contradiction_in_function(
-          known, span, x.data(), [this](double t, const double* at, double* inputs) {
+          known, span, x.data(), [this](double t, const double* at, double* into) {
             const input_values<System> given =
                 law_(t, rounded<state<System, Number>>(state<System>(at))).template cast<double>();
-            std::copy_n(given.data(), given.size(), inputs);
+            std::copy_n(given.data(), given.size(), into);
           });
     }
   }
