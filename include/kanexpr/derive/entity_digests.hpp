@@ -111,7 +111,7 @@ private:
     begin();
     now_.take(r.called);
     mention(r.frame), mention(r.point), mention(r.home), mention(r.parent_frame), mention(r.parent_point);
-    take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics);
+    take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics), take(r.place);
     end(r.called);
     if (r.body != nullptr) take(*r.body);
   }

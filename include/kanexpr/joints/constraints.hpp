@@ -81,6 +81,7 @@ constexpr auto axis_of_wheel() {
   if constexpr (requires { requires shape_of_operand<decltype(unit_along(axis))> == shape::vector; }) {
     token t = with(token_kind::wheel_axis);
     t.frame = parts_of<Wheel>::frame();
+    t.is_of_one_file = !is_known_to_all_files<Wheel>;
     return join<vector<sizeof(unit_along(axis).tokens) / sizeof(token) + 1>>(unit_along(axis).tokens, t);
   } else {
     return unit_along(axis);

@@ -312,7 +312,7 @@ private:
     r.axes = axes_told();
     if constexpr (is_off_parent)
       if (holds_other_axes(word<joint_word::at>::in_parent, parent_frame()))
-        r.place = phrase_of<word<joint_word::at>::in_parent>;
+        r.place = phrase_of<word<joint_word::at>::in_parent, Self>;
     r.mistake = mistake_of_kind<joint>();
     if (!r.mistake.empty()) r.form = Kind::form;
     return r;
