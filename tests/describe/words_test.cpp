@@ -102,7 +102,7 @@ struct fixed_center : offset<fixed_center, O, l * A3::x + 0.3 * A3::y>, fixed_in
 struct given_center : offset<given_center, O, l * A3::x + 0.3 * A3::y>,
                       velocity<N, cross(u1* N::z + u2 * A1::y + u3 * A2::x, l* A3::x + 0.3 * A3::y)> {};
 struct Step : offset<Step, O, l * A3::x> {};
-struct stepped_center : offset<stepped_center, Step, 0.3 * A3::y>, velocity<A3, 0 * A3::x> {};
+struct stepped_center : offset<stepped_center, Step, 0.3 * A3::y>, velocity<A3, 0.0 * A3::x> {};
 
 } // namespace
 
