@@ -128,6 +128,7 @@ private:
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i && !by_.mistake(); ++j) {
         const expression one = all[i].value, other = all[j].value;
+        if (one.is_constant()) continue; // which does nothing, as a spring without stiffness
         const sentence told({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
                              counted(j + 1).view()});
         if (one == other)
