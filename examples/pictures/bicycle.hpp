@@ -12,11 +12,12 @@ namespace shapes {
 using Level = LevelFrame;
 
 template <class Self, auto forward, auto left, auto upward>
-using on_frame = offset<Self, WR_mc, forward * Level::x + left * Level::y + upward * Level::z>;
+using on_frame =
+    offset<Self, WR_mc, double(forward) * Level::x + double(left) * Level::y + double(upward) * Level::z>;
 
 /// On the steering axis, `upward` from its middle, and beside it.
-template <class Self, auto upward, auto left = 0, auto forward = 0>
-using on_fork = offset<Self, Steer, -upward * Fork::x + left * Fork::y + forward * Fork::z>;
+template <class Self, auto upward, auto left = 0.0, auto forward = 0.0>
+using on_fork = offset<Self, Steer, -upward * Fork::x + double(left) * Fork::y + forward * Fork::z>;
 
 struct Cranks : on_frame<Cranks, 0.42, 0, -0.02> {};
 struct Seat : on_frame<Seat, 0.24, 0, 0.5> {};
