@@ -65,7 +65,8 @@ public:
     is_constrained_ = true;
     const given_constraints& all = system_->constraints;
     const bool is_all_solved = all.redundant.empty();
-    const given_constraints fewer = is_all_solved ? given_constraints{} : without_redundant(all);
+    given_constraints fewer;
+    if (!is_all_solved) fewer = without_redundant(all);
     const given_constraints& given = is_all_solved ? all : fewer;
     mistake_ = check_redundant(all);
     if (!mistake_) mistake_ = check_contents_of_constraints(*m_, all);
