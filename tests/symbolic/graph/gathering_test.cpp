@@ -20,12 +20,14 @@ protected:
 };
 
 TEST_F(gathering_of_sums, sees_squares_of_sine_and_cosine) {
-  const expression s = sin(x), c = cos(x);
+  const expression sine = sin(x), cosine = cos(x);
   const auto operations = [&](expression e) { return cost_of(g, {e.node()}).nodes; };
-  EXPECT_EQ(operations(gathered_alone((a * s) * (b * (a * s)) + (a * c) * (b * (a * c)))), 2); // a² b
-  EXPECT_EQ(operations(gathered_alone((a * c) * (b * s) - (a * s) * (b * (y + c)))), 5);       // −a b s y
-  EXPECT_TRUE(gathered_alone((a * c) * (b * s) - (b * c) * (s * a)).is_zero());
-  EXPECT_EQ(gathered_alone(0.3 * s * s + 0.3 * c * c), number(0.3));
+  EXPECT_EQ(operations(gathered_alone((a * sine) * (b * (a * sine)) + (a * cosine) * (b * (a * cosine)))),
+            2); // a² b
+  EXPECT_EQ(operations(gathered_alone((a * cosine) * (b * sine) - (a * sine) * (b * (y + cosine)))),
+            5); // −a b sin y
+  EXPECT_TRUE(gathered_alone((a * cosine) * (b * sine) - (b * cosine) * (sine * a)).is_zero());
+  EXPECT_EQ(gathered_alone(0.3 * sine * sine + 0.3 * cosine * cosine), number(0.3));
 }
 
 TEST_F(gathering_of_sums, keeps_what_would_not_be_shorter) {
@@ -40,9 +42,9 @@ TEST_F(gathering_of_sums, keeps_values_and_makes_nothing_longer) {
     random_formulas random(of, seed);
     for (int i = 0; i < 20; ++i) {
       const random_formulas::formula f = random.make(2 + i % 3), h = random.make(1 + i % 3);
-      const expression s = sin(of.x), c = cos(of.x);
-      const expression first = f.e * s * (s * h.e) + c * f.e * (c * h.e),
-                       second = s * (f.e * (c + h.e)) - c * (s * f.e);
+      const expression sine = sin(of.x), cosine = cos(of.x);
+      const expression first = f.e * sine * (sine * h.e) + cosine * f.e * (cosine * h.e),
+                       second = sine * (f.e * (cosine + h.e)) - cosine * (sine * f.e);
       const sequence<int> before{first.node(), second.node()}, after = gathered(of.g, before, {});
       const int nodes = cost_of(of.g, after).nodes;
       ASSERT_LE(nodes, cost_of(of.g, before).nodes) << seed << ' ' << i;
