@@ -27,10 +27,15 @@ namespace kanexpr::stepping {
 inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
                                   step_not_finite = state_not_finite.substr(16);
 
-inline constexpr std::string_view singular_position =
-    "the step passes a position where the constraints cannot be solved for the dependent speeds: "
-    "passing<...> "
-    "goes through it; where only this choice of them is singular, so does another dependent<...>";
+/// Where a step is written in C++, and in other languages, which have no `passing`.
+inline constexpr std::string_view
+    singular_position =
+        "the step passes a position where the constraints cannot be solved for the dependent speeds: "
+        "passing<...> goes through it; where only this choice of them is singular, so does another "
+        "dependent<...>",
+    singular_position_elsewhere =
+        "the step passes a position where the constraints cannot be solved for the dependent speeds; where "
+        "only this choice of them is singular, a model with another dependent<...> passes";
 
 /// A norm beyond this is no trace that a step leaves.
 inline constexpr lower::norm_range near_one{0.5, 2};
