@@ -21,7 +21,7 @@ public:
     Number share[room]{}; // one over the diagonal, or zero where that is
     for (int i = 0; i < order; ++i) {
       row_[i] = i;
-      share[i] = m(i, i) > std::numeric_limits<Number>::min() ? 1 / m(i, i) : Number(0);
+      share[i] = m(i, i) > (std::numeric_limits<Number>::min)() ? 1 / m(i, i) : Number(0);
     }
     for (int k = 0; k < order; ++k) {
       int next = k;
@@ -107,7 +107,7 @@ private:
   }
 
   constexpr void drop(int k, Number pivot, Number rounding, const Number (&share)[room]) {
-    constexpr Number smallest = std::numeric_limits<Number>::min();
+    constexpr Number smallest = (std::numeric_limits<Number>::min)();
     are_ = are_ && pivot * share[k] >= -rounding && (share[k] > 0 || pivot >= 0);
     for (int i = k + 1; i < order; ++i) {
       const Number beside = l_(i, k);

@@ -26,7 +26,7 @@ inline std::string digits(double x) {
 
 /// A limit, which may be infinite.
 inline std::string limit(double x) {
-  if (std::abs(x) <= std::numeric_limits<double>::max()) return digits(x);
+  if (std::abs(x) <= (std::numeric_limits<double>::max)()) return digits(x);
   return x < 0 ? "-no_limit" : "no_limit";
 }
 

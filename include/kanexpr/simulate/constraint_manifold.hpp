@@ -67,10 +67,10 @@ public:
     is_near_ = false;
     look(t, x, r);
   }
-  void come_to(double t, const vector& x, const vector& r, double near) override {
+  void come_to(double t, const vector& x, const vector& r, double least) override {
     const double distinctness = look(t, x, r).distinctness(x);
-    if (!is_near_) clear_ = 2 * near; // so that it does not change at every step
-    is_near_ = distinctness < (is_near_ ? clear_ : near);
+    if (!is_near_) clear_ = 2 * least; // so that it does not change at every step
+    is_near_ = distinctness < (is_near_ ? clear_ : least);
   }
   bool is_near_singular() const override { return is_near_; }
   status rates(double t, const vector& x, const vector& r, double* xdot) override {

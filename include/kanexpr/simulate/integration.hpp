@@ -78,7 +78,7 @@ private:
     const tolerances of_entries = tolerances_of(o);
     departures_.set(of_entries), sampling_.set(of_entries);
     absolute_tolerances_ = o.absolute_tolerances;
-    around_.come_to(span_.from, state_, moving_.near);
+    around_.come_to(span_.from, state_, moving_.least_distinctness);
     if (moving_.start(state_, o) != answer::given) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
     if (around_.is_near_singular()) set_tolerances();
@@ -103,7 +103,7 @@ private:
 
   void come_to(double t, const state& x) {
     const bool was_near = around_.is_near_singular();
-    around_.come_to(t, x, moving_.near);
+    around_.come_to(t, x, moving_.least_distinctness);
     if (around_.is_near_singular() == was_near) return;
     set_tolerances();
     is_sharper_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;

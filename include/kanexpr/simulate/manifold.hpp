@@ -28,9 +28,9 @@ public:
   /// Sets how large the entries of a state are; it looks around the one that is given.
   virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;
   /// Finds out whether a state is near a position in which constraints on the speeds follow from others, or
-  /// where some always do. What is asked from then on is answered for such a place. `near` is the
+  /// where some always do. What is asked from then on is answered for such a place. `least` is the
   /// distinctness below which it is one.
-  virtual void come_to(double t, const vector& x, const vector& r, double near) = 0;
+  virtual void come_to(double t, const vector& x, const vector& r, double least) = 0;
   virtual bool is_near_singular() const = 0;
   /// ẋ at the nearest state of the manifold, from the equations of all speeds, whatever is dependent.
   virtual status rates(double t, const vector& x, const vector& r, double* xdot) = 0;

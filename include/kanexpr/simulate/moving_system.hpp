@@ -18,7 +18,7 @@ class moving_system {
 public:
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
   /// How distinct constraints are where the equations of all speeds take over.
-  static constexpr double near = 0.05;
+  static constexpr double least_distinctness = 0.05;
 
   explicit moving_system(surroundings& around) : motion_(around) {}
 
@@ -76,7 +76,7 @@ private:
 template <>
 class moving_system<integrator::differential_algebraic> {
 public:
-  static constexpr double near = 0.2; ///< multipliers lose digits sooner
+  static constexpr double least_distinctness = 0.2; ///< multipliers lose digits sooner
 
   explicit moving_system(surroundings& around) : around_(around), motion_(around), passing_motion_(around) {}
 

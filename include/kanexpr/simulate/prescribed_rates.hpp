@@ -132,9 +132,9 @@ private:
     if (stands && !stands_everywhere) return false; // a step of many
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest / one.h,
                  tolerance = 1e-4 * scale + rounding, given = one.at(2, of.rate);
-    const double near = one.difference(1, 3, of.value), wider = one.difference(0, 4, of.value);
-    if (!(std::abs(near - wider) < tolerance / 4)) return false;
-    for (const double each : {near, one.difference(1, 2, of.value), one.difference(2, 3, of.value)})
+    const double narrow = one.difference(1, 3, of.value), wider = one.difference(0, 4, of.value);
+    if (!(std::abs(narrow - wider) < tolerance / 4)) return false;
+    for (const double each : {narrow, one.difference(1, 2, of.value), one.difference(2, 3, of.value)})
       if (std::abs(given - each) <= tolerance) return false;
     return true;
   }

@@ -53,10 +53,10 @@ public:
 
   /// What holds its states; null: nothing does.
   manifold* constraints() { return constraints_.get(); }
-  /// Where a step has ended. `near` is how distinct constraints are where the equations of all speeds take
+  /// Where a step has ended. `least` is how distinct constraints are where the equations of all speeds take
   /// over.
-  void come_to(double t, const vector& x, double near) {
-    if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_, near);
+  void come_to(double t, const vector& x, double least) {
+    if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_, least);
   }
   bool is_near_singular() const { return binds_speeds() && constraints_->is_near_singular(); }
 

@@ -34,7 +34,9 @@ public:
     row_sizes_.clear();
     if (!look()) return false;
     for (int i = 0; i < rows_.rows; ++i) row_sizes_.push(length_of_row(i));
-    if (row_sizes_.contains(0.0) || !look()) return false;
+    for (const double size : row_sizes_)
+      if (!(size > 0)) return false;
+    if (!look()) return false;
     double damping = 1e-2, last = left();
     for (int steps = 0; steps < 40 && last > closed; ++steps) {
       const sequence<double> before = symbols_;
