@@ -154,7 +154,7 @@ template <class System>
 constexpr auto digests_in_this_file() {
   if constexpr (requires { System::record; }) {
     constexpr int size = words_of<System>.mistake ? 0 : entity_digests(System::record).size();
-    std::array<std::uint64_t, size + 1> all{};
+    std::array<std::uint64_t, static_cast<std::size_t>(size + 1)> all{};
     if constexpr (size > 0) {
       const entity_digests found(System::record);
       symbolic::digest whole;

@@ -26,6 +26,8 @@ public:
       : around_(around), sensitivity_(around), manifold_(around.constraints()),
         states_(around.system().states()),
         entries_(states_ + around.known().constraints + around.known().configuration_constraints) {}
+  multiplier_motion(const multiplier_motion&) = delete;
+  multiplier_motion& operator=(const multiplier_motion&) = delete;
 
   long rate_evaluations() const { return rate_evaluations_; }
   long projections() const { return projections_; }

@@ -353,14 +353,14 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
 namespace kanexpr {
 
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
-  return model(std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), built.check()));
+  return model(std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), (built.check)()));
 }
 
 KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
   const auto own = std::make_shared<symbolic::graph>();
   mechanics::multibody_system system(built.system());
   move_to(*own, system);
-  return model(std::make_shared<derived_from_builder>(own, system, built.check()));
+  return model(std::make_shared<derived_from_builder>(own, system, (built.check)()));
 }
 
 } // namespace kanexpr
