@@ -161,7 +161,6 @@ void f() { use<System>(); }
 
 // expect: potential energy 2 repeats potential energy 1
 namespace n26 {
-struct System : loaded<torsional_spring<q, k>, potential_energy<k * (q * q) / 2>> {};
+struct System : loaded<torsional_spring<q, k>, potential_energy<k / 2 * q * q>> {};
 void f() { use<System>(); }
 } // namespace n26
-

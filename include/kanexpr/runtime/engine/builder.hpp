@@ -353,7 +353,8 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
 namespace kanexpr {
 
 KANEXPR_ENGINE model derive(const runtime::builder& built) {
-  return model(std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), (built.check)()));
+  return model(
+      std::make_shared<runtime::derived_from_builder>(built.graph_, built.system(), (built.check)()));
 }
 
 KANEXPR_ENGINE model runtime::derive_in_own_graph(const builder& built) {
