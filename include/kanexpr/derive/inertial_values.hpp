@@ -101,11 +101,13 @@ private:
 };
 
 /// Finds them in a mechanism.
-class inertial_values_of {
+class inertial_values_reader {
 public:
-  constexpr inertial_values_of(const mechanics::mechanism& m, inertial_values& into)
-      : m_(m), g_(*m.g), into_(into) {
-    for (const mechanics::body& b : m.bodies) add(b);
+  constexpr inertial_values_reader(const mechanics::mechanism& m, inertial_values& into)
+      : m_(m), g_(*m.g), into_(into) {}
+
+  constexpr void read() {
+    for (const mechanics::body& b : m_.bodies) add(b);
   }
 
 private:

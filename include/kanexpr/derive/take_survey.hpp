@@ -36,7 +36,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
       is_mass[coordinates + speeds + i] |= b.mass == m.parameters[i];
       is_moment[coordinates + speeds + i] |= !b.effective && is_moment_of(b, m.parameters[i]);
     }
-  inertial_values_of(m, inertial);
+  inertial_values_reader(m, inertial).read();
   for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
     ++quaternions;
     for (int place : places) quaternion_of[place] = quaternions;
