@@ -89,8 +89,8 @@ public:
   }
   status same_side(const value& before, const value& after) const {
     if (before.code != nullptr)
-      note({.cause = std::string(stepping::singular_position_elsewhere), .of_order = true}, before * after,
-           0.0);
+      note({.cause = std::string(stepping::singular_position_elsewhere), .of_order = true},
+           stepping::pivot_margin(before, after), 0.0);
     return {};
   }
 

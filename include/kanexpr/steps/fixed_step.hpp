@@ -18,8 +18,8 @@
 /// how many steps of Newton's method bring the dependent coordinates back to the constraints, with the
 /// dependent speeds after them; quaternions get norm 1 before them. 0 leaves all as it was integrated. Where
 /// something cannot be solved, or the state would not be finite, the status says so, and t and x stay as they
-/// were; so it does where a step would pass a position in which the constraints cannot be solved for the
-/// dependent speeds. `passing<runge_kutta_4<System>>` goes on through it.
+/// were; so it does where a step would pass or near a position in which the constraints cannot be solved for
+/// the dependent speeds. `passing<runge_kutta_4<System>>` goes on through it.
 namespace kanexpr {
 
 namespace compiled {
@@ -51,8 +51,9 @@ struct compiled_equations {
   template <class Number>
   [[gnu::always_inline]] status same_side(const Number& before, const Number& after) const {
     using math = lower::scalar_math<Number>;
-    return math::exceeds(Number(before * after), math::from(0)) ? status()
-                                                                : status(stepping::singular_position);
+    return math::exceeds(stepping::pivot_margin(before, after), math::from(0))
+               ? status()
+               : status(stepping::singular_position);
   }
   template <class Time, class State>
   [[gnu::always_inline]] status corrected(const Time& t, State& x) const {

@@ -181,10 +181,11 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
           next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
 }
 
-/// Operations of a look at the sides of singular positions, products of pivots included.
+/// Operations of a look at the sides of singular positions, margins included.
 template <class System>
 constexpr symbolic::cost cost_of_looks() {
-  return added(cost_of_sides<System>(), arithmetic(survey_of<System>.constraints, 0));
+  constexpr int pivots = survey_of<System>.constraints;
+  return added(cost_of_sides<System>(), arithmetic(3 * pivots, 2 * pivots));
 }
 
 template <class Step>

@@ -12,7 +12,7 @@
 ///     finite(value, cause)       a status: whether it is
 ///     corrected(t, x)            brings x back to the constraints
 ///     has_pivots()               whether the constraints are solved for speeds
-///     same_side(before, after)   a status: whether no pivot of theirs has passed zero
+///     same_side(before, after)   a status: whether the `pivot_margin` of each of their pivots is positive
 ///
 /// and where something is corrected
 ///
@@ -30,12 +30,23 @@ inline constexpr std::string_view state_not_finite = "the state after the step i
 /// Where a step is written in C++, and in other languages, which have no `passing`.
 inline constexpr std::string_view
     singular_position =
-        "the step passes a position where the constraints cannot be solved for the dependent speeds: "
+        "the step passes or nears a position where the constraints cannot be solved for the dependent "
+        "speeds: "
         "passing<...> goes through it; where only this choice of them is singular, so does another "
         "dependent<...>",
     singular_position_elsewhere =
-        "the step passes a position where the constraints cannot be solved for the dependent speeds; where "
+        "the step passes or nears a position where the constraints cannot be solved for the dependent "
+        "speeds; where "
         "only this choice of them is singular, a model with another dependent<...> passes";
+
+/// Positive where a pivot of the constraints keeps its sign and changes by a factor of less than four. A
+/// pivot that only touches zero, as a square does, keeps its sign, but changes by a factor of 3 + 2√2 = 5.83
+/// or more either in the step that holds the zero or in the one before.
+template <class Number>
+[[gnu::always_inline]] inline Number pivot_margin(const Number& before, const Number& after) {
+  const Number most = lower::scalar_math<Number>::from(4);
+  return Number(Number(Number(most * before) - after) * Number(Number(most * after) - before));
+}
 
 /// A norm beyond this is no trace that a step leaves.
 inline constexpr lower::norm_range near_one{0.5, 2};
