@@ -514,6 +514,38 @@ TEST(builder_mistakes, compares_velocities_with_positions) {
             "");
 }
 
+// Where an equality holds at some states alone, or beside something large.
+TEST(builder_mistakes, compares_velocities_at_many_states_and_with_each_speed) {
+  const std::string velocity = "the velocity of point Q is not the rate of its position; if that is meant, "
+                               "write velocity_apart_from_position",
+                    mass = "point Q is fixed in R, and its offset from S changes there; if that is meant, "
+                           "write velocity_apart_from_position";
+  const auto stops = [](auto& b, bool wrong) { // against a wall at 0
+    const expression zero = b.number(0.0), x = max(b.x, zero);
+    const auto place = b.offset("Q", b.o, b.along(b.n, x, 0, 0));
+    b.particle("Bead", place, b.m);
+    b.velocity(place, b.n, b.along(b.n, wrong ? zero : if_positive(b.x, b.dot(b.x), zero), 0, 0));
+  };
+  EXPECT_EQ(told([&](auto& b) { stops(b, true); }), velocity);
+  EXPECT_EQ(told([&](auto& b) { stops(b, false); }), "");
+  const auto orbits = [](auto& b, bool wrong) {
+    const double far = 1.5e11; // m, from the sun
+    const auto place = b.offset("Q", b.o, b.along(b.rod, far, 0, 0) + b.along(b.n, 0, b.x, 0));
+    b.particle("Bead", place, b.m);
+    b.velocity(place, b.n, b.along(b.rod, 0, far * b.omega, 0) + b.along(b.n, 0, wrong ? 2 * b.v : b.v, 0));
+  };
+  EXPECT_EQ(told([&](auto& b) { orbits(b, true); }), velocity);
+  EXPECT_EQ(told([&](auto& b) { orbits(b, false); }), "");
+  const auto carries = [](auto& b, bool wrong) { // a mass placed along N that turns with the rod
+    const auto far = b.offset("S", b.o, b.along(b.rod, 1.5e11, 0, 0));
+    const auto place = b.offset("Q", far, b.along(wrong ? b.n : b.rod, 1, 0, 0));
+    b.fixed_in(place, b.rod);
+    b.particle("Bead", place, b.m);
+  };
+  EXPECT_EQ(told([&](auto& b) { carries(b, true); }), mass);
+  EXPECT_EQ(told([&](auto& b) { carries(b, false); }), "");
+}
+
 TEST(builder_mistakes, looks_at_constraints) {
   const std::string foreign = " has an expression that belongs to another mechanism or to none";
   EXPECT_EQ(told([](auto& b) { b.configuration_constraint(expression()); }),

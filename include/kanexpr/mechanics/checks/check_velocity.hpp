@@ -8,7 +8,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// An equality that holds at one generic state holds at all.
+/// At random states, of which several see each side of min, max and the like, and with each speed alone, so
+/// that one is not lost in the rounding of others.
 ///
 /// A declared velocity agrees if it is the rate of the position from the origin, or what its reference or its
 /// parent moves with and the rate of the offset from there. A frame whose angular velocity holds an angle
@@ -21,19 +22,20 @@ public:
       : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
   constexpr sentence run() {
-    if (!draw()) return {};
-    for (int p = 0; p < m_.points.size(); ++p)
-      if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
-        return sentence({"the velocity of point ", m_.points[p].called.view(),
-                         " is not the rate of its position; if that is meant, write "
-                         "velocity_apart_from_position"});
-    for (const body& b : m_.bodies)
-      if (const int p = apart_from_place(b.center); p != none)
-        return sentence({"point ", m_.points[p].called.view(), " is fixed in ",
-                         m_.frames[m_.points[p].fixed_in].called.view(), ", and its offset from ",
-                         m_.points[m_.points[p].parent].called.view(),
-                         " changes there; if that is meant, write velocity_apart_from_position"});
-    return {};
+    sentence found;
+    for (int looked = 0, tries = 0; looked < 4 && tries < 12 && !found; ++tries) {
+      motion_.draw();
+      if (!motion_.move(false)) continue;
+      ++looked;
+      found = mistaken_velocity();
+      for (int i = 0; i < m_.bodies.size() && !found; ++i) found = slipping_mass(m_.bodies[i]);
+    }
+    for (int i = 0; i < m_.speeds.size() && !found; ++i) {
+      motion_.draw();
+      motion_.keep_only(m_.speeds[i]);
+      if (motion_.move(false)) found = mistaken_velocity();
+    }
+    return found;
   }
 
   /// Whether a velocity is declared among the points from number `first` on.
@@ -51,6 +53,24 @@ public:
   }
 
 private:
+  constexpr sentence mistaken_velocity() const {
+    for (int p = 0; p < m_.points.size(); ++p)
+      if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
+        return sentence({"the velocity of point ", m_.points[p].called.view(),
+                         " is not the rate of its position; if that is meant, write "
+                         "velocity_apart_from_position"});
+    return {};
+  }
+
+  constexpr sentence slipping_mass(const body& b) const {
+    const int p = apart_from_place(b.center);
+    if (p == none) return {};
+    return sentence({"point ", m_.points[p].called.view(), " is fixed in ",
+                     m_.frames[m_.points[p].fixed_in].called.view(), ", and its offset from ",
+                     m_.points[m_.points[p].parent].called.view(),
+                     " changes there; if that is meant, write velocity_apart_from_position"});
+  }
+
   /// Without numbers, and so of most points already that it does not.
   static constexpr bool may_slip(const mechanism& m, const contents& held, const point& p) {
     bool is_seen_fixed = true;
@@ -100,14 +120,6 @@ private:
     return all;
   }
 
-  constexpr bool draw() {
-    for (int tries = 0; tries < 6; ++tries) {
-      motion_.draw();
-      if (motion_.move(false)) return true;
-    }
-    return false;
-  }
-
   constexpr bool is_to_agree(const point& p) const {
     if (!p.moves_by_declaration() || p.moves_apart || p.offset.is_zero()) return false;
     for (const vector* v : {&p.offset, &p.velocity})
@@ -128,10 +140,11 @@ private:
     const triple said = motion_.vector_of(p.velocity);
     for (const angular_velocities w : {by_orientation, as_used}) {
       const triple rate = rate_of(p.offset, w);
-      if (p.from_parent ? is_same(said + carried(p, w), rate) : is_same(said, velocity(p.parent) + rate))
+      if (p.from_parent ? is_same(said + carried(p, w), rate, reach(p))
+                        : is_same(said, velocity(p.parent) + rate, reach_from_origin(place)))
         return true;
     }
-    return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation));
+    return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation), reach_from_origin(place));
   }
 
   /// The first point on the way to a mass that moves as it is placed no more, though its parent does.
@@ -152,7 +165,7 @@ private:
     for (const vector::part& part : p.offset.parts)
       if (!motion_.is_proper(part.frame)) return false;
     for (const angular_velocities w : {by_orientation, as_used})
-      if (is_same(in_frame(p), rate_of(p.offset, w))) return false;
+      if (is_same(in_frame(p), rate_of(p.offset, w), reach(p))) return false;
     return true;
   }
 
@@ -166,17 +179,64 @@ private:
   /// What rolls on the ground may leave out where it is; then the rest of its motion places it.
   constexpr bool rolls(int place) const {
     const point& p = m_.points[place];
-    return is_same(velocity(p.parent), {}) && is_placed_by_frame(m_, held_, p);
+    return is_same(velocity(p.parent), {}, reach_from_origin(p.parent)) && is_placed_by_frame(m_, held_, p);
   }
 
   constexpr bool moves_as_placed(int place) const {
-    const triple v = velocity(place);
-    return is_same(v, rate_from_origin(place, by_orientation)) ||
-           is_same(v, rate_from_origin(place, as_used));
+    for (const angular_velocities w : {by_orientation, as_used}) {
+      const difference apart = velocity_apart(place, w);
+      if (length(apart.value) <= 1e-9 * apart.size + rounding(apart.reach)) return true;
+    }
+    return false;
   }
 
-  constexpr bool is_same(triple a, triple b) const {
-    return length(a - b) <= 1e-9 * (length(a) + length(b)) + motion_.rounding();
+  /// Of a velocity and the rate of a position: what both have in common is not in the size of what is
+  /// compared.
+  struct difference {
+    triple value{};
+    double size = 0, reach = 0;
+
+    constexpr void add(triple a, triple b, double more_reach) {
+      value = value + (a - b), size += length(a) + length(b), reach += more_reach;
+    }
+  };
+
+  constexpr difference velocity_apart(int place, angular_velocities w) const {
+    const point& p = m_.points[place];
+    difference sum;
+    if (p.parent == none) return sum;
+    if (p.moves_by_declaration() && !p.from_parent && p.fixed_in == none) {
+      sum.add(motion_.vector_of(p.velocity), rate_from_origin(place, w), reach_from_origin(place));
+      return sum;
+    }
+    sum = velocity_apart(p.parent, w);
+    if (p.fixed_in != none)
+      sum.add(in_frame(p), rate_of(p.offset, w), reach(p));
+    else if (p.moves_by_declaration())
+      sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), rate_of(p.offset, w), reach(p));
+    else
+      for (const vector::part& part : p.offset.parts) {
+        const triple there = motion_.basis(part.frame) * motion_.value(part.value);
+        sum.add(cross(motion_.angular_velocity(part.frame) - (motion_.*w)(part.frame), there), {},
+                length(there));
+      }
+    return sum;
+  }
+
+  constexpr bool is_same(triple a, triple b, double reach) const {
+    return length(a - b) <= 1e-9 * (length(a) + length(b)) + rounding(reach);
+  }
+  constexpr double rounding(double reach) const { return motion_.rounding() * (1 + reach); }
+
+  constexpr double reach(const point& p) const {
+    double sum = 0;
+    for (const vector::part& part : p.offset.parts) sum += length(motion_.value(part.value));
+    return sum;
+  }
+  constexpr double reach_from_origin(int place) const {
+    double sum = 0;
+    for (int p = place; p != none; p = m_.points[p].parent) sum += reach(m_.points[p]);
+    return sum;
   }
 
   constexpr triple rate_of(const vector& v, angular_velocities w) const {

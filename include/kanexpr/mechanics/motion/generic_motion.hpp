@@ -38,6 +38,12 @@ public:
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
   }
 
+  /// Sets all speeds but one to zero.
+  constexpr void keep_only(expression speed) {
+    for (const expression& u : m_.speeds)
+      if (u != speed) symbols_[u.node()].value = 0;
+  }
+
   /// Speeds that appear in no kinematic differential equation: the rates of angles that the model leaves out.
   constexpr bool has_free_speeds() const { return !free_speeds_.empty(); }
 
