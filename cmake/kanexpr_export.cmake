@@ -1,11 +1,11 @@
 # kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi|fmi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
 #   [WITH_CPP] [BIND <parameter>=<number>...] [START <symbol>=<number>...] [STEP <number>]
-#   [STEP_METHOD runge_kutta_4|semi_implicit_euler] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target
+#   [STEP_METHOD <name>] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target
 # <name> leaves results of a system in a folder, for other languages: of the format c <name>.c and <name>.h, with Python <name>.py
 # and with C++ <name>.hpp too; of casadi the rates of the state and a step by STEP_METHOD, with their derivatives, <name>_casadi.c
-# and .h, and compiled <name>.so; of fmi <name>.fmu, whose variables begin with START and which moves by STEP where it moves by
-# itself. Of C each of RESULTS is a function, of one result or of several with spaces between them, or one of the steps
-# runge_kutta_4 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without either there are M and f,
+# and .h, and compiled <name>.so; of fmi <name>.fmu, whose variables begin with START and which moves by STEP and STEP_METHOD
+# where it moves by itself. Of C each of RESULTS is a function, of one result or of several with spaces between them, or one of the steps
+# runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without either there are M and f,
 # u̇, ẋ, and A and B. Of an FMU they are outputs beside the state:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
@@ -19,7 +19,7 @@ function(kanexpr_export name)
   if(NOT export_HEADER OR NOT export_SYSTEM OR NOT export_FORMATS OR NOT export_OUTPUT OR export_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi|fmi... OUTPUT <folder> "
       "[SCALAR double|float] [WITH_PYTHON] [WITH_CPP] [BIND <parameter>=<number>...] [START <symbol>=<number>...] "
-      "[STEP <number>] [STEP_METHOD runge_kutta_4|semi_implicit_euler] [RESULTS <results>...] "
+      "[STEP <number>] [STEP_METHOD <name>] [RESULTS <results>...] "
       "[EXPRESSIONS <name>=<expression>...])")
   endif()
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
@@ -41,13 +41,11 @@ function(kanexpr_export name)
   if(NOT "fmi" IN_LIST export_FORMATS AND (export_START OR export_STEP))
     message(FATAL_ERROR "kanexpr_export: START and STEP are of the format fmi")
   endif()
-  if(export_STEP_METHOD AND NOT "casadi" IN_LIST export_FORMATS)
-    message(FATAL_ERROR "kanexpr_export: STEP_METHOD is of the format casadi")
+  if(export_STEP_METHOD AND NOT "casadi" IN_LIST export_FORMATS AND NOT "fmi" IN_LIST export_FORMATS)
+    message(FATAL_ERROR "kanexpr_export: STEP_METHOD is of the formats casadi and fmi")
   endif()
   if(NOT export_STEP_METHOD)
     set(export_STEP_METHOD runge_kutta_4)
-  elseif(NOT export_STEP_METHOD MATCHES "^(runge_kutta_4|semi_implicit_euler)$")
-    message(FATAL_ERROR "kanexpr_export: STEP_METHOD is runge_kutta_4 or semi_implicit_euler, not ${export_STEP_METHOD}")
   endif()
 
   if("casadi" IN_LIST export_FORMATS AND export_WITH_PYTHON)
@@ -83,7 +81,7 @@ function(kanexpr_export name)
   endif()
   if("fmi" IN_LIST export_FORMATS)
     list(APPEND files ${export_OUTPUT}/${name}.fmu)
-    set(of_fmu "  fmu.compiler = \"'${KANEXPR_C_COMPILER}'\";\n")
+    set(of_fmu "  fmu.compiler = \"'${KANEXPR_C_COMPILER}'\";\n  fmu.method = \"${export_STEP_METHOD}\";\n")
     if(export_STEP)
       kanexpr_export_numbers(STEP "  fmu.step = @number@;\n" "s=${export_STEP}" of_fmu)
     endif()
@@ -94,7 +92,7 @@ function(kanexpr_export name)
   if("casadi" IN_LIST export_FORMATS)
     list(APPEND files ${export_OUTPUT}/${name}_casadi.c ${export_OUTPUT}/${name}_casadi.h)
     string(APPEND writes "  if (written)\n    written = kanexpr::write_casadi<${export_SYSTEM}>(arguments[1], "
-      "\"${name}\",\n      {chosen.bound, kanexpr::exporting::step_method::${export_STEP_METHOD}});\n")
+      "\"${name}\",\n      {chosen.bound, \"${export_STEP_METHOD}\"});\n")
   endif()
   if(export_WITH_PYTHON)
     string(APPEND chosen "  chosen.with_python = true;\n")

@@ -385,7 +385,7 @@ assert slider.attributes["e2"]["initial"] == slider.attributes["u2"]["initial"] 
 assert slider.attributes["e1"]["initial"] == "exact"
 motion, x = [], start
 for k in range(9):
-    x = sliding.runge_kutta_4(x, 1 / 8, [-0.2])
+    x = sliding.ralston_3(x, 1 / 8, [-0.2])
     motion.append(x)
 assert stepped(slider, {}, 9) == motion
 

@@ -65,7 +65,7 @@ bool write_for_casadi(const char* folder, const casadi_options& bound) {
 #include <docs/export/casadi/write.cpp>
   return written && write_driven(folder) && write_awkward(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
-         write_casadi<rolling_disc::System>(folder, "disc", {.step = step_method::semi_implicit_euler});
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"});
 }
 
 bool is_whole(const kanexpr::exporting::written_fmu& written) {
@@ -131,12 +131,14 @@ bool write_fmus(const char* folder, const options& of_bound) {
   const fmu_options bound{.outputs = of_bound.functions,
                           .bound = of_bound.bound,
                           .start = {{"q", 0.3}, {"l", 0.5}, {"c", 0.1}},
-                          .step = 0.01};
+                          .step = 0.01,
+                          .method = "ralston_3"};
   fmu_options beaded, sliding, linked;
   linked.start = {{"q1", 0.3}, {"q2", 0.5}, {"q3", -1.8}, {"u1", 1},   {"g", 9.81}, {"l0", 4},
                   {"l1", 1},   {"l2", 3},   {"l3", 2.5},  {"d1", 0.5}, {"d2", 1.5}, {"d3", 1.2},
                   {"m1", 1},   {"m2", 2},   {"m3", 1.5},  {"I1", 0.1}, {"I2", 0.5}, {"I3", 0.3}};
   beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
+  sliding.method = "ralston_3";
   beaded.step = sliding.step = 0.125; // all sums of such are exact
   sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
   return is_whole(kanexpr::write_fmu<simple_pendulum::System>(folder, "bound_pendulum", bound)) &&
@@ -168,8 +170,9 @@ int main(int, char** arguments) {
       static_cast<bool>(kanexpr::write_c<simple_pendulum::System>(folder, "bound_pendulum", bound));
   c_options steps;
   steps.with_python = steps.with_cpp = true;
-  steps.functions = {results("runge_kutta_4"), fixed_step("euler", {step_method::semi_implicit_euler, 2})};
-  return is_bound_written && write_for_casadi(folder, {bound.bound, step_method::semi_implicit_euler}) &&
+  steps.functions = {results("runge_kutta_4"), results("ralston_3"),
+                     fixed_step("euler", {"semi_implicit_euler", 2})};
+  return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&

@@ -52,8 +52,10 @@ TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "no result is called speeds");
   EXPECT_EQ(cause_of("arm", with({results("udot runge_kutta_4")})),
             "runge_kutta_4 is a function of its own, without other results");
-  EXPECT_EQ(cause_of("arm", with({fixed_step("step", {step_method::runge_kutta_4, -1})})),
+  EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"runge_kutta_4", -1})})),
             "a step cannot have fewer corrections than none");
+  EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"heun_2"})})),
+            "no method of steps is called heun_2: take runge_kutta_4, ralston_3 or semi_implicit_euler");
   EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
   EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}),

@@ -38,6 +38,7 @@ struct System : kane_system<inertial<N>, coordinates<s>, speeds<v>, kinematics<d
 
 namespace {
 
+using kanexpr::ralston_3;
 using kanexpr::runge_kutta_4;
 using kanexpr::semi_implicit_euler;
 using kanexpr::status;
@@ -77,8 +78,10 @@ TEST(fixed_step, has_its_order_for_a_pendulum) {
   using simple_pendulum::LagrangeSystem;
   using simple_pendulum::System;
   const auto euler = [](int n) { return error_of_pendulum<System>(semi_implicit_euler<System>{}, n); };
+  const auto ralston = [](int n) { return error_of_pendulum<System>(ralston_3<System>{}, n); };
   const auto runge_kutta = [](int n) { return error_of_pendulum<System>(runge_kutta_4<System>{}, n); };
   EXPECT_NEAR(order_of(euler, 2000), 1, 0.02);
+  EXPECT_NEAR(order_of(ralston, 200), 3, 0.1);
   EXPECT_NEAR(order_of(runge_kutta, 100), 4, 0.1);
   EXPECT_LT(runge_kutta(1000), 1e-11);
   EXPECT_LT(error_of_pendulum<LagrangeSystem>(runge_kutta_4<LagrangeSystem>{}, 1000), 1e-11);
@@ -99,8 +102,10 @@ double error_of_bead(Step step, int steps) {
 
 TEST(fixed_step, has_its_order_where_the_equations_hold_the_time) {
   const auto euler = [](int n) { return error_of_bead(semi_implicit_euler<bead::System>{}, n); };
+  const auto ralston = [](int n) { return error_of_bead(ralston_3<bead::System>{}, n); };
   const auto runge_kutta = [](int n) { return error_of_bead(runge_kutta_4<bead::System>{}, n); };
   EXPECT_NEAR(order_of(euler, 1000), 1, 0.02);
+  EXPECT_NEAR(order_of(ralston, 80), 3, 0.1);
   EXPECT_NEAR(order_of(runge_kutta, 40), 4, 0.1);
 }
 

@@ -64,13 +64,12 @@ operations of_checks(const Arguments&... at) {
 }
 
 template <class System, class Step>
-struct evaluations;
-template <class System, int corrections>
-struct evaluations<System, runge_kutta_4<System, corrections>> {
+struct evaluations {
   template <class... Arguments>
   static operations of_checks(const Arguments&... at) {
     const operations one = ::of_checks<typename compiled::rates_with_derivatives<System>::evaluated>(at...);
-    return {4 * one.multiplications, 4 * one.additions, 4 * one.divisions};
+    constexpr int n = Step::stages;
+    return {n * one.multiplications, n * one.additions, n * one.divisions};
   }
 };
 template <class System, int corrections>
@@ -119,6 +118,7 @@ TEST(linearized_step, costs_what_it_does) {
   const parameter_values<System> p = parameter_values<System>::Constant(1.2);
   const input_values<System> r = input_values<System>::Constant(0.1);
   expect_cost<runge_kutta_4<System>>(x, p, r);
+  expect_cost<ralston_3<System>>(x, p, r);
   expect_cost<semi_implicit_euler<System>>(x, p, r);
 }
 

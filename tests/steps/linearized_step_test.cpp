@@ -11,6 +11,7 @@ using steps::expect_derivatives;
 
 TEST(linearized_step, of_unconstrained_systems) {
   expect_derivatives<runge_kutta_4<double_pendulum::System>, double_pendulum::System>();
+  expect_derivatives<kanexpr::ralston_3<double_pendulum::System>, double_pendulum::System>();
   expect_derivatives<semi_implicit_euler<rotating_tube::System>, rotating_tube::System>();
 }
 

@@ -90,6 +90,7 @@ steps::point<bead::System> bead_away_from_the_axis() {
 
 TEST(second_order_step, of_runge_kutta) {
   expect_second_derivatives<kanexpr::runge_kutta_4<bead::System, 0>>(bead_away_from_the_axis(), 0.1);
+  expect_second_derivatives<kanexpr::ralston_3<bead::System, 0>>(bead_away_from_the_axis(), 0.1);
 }
 
 TEST(second_order_step, of_semi_implicit_euler) {

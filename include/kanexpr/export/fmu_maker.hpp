@@ -53,8 +53,9 @@ struct fmu_options {
   std::vector<bound_parameter> bound{};
   std::vector<named_value> start{}; ///< of states and inputs, else zero, and of all parameters
   std::vector<exported_event> events{};
-  double step = 1e-3;          ///< of a co-simulation inside, s
-  std::string compiler = "cc"; ///< of C, as a shell calls it; empty: sources alone
+  double step = 1e-3;                   ///< of a co-simulation inside, s
+  std::string method = "runge_kutta_4"; ///< of these steps
+  std::string compiler = "cc";          ///< of C, as a shell calls it; empty: sources alone
 };
 
 struct made_fmu {
@@ -71,6 +72,7 @@ public:
   made_fmu run() {
     if (!(chosen_.step > 0 && numeric::is_finite(chosen_.step)))
       refuse("the internal step of a co-simulation must be positive");
+    if (const std::string mistake = mistake_of_method(chosen_.method); !mistake.empty()) refuse(mistake);
     gather();
     if (made_.mistake.empty()) {
       exported found = exporter(name_, derive_, wanted_).run();
@@ -115,9 +117,9 @@ private:
       wanted_.functions.push_back(measured);
     }
     if (!changes.results.empty()) wanted_.functions.push_back(changes);
-    wanted_.functions.push_back(fixed_step(fmu::step, {step_method::runge_kutta_4}));
+    wanted_.functions.push_back(fixed_step(fmu::step, {chosen_.method}));
     if (known_->constraints > 0 || known_->quaternions > 0)
-      wanted_.functions.push_back(fixed_step(fmu::correction, {step_method::corrections_alone}));
+      wanted_.functions.push_back(fixed_step(fmu::correction, {""}));
   }
 
   void describe() {

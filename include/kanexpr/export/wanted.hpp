@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/steps/tableaux.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <algorithm>
@@ -41,15 +42,9 @@ struct wanted_result {
   bool is_sparse = false;      ///< without the entries that are zero at all states
 };
 
-enum class step_method : unsigned char {
-  runge_kutta_4,
-  semi_implicit_euler,
-  corrections_alone ///< nothing moves
-};
-
 /// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
 struct wanted_step {
-  step_method method = step_method::runge_kutta_4;
+  std::string method = "runge_kutta_4"; ///< its name; none: nothing moves, the state is corrected
   int corrections = 1;
 };
 
@@ -74,19 +69,32 @@ inline std::string_view name_of(mechanics::quantity of) {
 
 } // namespace detail
 
-/// A step by a method, under a name of its own: `fixed_step("step", {step_method::runge_kutta_4, 2})`.
+/// "runge_kutta_4, ralston_3 or semi_implicit_euler".
+inline std::string names_of_steps() {
+  std::string all;
+  for (const stepping::tableau* each : stepping::tableaux)
+    all.append(all.empty() ? "" : each == stepping::tableaux.back() ? " or " : ", ").append(each->name);
+  return all;
+}
+
+/// Why there is no such method; empty: there is.
+inline std::string mistake_of_method(const std::string& name) {
+  if (stepping::find_tableau(name) != nullptr) return {};
+  return "no method of steps is called " + name + ": take " + names_of_steps();
+}
+
+/// A step by a method, under a name of its own: `fixed_step("step", {"runge_kutta_4", 2})`.
 inline wanted_function fixed_step(std::string name, const wanted_step& how) {
   wanted_function wanted{.name = std::move(name), .step = how};
+  if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
   if (how.corrections < 0) wanted.mistake = "a step cannot have fewer corrections than none";
   return wanted;
 }
 
 /// Results by their names, with spaces between them, for one call: "udot", "mass_matrix forcing", or one of
-/// the steps "runge_kutta_4" and "semi_implicit_euler".
+/// the steps, as "runge_kutta_4".
 inline wanted_function results(std::string_view names) {
-  if (names == "runge_kutta_4") return fixed_step("runge_kutta_4", {step_method::runge_kutta_4});
-  if (names == "semi_implicit_euler")
-    return fixed_step("semi_implicit_euler", {step_method::semi_implicit_euler});
+  if (stepping::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
   wanted_function wanted;
   while (!names.empty()) {
     const std::size_t end = (std::min)(names.find(' '), names.size());
@@ -99,7 +107,7 @@ inline wanted_function results(std::string_view names) {
         wanted.results.push_back({std::string(detail::name_of(row.is)),
                                   {.what = deriving::request::kind::result, .wanted = row.is}});
     if (wanted.results.size() == before)
-      wanted.mistake = name == "runge_kutta_4" || name == "semi_implicit_euler"
+      wanted.mistake = stepping::find_tableau(name) != nullptr
                            ? std::string(name) + " is a function of its own, without other results"
                            : "no result is called " + std::string(name);
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);

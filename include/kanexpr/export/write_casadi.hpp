@@ -10,8 +10,8 @@ namespace kanexpr {
 namespace exporting {
 
 struct casadi_options {
-  std::vector<bound_parameter> bound{};          ///< are numbers in what is exported
-  step_method step = step_method::runge_kutta_4; ///< of `name`_step, without corrections
+  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
+  std::string step = "runge_kutta_4";   ///< of `name`_step, without corrections
 };
 
 namespace detail {
@@ -58,7 +58,8 @@ static int @library@_are_finite(double **results, int count, const int *entries)
 
 inline outcome write_casadi(const std::function<model()>& derive, const std::filesystem::path& folder,
                             const std::string& name, const casadi_options& chosen) {
-  if (const std::string mistake = mistake_of_casadi_name(name); !mistake.empty()) return outcome(mistake);
+  for (const std::string& mistake : {mistake_of_casadi_name(name), mistake_of_method(chosen.step)})
+    if (!mistake.empty()) return outcome(mistake);
   std::vector<casadi_argument> arguments, of_residual;
   options wanted{{casadi_kernels(false, arguments).column(), casadi_kernels(true, arguments).column()},
                  chosen.bound};
@@ -84,15 +85,15 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
     for (exported_function& other : all.system.functions)
       if (other.name == f.name + "_by_all") common_shapes::give(f, other);
   const c_file file(all.system, precision::double_precision);
-  const step_tableau method = step_tableau::of(chosen.step);
   int most = 1;
   for (const casadi_argument& each : arguments) most = (std::max)(most, each.size);
   return write_files(
       {{folder / (all.system.name + ".h"), file.header()},
-       {folder / (all.system.name + ".c"), file.source() + helpers_for_casadi(name, most) +
-                                               casadi_file(name, false, all.system, arguments).text() +
-                                               casadi_file(name, true, all.system, of_residual).text() +
-                                               casadi_step(name, method, all.system, arguments).text()}});
+       {folder / (all.system.name + ".c"),
+        file.source() + helpers_for_casadi(name, most) +
+            casadi_file(name, false, all.system, arguments).text() +
+            casadi_file(name, true, all.system, of_residual).text() +
+            casadi_step(name, *stepping::find_tableau(chosen.step), all.system, arguments).text()}});
 }
 
 } // namespace detail

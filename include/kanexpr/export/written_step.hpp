@@ -84,9 +84,7 @@ public:
     return {};
   }
 
-  bool has_pivots() const {
-    return wanted_.method != step_method::corrections_alone && known_.constraints != 0;
-  }
+  bool has_pivots() const { return !wanted_.method.empty() && known_.constraints != 0; }
   status same_side(const value& before, const value& after) const {
     if (before.code != nullptr)
       note({.cause = std::string(stepping::singular_position_elsewhere), .of_order = true},
@@ -153,6 +151,17 @@ struct no_motion {
   }
 };
 
+/// Writes the step by the method of this name.
+template <std::size_t... row>
+void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
+                written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {
+  const auto write = [&]<std::size_t i>() {
+    constexpr const stepping::tableau& method = *stepping::tableaux[i];
+    if (method.name == name) static_cast<void>(stepping::stepped<stepping::method<method>>(of, t, x, h));
+  };
+  (write.template operator()<row>(), ...);
+}
+
 /// A step as a function; it means nothing where a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
                                       const wanted_step& wanted, const forming& form) {
@@ -163,15 +172,10 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   written_vector x;
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
-  switch (wanted.method) {
-  case step_method::runge_kutta_4:
-    static_cast<void>(stepping::stepped<stepping::runge_kutta_4>(of, t, x, h));
-    break;
-  case step_method::semi_implicit_euler:
-    static_cast<void>(stepping::stepped<stepping::semi_implicit_euler>(of, t, x, h));
-    break;
-  case step_method::corrections_alone: static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
-  }
+  if (wanted.method.empty())
+    static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
+  else
+    write_step(of, wanted.method, t, x, h, std::make_index_sequence<stepping::tableaux.size()>());
   symbolic::sequence<lower::written_value> results;
   for (const lower::written_value& each : x.entries) results.push(each);
   for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);

@@ -85,50 +85,48 @@ template <class Method, class System, int corrections, class Time, class Number,
   return s;
 }
 
+/// A step of fixed length by a method.
+template <const stepping::tableau& of, class System, int steps_of_correction>
+struct fixed_step {
+  using system = System;
+  using eom = equations_of_motion<System>;
+  using method = stepping::method<of>;
+  static constexpr const stepping::tableau& tableau = of;
+  static constexpr int corrections = steps_of_correction, stages = of.stages;
+
+  template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
+  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
+                    const Inputs& r = {}) const {
+    return advanced<method, System, corrections>(t, x, h, p, r);
+  }
+
+  /// Operations of one step, beside the sums of the method itself.
+  static constexpr symbolic::cost cost() {
+    const symbolic::cost ends = added(cost_of_sides<System>(), correction<System, corrections>::cost());
+    if constexpr (&of == &stepping::semi_implicit_euler)
+      return added(added(eom::udot.cost(), eom::qdot.cost()), ends);
+    else
+      return added(ends, eom::rhs.cost(), stages);
+  }
+};
+
 } // namespace compiled
 
 /// Semi-implicit (symplectic) Euler: u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds
 /// (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006, I.1.2). Of order 1; the energy of a
 /// conservative system stays bounded.
 template <class System, int corrections = 1>
-struct semi_implicit_euler {
-  using eom = equations_of_motion<System>;
-
-  template <class Time, class Number, class Parameters = compiled::not_given,
-            class Inputs = compiled::not_given>
-  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
-                    const Inputs& r = {}) const {
-    return compiled::advanced<stepping::semi_implicit_euler, System, corrections>(t, x, h, p, r);
-  }
-
-  /// Operations of one step, beside the sums of the method itself.
-  static constexpr symbolic::cost cost() {
-    return compiled::added(compiled::added(eom::udot.cost(), eom::qdot.cost()),
-                           compiled::added(compiled::cost_of_sides<System>(),
-                                           compiled::correction<System, corrections>::cost()));
-  }
-};
+struct semi_implicit_euler : compiled::fixed_step<stepping::semi_implicit_euler, System, corrections> {};
 
 /// The classic Runge-Kutta method, of order 4 (Hairer, Nørsett & Wanner, Solving Ordinary Differential
 /// Equations I, 1993, II.1). It evaluates the equations at t, twice at t + h/2 and at t + h.
 template <class System, int corrections = 1>
-struct runge_kutta_4 {
-  using eom = equations_of_motion<System>;
-  static constexpr int stages = stepping::runge_kutta_4::stages;
+struct runge_kutta_4 : compiled::fixed_step<stepping::runge_kutta_4, System, corrections> {};
 
-  template <class Time, class Number, class Parameters = compiled::not_given,
-            class Inputs = compiled::not_given>
-  status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
-                    const Inputs& r = {}) const {
-    return compiled::advanced<stepping::runge_kutta_4, System, corrections>(t, x, h, p, r);
-  }
-
-  /// Operations of one step, beside the sums of the method itself.
-  static constexpr symbolic::cost cost() {
-    return compiled::added(
-        compiled::added(compiled::cost_of_sides<System>(), compiled::correction<System, corrections>::cost()),
-        eom::rhs.cost(), stages);
-  }
-};
+/// Ralston's method of order 3, with the least error bound of its kind (Ralston, Mathematics of Computation
+/// 16, 1962). It evaluates the equations at t, t + h/2 and t + 3h/4: three quarters of the work of
+/// `runge_kutta_4`.
+template <class System, int corrections = 1>
+struct ralston_3 : compiled::fixed_step<stepping::ralston_3, System, corrections> {};
 
 } // namespace kanexpr

@@ -30,6 +30,7 @@ struct varied_state {
   state<System, Number> x;
   derivatives by_all;
 
+  varied_state() = default;
   explicit varied_state(const state<System, Number>& before) : x(before) {
     by_all.setZero();
     for (int i = 0; i < size; ++i) by_all(i, i) = lower::scalar_math<Number>::from(1);
@@ -188,23 +189,25 @@ constexpr symbolic::cost cost_of_looks() {
   return added(cost_of_sides<System>(), arithmetic(3 * pivots, 2 * pivots));
 }
 
-template <class Step>
-struct varied_step;
-
 /// Operations of adding h times so many entries.
 constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entries, entries); }
 
-/// By the chain rule through the four stages. The Jacobian of ẋ is multiplied into the derivatives so far,
-/// but for entries that are known to be 0 or 1.
-template <class System, int corrections>
-struct varied_step<runge_kutta_4<System, corrections>> {
+/// By the chain rule through the stages of an explicit method. The Jacobian of ẋ is multiplied into the
+/// derivatives so far, but for entries that are known to be 0 or 1.
+template <class Step>
+struct varied_step {
+  using System = typename Step::system;
+  static constexpr const stepping::tableau& tableau = Step::tableau;
+  static constexpr int corrections = Step::corrections, stages = tableau.stages;
+
   static constexpr symbolic::cost cost() {
     using rates = rates_with_derivatives<System>;
     constexpr int size = varied_state<System, double>::size, inputs = varied_state<System, double>::inputs,
                   all = size * (1 + size + inputs);
     const symbolic::cost chain = added(rates::by_state::cost(size + inputs), arithmetic(0, size * inputs)),
-                         evaluations = added(arithmetic(0, 5, 6), rates::evaluated::cost(), 4);
-    return added(added(added(evaluations, chain, 3), cost_of_advance(all), 3 + 4),
+                         evaluations =
+                             added(arithmetic(2 * stages - 1, stages + 1), rates::evaluated::cost(), stages);
+    return added(added(added(evaluations, chain, stages - 1), cost_of_advance(all), stages - 1 + stages),
                  added(varied_correction<System, corrections>::cost(), cost_of_looks<System>()));
   }
 
@@ -214,13 +217,11 @@ struct varied_step<runge_kutta_4<System, corrections>> {
     using rates = rates_with_derivatives<System>;
     using varied = varied_state<System, Number>;
     constexpr int inputs = varied::inputs;
-    const Number reach[]{Number(0), Number(h / Number(2)), Number(h / Number(2)), h},
-        weight[]{Number(h / Number(6)), Number(h / Number(3)), Number(h / Number(3)), Number(h / Number(6))};
     varied at(x), next(x);
     const varied before(x);
-    for (int stage = 0; stage < 4; ++stage) {
-      const auto [rate, by_state, by_inputs] =
-          typename rates::evaluated{}(Number(t + reach[stage]), at.x, p, r);
+    Number reach = Number(0);
+    for (int stage = 0; stage < stages; ++stage) {
+      const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(Number(t + reach), at.x, p, r);
       if (const status s = status_of(rate); !s) return {x, {}, {}, s};
       typename varied::derivatives by_all;
       if (stage == 0) {
@@ -229,12 +230,14 @@ struct varied_step<runge_kutta_4<System, corrections>> {
         by_all = rates::by_state::product(by_state, at.by_all);
         by_all.template rightCols<inputs>() += by_inputs;
       }
-      if (stage < 3) {
-        stepping::advance(at.x, 0, x, reach[stage + 1], rate);
-        at.by_all = before.by_all + reach[stage + 1] * by_all;
+      if (stage + 1 < stages) {
+        reach = Number(Number(tableau.a(stage + 1)) * h);
+        stepping::advance(at.x, 0, x, reach, rate);
+        at.by_all = before.by_all + reach * by_all;
       }
-      stepping::advance(next.x, 0, next.x, weight[stage], rate);
-      next.by_all += weight[stage] * by_all;
+      const Number weight = Number(Number(tableau.b(stage)) * h);
+      stepping::advance(next.x, 0, next.x, weight, rate);
+      next.by_all += weight * by_all;
     }
     return concluded<System, corrections>(t, x, h, next, p, r);
   }

@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/steps/tableaux.hpp>
 
 /// Methods of fixed steps, whatever evaluates the equations: the functions of a compiled system, or code that
 /// is written. Equations have
@@ -80,8 +81,29 @@ template <class Equations, class Time, class State>
   return compiled::status_of(u);
 }
 
+/// Advances a state by one step of a method, without corrections.
+template <const tableau& of>
+struct method {
+  template <class Equations, class Time, class State>
+  [[gnu::always_inline]] static status advance(const Equations& equations, const Time& t, const State& x,
+                                               const Time& h, State& next) {
+    using math = lower::scalar_math<typename State::Scalar>;
+    State at = x;
+    for (int stage = 0; stage < of.stages; ++stage) {
+      const Time when = static_cast<Time>(t + Time(of.c(stage)) * h);
+      const auto rate = equations.template get<mechanics::quantity::rhs>(when, at);
+      if (const status s = compiled::status_of(rate); !s) return s;
+      const double reach = stage + 1 < of.stages ? of.a(stage + 1) : 0;
+      stepping::advance(at, 0, x, math::from(Time(reach) * h), rate);
+      stepping::advance(next, 0, next, math::from(Time(of.b(stage)) * h), rate);
+    }
+    return {};
+  }
+};
+
 /// u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds.
-struct semi_implicit_euler {
+template <>
+struct method<semi_implicit_euler> {
   template <class Equations, class Time, class State>
   [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const State& x,
                                                const Time& h, State& next) {
@@ -95,28 +117,6 @@ struct semi_implicit_euler {
     const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before
     if (const status s = compiled::status_of(qdot); !s) return s;
     stepping::advance(next, 0, x, length, qdot);
-    return {};
-  }
-};
-
-/// The classic Runge-Kutta method.
-struct runge_kutta_4 {
-  static constexpr int stages = 4;
-
-  template <class Equations, class Time, class State>
-  [[gnu::always_inline]] static status advance(const Equations& of, const Time& t, const State& x,
-                                               const Time& h, State& next) {
-    using math = lower::scalar_math<typename State::Scalar>;
-    constexpr Time half = Time(0.5), third = Time(1) / 3, sixth = Time(1) / 6;
-    constexpr Time reach[stages + 1]{0, half, half, 1, 0}, weight[stages]{sixth, third, third, sixth};
-    State at = x;
-    for (int stage = 0; stage < stages; ++stage) {
-      const Time when = static_cast<Time>(t + reach[stage] * h);
-      const auto rate = of.template get<mechanics::quantity::rhs>(when, at);
-      if (const status s = compiled::status_of(rate); !s) return s;
-      stepping::advance(at, 0, x, math::from(reach[stage + 1] * h), rate);
-      stepping::advance(next, 0, next, math::from(weight[stage] * h), rate);
-    }
     return {};
   }
 };

@@ -169,19 +169,6 @@ struct watching_equations : compiled_equations<System, corrections, Parameters, 
   }
 };
 
-} // namespace kanexpr::compiled
-
-namespace kanexpr {
-
-/// A step of a fixed length that passes positions in which constraints of a system follow from others, as
-/// those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near them it takes the
-/// equations of all speeds at states that are brought to the constraints, some thirty times the work;
-/// elsewhere it is the step itself. No memory is taken and nothing is thrown.
-template <class Step>
-struct passing;
-
-namespace compiled {
-
 template <class Method, class System, int corrections>
 struct passing_step {
   template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
@@ -219,13 +206,15 @@ private:
   }
 };
 
-} // namespace compiled
+} // namespace kanexpr::compiled
 
-template <class System, int corrections>
-struct passing<runge_kutta_4<System, corrections>>
-    : compiled::passing_step<stepping::runge_kutta_4, System, corrections> {};
-template <class System, int corrections>
-struct passing<semi_implicit_euler<System, corrections>>
-    : compiled::passing_step<stepping::semi_implicit_euler, System, corrections> {};
+namespace kanexpr {
+
+/// A step of a fixed length that passes positions in which constraints of a system follow from others, as
+/// those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near them it takes the
+/// equations of all speeds at states that are brought to the constraints, some thirty times the work;
+/// elsewhere it is the step itself. No memory is taken and nothing is thrown.
+template <class Step>
+struct passing : compiled::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
 
 } // namespace kanexpr

@@ -47,22 +47,20 @@ auto stacked(const Above& above, const Below& below) {
   return all;
 }
 
+/// The adjoint runs through the stages of an explicit method backwards, and each adds its Hessian, weighted
+/// by the adjoint there and seen from the start of the step.
 template <class Step>
-struct step_of_second_order;
-
-/// The adjoint runs through the stages backwards, and each adds its Hessian, weighted by the adjoint there
-/// and seen from the start of the step.
-template <class System>
-struct step_of_second_order<runge_kutta_4<System, 0>> {
+struct step_of_second_order {
+  using System = typename Step::system;
   using rates = weighted_rates<System>;
   static constexpr int states = rates::states, inputs = rates::inputs, size = rates::size;
-  static constexpr int stages = 4;
+  static constexpr int stages = Step::tableau.stages;
 
-  /// Of h, where a stage is, and how far its rate goes into the end.
+  /// Times h: where a stage is, and the weight of its rate in the step.
   template <class Number>
   static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
-    reach[0] = Number(0), reach[1] = reach[2] = Number(h / Number(2)), reach[3] = h;
-    weight[0] = weight[3] = Number(h / Number(6)), weight[1] = weight[2] = Number(h / Number(3));
+    for (int s = 0; s < stages; ++s)
+      reach[s] = Number(Number(Step::tableau.a(s)) * h), weight[s] = Number(Number(Step::tableau.b(s)) * h);
   }
 
   template <class Number, class Parameters, class Inputs, class Weights>
@@ -74,7 +72,9 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
     with_status<typename rates::template square<Number>> all;
     Number reach[stages], weight[stages];
     lengths(h, reach, weight);
-    varied_state<System, Number> before(x), at[stages]{before, before, before, before};
+    const varied_state<System, Number> before(x);
+    varied_state<System, Number> at[stages];
+    at[0] = before;
     Eigen::Matrix<Number, states, states> by_state[stages];
     for (int s = 0; s < stages; ++s) {
       const auto [rate, by_x, by_r] = typename linear::evaluated{}(Number(t + reach[s]), at[s].x, p, r);
@@ -111,8 +111,10 @@ struct step_of_second_order<runge_kutta_4<System, 0>> {
     with_status<direction> all;
     Number reach[stages], weight[stages];
     lengths(h, reach, weight);
-    state<System, Number> at[stages]{x, x, x, x};
-    direction along[stages]{v, v, v, v};
+    state<System, Number> at[stages];
+    direction along[stages];
+    at[0] = x;
+    for (direction& each : along) each = v;
     for (int s = 0; s + 1 < stages; ++s) {
       const auto [rate, change] = typename rates::rates_along{}(Number(t + reach[s]), at[s], p, r, along[s]);
       all.status = status_of(rate);
@@ -266,8 +268,8 @@ struct second_order_step;
 template <template <class, int> class Method, class System, int corrections>
 struct second_order_step<Method<System, corrections>> {
   using quantity = mechanics::quantity;
-  static_assert(corrections == 0, "second_order_step takes a step without corrections: "
-                                  "runge_kutta_4<System, 0> or semi_implicit_euler<System, 0>");
+  static_assert(corrections == 0, "second_order_step takes a step without corrections, such as "
+                                  "runge_kutta_4<System, 0>");
   static_assert(compiled::survey_of<System>.quaternions == 0,
                 "second_order_step takes a system without quaternions, which have norm 1 at the ends of a "
                 "step alone");

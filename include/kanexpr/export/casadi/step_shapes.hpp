@@ -2,7 +2,7 @@
 
 #include <kanexpr/export/casadi/kernels.hpp>
 #include <kanexpr/export/casadi/sparsity.hpp>
-#include <kanexpr/export/casadi/step_tableau.hpp>
+#include <kanexpr/steps/tableaux.hpp>
 
 #include <utility>
 #include <vector>
@@ -37,13 +37,13 @@ class step_shapes {
 public:
   step_shapes() = default;
   /// `h` and `t` are the columns of the length and of the time, this −1 where there is none.
-  step_shapes(const step_tableau& method, int coordinates, int states, int columns, int h, int t,
+  step_shapes(const stepping::tableau& method, int coordinates, int states, int columns, int h, int t,
               const entry_places& slope, const entry_places& bend, const entry_places& curve)
       : first(states, columns), along(states, columns), second(columns, columns), states_(states),
         columns_(columns), h_(h), t_(t) {
     pattern point(states, columns), bent(states, columns);
     for (int i = 0; i < states; ++i) point(i, i) = first(i, i) = 1;
-    for (std::size_t s = 0; s < method.stages.size(); ++s) {
+    for (int s = 0; s < method.stages; ++s) {
       add_second(point, slope, curve);
       pattern change = chained(slope, point, states), change_along = chained(bend, point, states);
       for (const auto& [row, column] : slope)
@@ -54,8 +54,8 @@ public:
       for (int i = 0; i < states; ++i) {
         const std::size_t part = i >= coordinates ? 1 : 0;
         point(i, i) = 1;
-        if (method.stages[s].b[part] > 0) first.add_row(i, change, i), along.add_row(i, change_along, i);
-        if (s + 1 == method.stages.size() || !(method.stages[s + 1].a[part] > 0)) continue;
+        if (method.at(s).b[part] > 0) first.add_row(i, change, i), along.add_row(i, change_along, i);
+        if (s + 1 == method.stages || !(method.at(s + 1).a[part] > 0)) continue;
         point.add_row(i, change, i), bent.add_row(i, change_along, i);
       }
     }

@@ -17,7 +17,7 @@ namespace kanexpr::exporting {
 class step_writer {
 public:
   /// `arguments` are those of the rates, and `kernels` has the functions of `casadi_kernels`.
-  step_writer(const std::string& library, const step_tableau& method, const exported_system& kernels,
+  step_writer(const std::string& library, const stepping::tableau& method, const exported_system& kernels,
               const std::vector<casadi_argument>& arguments)
       : library_(library), name_(library + "_step"), method_(method), kernels_(kernels), of_rates_(arguments),
         given_(arguments) {
@@ -53,7 +53,7 @@ protected:
   };
 
   int n() const { return of_rates_[0].size; }
-  int stages() const { return static_cast<int>(method_.stages.size()); }
+  int stages() const { return method_.stages; }
   bool takes_time() const { return of_rates_.size() > 3; }
   bool has_more() const { return columns_ > h_ + 1; }
   /// Whether derivatives by what is given there follow without those of the rates by parameters and time.
@@ -146,7 +146,8 @@ protected:
 
   std::string in(std::string_view text) const {
     std::string a, b, when;
-    for (const step_tableau::stage& each : method_.stages) {
+    for (int stage = 0; stage < stages(); ++stage) {
+      const stepping::tableau::stage& each = method_.at(stage);
       const std::string between = a.empty() ? "" : ", ";
       a += between + pair(number(each.a[0]), number(each.a[1]));
       b += between + pair(number(each.b[0]), number(each.b[1]));
@@ -175,7 +176,7 @@ protected:
                          {"a", a},
                          {"b", b},
                          {"when", when},
-                         {"method", method_.name},
+                         {"method", std::string(method_.title)},
                          {"given", library_ + "_given"},
                          {"time", takes_time() ? '*' + given_at(4) : "0"},
                          {"kernels", kernels_.name},
@@ -196,7 +197,7 @@ protected:
   }
 
   std::string library_, name_;
-  const step_tableau& method_;
+  const stepping::tableau& method_;
   const exported_system& kernels_;
   const std::vector<casadi_argument>& of_rates_;
   std::vector<casadi_argument> given_; ///< to a step: x, r, p, h, t
