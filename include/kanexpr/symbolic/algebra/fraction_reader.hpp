@@ -6,10 +6,10 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// Reads expressions as fractions of polynomials. A form provides `written(fraction)`, the expression from
-/// which arguments of functions are built; `argument(fraction)`, the same without its sign; and `function(op,
-/// a, b, fraction)`, which may return a value for functions that it can express. All other functions are
-/// treated as symbols.
+/// Reads expressions as fractions of polynomials. A form provides `written(fraction)`, an expression;
+/// `argument(fraction)`, a function argument with its sign split off; `function(op, fraction)`, which returns
+/// a numerator and a denominator for functions that it can express; and `meets_opaque(node)`, which is called
+/// for every function treated as a symbol.
 template <class Coefficient, class Form>
 class fraction_reader {
 public:

@@ -83,8 +83,7 @@ private:
 
   // A constant expression must not divide by zero.
   static constexpr rated defined(operation op, rated a, rated b) {
-    if (is_selection(op))
-      return rated_value_of(op, a, b); // the operand that is not selected may be undefined
+    if (is_selection(op)) return rated_value_of(op, a, b); // the other branch may be undefined
     if (!is_finite(a) || !is_finite(b)) return undefined;
     if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
     if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))

@@ -124,8 +124,7 @@ constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
         if (cosine < 0 || !other.multiply_by(cosine, 2)) continue;
         for (int j = 0; j < s.size(); ++j) {
           if (!s[j].has_the_powers_of(other)) continue;
-          if (!(s[j].coefficient - other.coefficient == exactly(0)))
-            break; // decimal coefficients are compared as rounded
+          if (!(s[j].coefficient - other.coefficient == exactly(0))) break; // up to decimal rounding
           s.drop(i < j ? j : i);
           s.drop(i < j ? i : j);
           s.add(one);

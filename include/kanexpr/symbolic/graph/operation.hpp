@@ -121,8 +121,7 @@ enum class unit_rule {
 /// The properties of a function of one argument besides its derivative (functions.hpp). The defaults are safe
 /// for every function.
 struct function_properties {
-  static constexpr double everywhere =
-      (std::numeric_limits<double>::max)(); ///< finite, because of -ffast-math
+  static constexpr double everywhere = (std::numeric_limits<double>::max)(); ///< finite for -ffast-math
   static constexpr int nowhere = -1;
 
   operation op;
@@ -130,9 +129,8 @@ struct function_properties {
   double (*value)(double); ///< in constant expressions
   const char* latex = "";  ///< a LaTeX command; if empty, the name as an operator
   parity symmetry = parity::none;
-  double smooth_from = -everywhere,
-         smooth_to = everywhere; ///< the open interval on which it is differentiable
-  int exact_at = nowhere;        ///< the integer at which its value is an integer
+  double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable
+  int exact_at = nowhere;                                   ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;

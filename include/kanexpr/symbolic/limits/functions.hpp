@@ -24,7 +24,7 @@ coefficient weighted(const series& s, int k, const Weights& w) {
 
 } // namespace detail
 
-/// Why an entire function has no series at this argument.
+/// The obstacle to expanding an entire function at this argument.
 inline obstacle unbounded(const series& s) {
   if (s.has_terms() && s.order() < 0) return obstacle::infinite_argument;
   return s.end() <= 0 ? obstacle::truncated : obstacle::none;

@@ -9,8 +9,8 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// The values of an expression at generic values of its symbols: what is zero there is taken to be zero
-/// everywhere. A number has only one value.
+/// The values of an expression at generic values of its symbols; an expression that vanishes there is assumed
+/// to vanish everywhere. A number has only one value.
 class generic_values {
 public:
   static constexpr int count = 4;

@@ -2,12 +2,12 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Finds results that may not be finite although everything that they depend on is finite and of ordinary
+/// Finds results that can become infinite or NaN although everything they depend on is finite and of ordinary
 /// size.
 namespace kanexpr::symbolic {
 
-/// Determines which outputs must be checked so that all are known to be finite. Quotients, roots and
-/// functions may not be finite, except divisions by `sure_divisors`. Sums and products are ignored: they
+/// Determines which outputs must be checked to be sure that all are finite. Quotients, roots and functions
+/// can produce infinity or NaN, except divisions by `sure_divisors`. Sums and products are ignored: they
 /// overflow only at values of no practical use.
 class finiteness {
 public:
@@ -54,7 +54,7 @@ public:
     return some;
   }
 
-  /// The symbols in the divisors, roots and arguments that may be the first not to be finite, except divisors
+  /// The symbols in the divisors, roots and arguments where infinity or NaN may originate, except divisors
   /// that are checked elsewhere.
   constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
     if (!any_begins_) return {};
