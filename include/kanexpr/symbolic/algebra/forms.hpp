@@ -24,10 +24,10 @@ KANEXPR_ENGINE rewritten collect(expression e, const sequence<expression>& by,
 /// not used (see trigonometric_normal_form).
 KANEXPR_ENGINE rewritten cancel(expression e, std::size_t most_terms = usual_most_terms);
 
-/// Returns a sum of products of symbols, each with at most one sine or cosine of a sum of angles. Two
-/// polynomials in symbols and in sines and cosines of such sums, with angle multiples down to sixteenths,
-/// have the same node as their form if and only if they are equal. Tangents are quotients of sine and cosine.
-/// A remaining quotient keeps a factored denominator and may have several forms (use `compare` in
+/// Returns a sum of products of symbols, each with at most one sine or cosine of a sum of angles. For
+/// polynomials in symbols and in sines and cosines of such sums, with angle multiples down to sixteenths, the
+/// forms are the same node if and only if the polynomials are equal. Tangents are quotients of sine and
+/// cosine. A remaining quotient keeps a factored denominator and may have several forms (use `compare` in
 /// equality.hpp). Other functions are treated as symbols; decimal numbers have their exact binary value.
 KANEXPR_ENGINE rewritten trigonometric_normal_form(expression e, std::size_t most_terms = usual_most_terms);
 

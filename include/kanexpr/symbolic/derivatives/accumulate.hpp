@@ -11,7 +11,7 @@ namespace kanexpr::symbolic {
 /// graph.
 ///
 /// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Assign weights to outputs with `seed`,
-/// call `run` once, then query the gradient with respect to any symbol; `restart` allows other weights.
+/// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other weights.
 class accumulation {
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
@@ -73,7 +73,7 @@ private:
     adjoint = add(graph_, adjoint, part);
   }
 
-  /// The angle costs one product, and so does each rotated value.
+  /// Costs one product for the angle and one for each rotated value.
   constexpr bool back_through_turn(const node& n, int adjoint) {
     const turned_component x = turned_component_at(graph_, n);
     if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;
@@ -92,9 +92,9 @@ private:
         collect(operands[i], multiply(graph_, adjoint, call(graph_, f.slope(i), n.a)));
   }
 
-  /// The branch that is not selected must have no effect, but zero times an infinite derivative would. So
-  /// where a derivative may be infinite, the selection is applied to the derivative with respect to each
-  /// symbol.
+  /// The branch that is not selected must not affect the result, but zero times an infinite derivative is
+  /// NaN. If a derivative may be infinite, the selection is therefore applied to the derivative with respect
+  /// to each symbol.
   constexpr void back_through_selection(const node& n, int adjoint) {
     const sequence<char> live = live_nodes(graph_, {n.b});
     bool stays_finite = true;

@@ -12,8 +12,8 @@ struct rated {
   double rate = 0;
 };
 
-/// Applies an operation to numbers that change with time. Undefined results are NaN, which the caller must
-/// check.
+/// Applies an operation to numbers that change with time. Undefined results are NaN; the caller must check
+/// for them.
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   if (!is_selection(op) && !elementary::detail::is_finite(value))

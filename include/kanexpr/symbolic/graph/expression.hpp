@@ -14,8 +14,8 @@ concept wider_than_int = std::floating_point<Number> || std::same_as<Number, uns
                          (std::integral<Number> && sizeof(Number) > sizeof(int));
 
 /// A scalar expression: a node and its graph, with the operators of ordinary algebra. At run time, an
-/// operation on expressions from two graphs yields an expression without a graph, and so does any operation
-/// on it.
+/// operation on expressions from two graphs yields an expression without a graph, as does any operation on
+/// the result.
 class expression {
 public:
   constexpr expression() = default;

@@ -30,7 +30,7 @@ struct external_function {
 };
 
 /// A substitute value for tests of expressions at generic points, since the compiler may be unable to call
-/// the function: 1.25 plus a sine of the operands, with derivatives that match.
+/// the function: 1.25 plus a sine of the operands, with matching derivatives.
 constexpr double generic_value_of(const external_function& f, const double* operands) {
   unsigned mark = 2166136261u; // Fowler, Noll & Vo's hash
   for (char letter : f.original.view()) mark = (mark ^ static_cast<unsigned char>(letter)) * 16777619u;

@@ -8,7 +8,7 @@
 /// Shortens sums in which sin² + cos² of an angle occurs or terms cancel after multiplying out.
 namespace kanexpr::symbolic {
 
-/// Rewrites such sums in some outputs. The nodes in `beside` are needed in any case.
+/// Rewrites such sums in the outputs. The nodes in `beside` are needed in any case.
 class gathering {
 public:
   /// The sums to rewrite: those that each reduce the operations of all outputs together (as in logic

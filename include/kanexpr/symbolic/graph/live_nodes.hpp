@@ -33,7 +33,7 @@ constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs
   return marks;
 }
 
-/// The live nodes except lists, in ascending order: operands precede their users.
+/// The live nodes except lists, in ascending order, so operands precede their users.
 constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs) {
   const sequence<char> marks = live_nodes(g, outputs);
   const node* const nodes = g.begin();

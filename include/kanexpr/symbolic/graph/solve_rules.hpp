@@ -4,8 +4,8 @@
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/numbers/inverse.hpp>
 
-/// Builds solutions of linear systems. A system of order one becomes a division, a system of constants is
-/// solved; all others stay symbolic until lowering, when it is known which components are needed.
+/// Builds solutions of linear systems. A system of order one becomes a division, and a constant system is
+/// solved immediately; all others stay symbolic until lowering, when the required components are known.
 namespace kanexpr::symbolic {
 
 /// The factorization of a matrix whose entries are given by rows.

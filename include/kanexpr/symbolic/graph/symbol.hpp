@@ -6,7 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// The maximum length of a symbol name; the rest is for the primes of its derivatives.
+/// The maximum length of a symbol name; the remaining characters are reserved for the primes of its
+/// derivatives.
 inline constexpr int longest_name = name::capacity - 3;
 
 constexpr bool begins_name(char letter) { // beyond ASCII: part of a letter

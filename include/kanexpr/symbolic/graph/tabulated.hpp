@@ -56,8 +56,8 @@ constexpr sequence<expression> monotone_slopes(const table_points& p) {
   return all;
 }
 
-/// The sum of the cubics of all intervals, with slopes d at the points. `passed` holds the excess of x over
-/// each point except the last.
+/// The sum of the cubics of all intervals, with slopes d at the points. `passed` holds the amounts by which x
+/// exceeds each point except the last.
 constexpr expression climbed(const table_points& p, const sequence<expression>& d,
                              const sequence<expression>& passed) {
   expression sum = p.y[0];

@@ -26,7 +26,7 @@ public:
   const generic_values& operator[](int id) const { return at(id).values; }
   /// Whether a node depends on a replaced symbol.
   bool is_moved(int id) const { return at(id).moved; }
-  /// Whether plain substitution leaves a node undefined, or a node that it depends on.
+  /// Whether plain substitution leaves a node, or a node that it depends on, undefined.
   bool is_singular(int id) const { return at(id).singular; }
   /// The replacement of a symbol, or null if it is not replaced.
   const replacement* replacing(int symbol) const {

@@ -31,13 +31,13 @@ struct bounded {
   }
 
   bool defined() const { return numeric::is_number(value); }
-  /// Whether the value counts as zero: it is zero or has no significant digit. `0.1 + 0.2 - 0.3` vanishes,
-  /// and so does the cosine of the double next to π/2; 1e-30 does not. Four times the bound allows for errors
-  /// made earlier.
+  /// Whether the value counts as zero: it is zero or has no significant digit. `0.1 + 0.2 - 0.3` and the
+  /// cosine of the double next to π/2 vanish; 1e-30 does not. Four times the bound allows for errors made
+  /// earlier.
   bool vanishes() const { return std::abs(value) <= 4 * error; }
 };
 
-/// Whether an operation with defined operands has no value, or none that is certain.
+/// Whether an operation with defined operands has no value, or no reliable one.
 inline bool is_singular(operation op, const bounded& a, const bounded& b) {
   if (op == operation::divide) return b.vanishes();
   if (op == operation::log) return a.vanishes();

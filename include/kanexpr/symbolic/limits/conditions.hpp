@@ -72,7 +72,7 @@ private:
                              : function(id) + " is undefined everywhere";
   }
 
-  /// The extent of the series; user-defined functions limit it to the derivatives they provide.
+  /// The extent of the series, which is limited by the derivatives that user-defined functions provide.
   std::string terms_known(int id) const {
     const sequence<char> live = live_nodes(g_, {id});
     for (int each = 0; each <= id; ++each)
@@ -144,7 +144,7 @@ private:
     return text;
   }
 
-  /// The printed form, or nothing if it would be too long; checked without printing.
+  /// The printed form, or nothing if it would be too long; the length is estimated before printing.
   std::string short_text(int id) const {
     int left = static_cast<int>(most_letters);
     if (!fits(id, left)) return {};

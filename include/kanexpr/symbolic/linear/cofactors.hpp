@@ -9,7 +9,7 @@ namespace kanexpr::symbolic {
 class cofactors {
 public:
   /// The use of the cofactors: column by column (Cramer's rule, most of them formed with the right-hand
-  /// side), all once for any number of right-hand sides, or divided by the determinant beforehand.
+  /// side), all of them once for any number of right-hand sides, or divided by the determinant beforehand.
   struct method {
     enum kind { by_columns, adjugate, inverse } way = adjugate;
     int column = 0;          ///< the column along which the determinant is expanded
@@ -75,7 +75,8 @@ private:
       for (int i = 0; i < 3 && i < n_; ++i) sum = add(g_, sum, multiply(g_, b[i], of(i, j, transposed)));
       return sum;
     }
-    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b); otherwise negative
+    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b); the opposite order changes
+    // the sign
     const int c = method_.column, third = 3 - c - j;
     for (int i = 0; i < 3; ++i) {
       const int p = (i + 1) % 3, q = (i + 2) % 3;

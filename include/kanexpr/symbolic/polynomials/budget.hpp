@@ -10,7 +10,7 @@ inline constexpr std::size_t usual_most_terms = 20'000;
 
 namespace algebra {
 
-/// The resources of a rewriting. After a failure, all further results are short and meaningless.
+/// Limits the size of a rewriting. After a failure, all further results are short and meaningless.
 class budget {
 public:
   explicit budget(std::size_t most_terms) : most_terms_(most_terms), products_left_(200 * most_terms) {}

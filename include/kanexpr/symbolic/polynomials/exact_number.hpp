@@ -14,7 +14,7 @@ namespace kanexpr::symbolic::algebra {
 using integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
-/// A fraction in lowest terms. Most are integers, for which no divisors are searched.
+/// A fraction in lowest terms. Most fractions are integers, for which no common divisor is computed.
 class rational {
 public:
   rational() = default;

@@ -19,7 +19,7 @@ struct factor {
 /// Π base^exponent with ascending bases and nonzero exponents, which may be negative.
 using monomial = std::vector<factor>;
 
-/// The limit for exponents.
+/// The largest exponent allowed in a polynomial.
 inline constexpr std::int64_t largest_exponent = std::int64_t{1} << 60;
 
 /// Calls `visit(base, exponent in a, exponent in b)` for each base in either monomial, in ascending order.

@@ -75,7 +75,7 @@ polynomial<Coefficient> operator-(const polynomial<Coefficient>& p, const polyno
   return p + -q;
 }
 
-/// Collects terms in any order, with repetitions, into a polynomial.
+/// Collects terms, in any order and with repetitions, into a polynomial.
 template <class Coefficient>
 class term_sum {
 public:

@@ -54,7 +54,7 @@ inline side denominator(const term& t) {
   return below;
 }
 
-/// Whether an operation is printed as a function name with arguments, or is a list among those.
+/// Whether an operation is printed as a function name with arguments, or is a list among the arguments.
 inline bool is_written_as_function(operation op) {
   return *function_name(op) != '\0' || op >= operation::pair;
 }

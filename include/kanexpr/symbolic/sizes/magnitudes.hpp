@@ -6,8 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// The magnitudes of the terms that values are sums of, to first order in the rounding errors (Higham 2002,
-/// section 3.3). A value far below its magnitude is a rounding residue of zero, in any units.
+/// The magnitudes of the terms that add up to each value, to first order in the rounding errors (Higham 2002,
+/// section 3.3). A value far below this magnitude is zero up to rounding, whatever its unit.
 class magnitudes {
 public:
   /// Uses the values of the last evaluation.

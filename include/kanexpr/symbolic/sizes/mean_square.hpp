@@ -4,13 +4,14 @@
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/sizes/units.hpp>
 
-/// The size of an expression without cancellation: the reference for deciding that it is zero.
+/// The size of an expression if nothing cancels: the reference for judging whether it is zero.
 namespace kanexpr::symbolic {
 
 /// The mean square of expressions over all angles, as if all sines and cosines were independent: each of them
-/// has 1/2, a sum has the sum of its terms' mean squares, a product the product of its factors'. The result
-/// has the unit of the squared expression, is invariant under rotations of axes, and does not vanish where
-/// sines and cosines vanish or terms cancel. Other functions, divisors and symbols contribute their values.
+/// contributes 1/2, a sum has the sum of the mean squares of its terms, and a product has the product of
+/// those of its factors. The result has the unit of the squared expression, is invariant under rotations of
+/// axes, and does not vanish where sines and cosines vanish or terms cancel. Other functions, divisors and
+/// symbols contribute the squares of their values.
 ///
 /// Coordinates outside of angles may vanish where an equation does; they contribute the mean square of all
 /// such coordinates with the same unit in the equations of the expressions, of which usually some are

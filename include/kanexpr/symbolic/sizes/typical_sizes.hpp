@@ -6,7 +6,7 @@
 namespace kanexpr::symbolic {
 
 /// Typical sizes of symbols when none are given: the size of the terms that they are added to, or 1 for an
-/// angle. So a coordinate with the unit of length gets the size of the lengths that appear as numbers in the
+/// angle. A coordinate that is a length thus gets the size of the lengths that appear as numbers in the
 /// model, in any units.
 class typical_sizes {
 public:
