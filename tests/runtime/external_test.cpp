@@ -138,8 +138,7 @@ TEST(external, has_limits_as_far_as_its_derivatives_go) {
   EXPECT_EQ(print(at(sin(x) * f(x, y) / x).values(0, 0)), "f(0, y)");
   const auto curved = at((f(x, y) - f(zero, y)) / (x * x) - differentiate(f(x, y), x) / x);
   ASSERT_EQ(curved.singular.size(), 1U);
-  EXPECT_EQ(curved.singular[0].condition,
-            "no limit is found with the derivatives that are given of f at x = 0");
+  EXPECT_EQ(curved.singular[0].condition, "no limit was found with the given derivatives of f at x = 0");
 }
 
 } // namespace

@@ -4,15 +4,16 @@
 
 namespace kanexpr::symbolic {
 
-/// What one evaluation does. Subtractions count as additions, a square as one multiplication; signs are free;
-/// the sine and cosine of one angle are one trigonometric call. `other` are the remaining functions.
+/// The operation counts of one evaluation. Subtractions count as additions, a square as one multiplication;
+/// signs are free; the sine and cosine of one angle count as one trigonometric call. `other` counts the
+/// remaining functions.
 struct cost {
   int multiplications = 0;
   int additions = 0;
   int divisions = 0;
   int trigonometric = 0;
   int other = 0;
-  int nodes = 0; ///< all operations, signs included; inputs and constants not
+  int nodes = 0; ///< all operations including signs, without inputs and constants
 
   constexpr bool operator==(const cost&) const = default;
 
@@ -36,11 +37,11 @@ struct cost {
     case form::solve:
     case form::transposed_solve:
     case form::component:
-    case form::singularity_measure: break; // are counted by their order
+    case form::singularity_measure: break; // counted by their order
     }
   }
 
-  /// What is done by elimination: signs and selections are free, a comparison is a subtraction.
+  /// The cost of an elimination: signs and selections are free, a comparison counts as a subtraction.
   constexpr void count_factorization(int order) {
     const int comparisons = order * (order - 1) / 2, updates = (order - 1) * order * (2 * order - 1) / 6;
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
@@ -86,7 +87,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
 
 } // namespace detail
 
-/// What the outputs cost when they are lowered: small linear systems written out, large ones by elimination.
+/// The cost of the outputs after lowering: small linear systems are expanded, large ones use elimination.
 constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
   if (!holds_solves(g, live_nodes(g, outputs))) return detail::cost_of_written_out(g, outputs);
   graph copy = g;
@@ -94,7 +95,7 @@ constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
   return detail::cost_of_written_out(copy, expanded);
 }
 
-/// One cost after another, so many times.
+/// Adds a cost a given number of times.
 constexpr cost added(cost total, const cost& c, int times = 1) {
   total.multiplications += times * c.multiplications;
   total.additions += times * c.additions;

@@ -89,7 +89,8 @@ TEST_F(cancelled, dividing_by_nothing_is_reported) {
   const rewritten same = cancel(e);
   EXPECT_FALSE(same);
   EXPECT_EQ(same.value, e);
-  EXPECT_EQ(same.cause, "the expression cannot be cancelled: it divides by what is zero everywhere");
+  EXPECT_EQ(same.cause,
+            "the expression cannot be cancelled: it divides by an expression that is zero everywhere");
 }
 
 TEST_F(cancelled, too_many_terms_are_reported) {

@@ -54,8 +54,9 @@ TEST_F(collected, by_sums_is_refused) {
     const rewritten same = collect(e, {by});
     EXPECT_FALSE(same);
     EXPECT_EQ(same.value, e);
-    EXPECT_EQ(same.cause,
-              "an expression can be collected by symbols and functions, and not by sums, products or powers");
+    EXPECT_EQ(
+        same.cause,
+        "an expression can be collected only by symbols and functions, not by sums, products or powers");
   }
 }
 

@@ -74,8 +74,9 @@ TEST_F(trigonometric_form, too_many_terms_are_reported) {
   EXPECT_EQ(same.value, e);
   EXPECT_EQ(same.cause.substr(0, 48), "the expression has no trigonometric normal form:");
   const expression zero = sin(q1) * sin(q1) + 0 * cos(q1) - (1 - cos(q1) * cos(q1));
-  EXPECT_EQ(trigonometric_normal_form(x / zero).cause,
-            "the expression has no trigonometric normal form: it divides by what is zero everywhere");
+  EXPECT_EQ(
+      trigonometric_normal_form(x / zero).cause,
+      "the expression has no trigonometric normal form: it divides by an expression that is zero everywhere");
 }
 
 TEST(scrambled_polynomial, has_the_same_node) {

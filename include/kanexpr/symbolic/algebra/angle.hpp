@@ -4,14 +4,14 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// Polynomials in nodes and in exponentials e^{iθ/720720}, where θ is a node with the number ~base. Sines and
-/// cosines of sums of θ with any fractions up to sixteenths in front are monomials of these, and a sum of
-/// different ones is never zero: a function has one such form only.
+/// Polynomials in nodes and in exponentials e^{iθ/720720}, where θ is the node with number ~base. Sines and
+/// cosines of sums of angles θ, with multiples down to sixteenths, are monomials in these, and a sum of
+/// distinct monomials is never zero: each function has a unique form.
 using trigonometric_polynomial = polynomial<gaussian>;
 
 inline constexpr std::int64_t parts_of_angle = 720'720; // the least common multiple of 1 to 16
 
-/// Without terms that hold exponentials, or one that is no real number: nothing.
+/// Returns nothing if a term contains an exponential or is not real.
 inline std::optional<real_polynomial> without_angles(const trigonometric_polynomial& p) {
   real_polynomial real;
   for (const term<gaussian>& t : p.terms) {
@@ -22,13 +22,13 @@ inline std::optional<real_polynomial> without_angles(const trigonometric_polynom
   return real;
 }
 
-/// Angles as sums of multiples of nodes, in both directions.
+/// Conversion between angles and sums of multiples of nodes.
 class angles {
 public:
   explicit angles(graph& g) : g_(g) {}
 
-  /// e^{iθ} of a sum θ. A multiple that is no such fraction, as a decimal number, belongs to an angle of its
-  /// own, and nothing is known of how that depends on others.
+  /// e^{iθ} for a sum θ. A multiple that is not such a fraction, for instance a decimal number, is treated as
+  /// an independent angle.
   monomial exponential(const real_polynomial& angle) {
     monomial all;
     for (const term<rational>& t : angle.terms) {
@@ -47,14 +47,14 @@ public:
   }
   monomial of_its_own(int node, int sign) { return {{~node, sign * parts_of_angle}}; }
 
-  /// What an angle is a product of; nothing for one of its own.
+  /// The factors of an angle; null for an independent angle.
   const monomial* factors_of(int node) const {
     const auto known = factors_.find(node);
     return known == factors_.end() ? nullptr : &known->second;
   }
 
-  /// The same in sines and cosines of sums, as symbols. What is read is real: to each exponential belongs the
-  /// conjugate one.
+  /// The polynomial in terms of sines and cosines of sums, as symbols. The input must be real: every
+  /// exponential has its conjugate.
   real_polynomial in_sines(const trigonometric_polynomial& p) {
     term_sum<rational> sum;
     for (const term<gaussian>& t : p.terms) {
@@ -71,7 +71,7 @@ public:
 
 private:
   struct functions {
-    real_polynomial sine, cosine; ///< terms of one factor, or numbers
+    real_polynomial sine, cosine; ///< terms with one factor, or numbers
   };
 
   static void add(term_sum<rational>& sum, const monomial& others, const rational& c,

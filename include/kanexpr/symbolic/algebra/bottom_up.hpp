@@ -7,12 +7,12 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// Whether a node is taken as a whole: what it is made of is a list, and no value.
+/// Whether a node is treated as a whole: its operands are lists, not values.
 constexpr bool is_atomic(operation op) { return is_leaf(op) || op >= operation::pair; }
 
-/// Gives a value to every node under some outputs, once, and forgets it after its last use: shared parts are
-/// never repeated. `value_of(id, a, b)` has the values of the operands; `size_of` says how many terms one
-/// has. Returns nothing where the budget does not suffice.
+/// Computes a value for every node below some outputs exactly once, and discards it after its last use.
+/// `value_of(id, a, b)` receives the values of the operands; `size_of` returns the number of terms of a
+/// value. Returns nothing if the budget is exceeded.
 template <class Value, class ValueOf, class SizeOf>
 std::vector<Value> bottom_up(const graph& g, const sequence<int>& outputs, budget& left, SizeOf size_of,
                              ValueOf value_of) {
@@ -35,7 +35,7 @@ std::vector<Value> bottom_up(const graph& g, const sequence<int>& outputs, budge
   };
   for (int id = 0; id < end; ++id) {
     if (at(uses, id) == 0) continue;
-    const node n = g[id]; // the graph may grow
+    const node n = g[id]; // a copy, since the graph may grow
     const bool has_operands = !is_atomic(n.op);
     const int second = has_operands && is_binary(n.op) ? n.b : graph::zero;
     at(values, id) = value_of(id, has_operands ? at(values, n.a) : Value(), at(values, second));
@@ -49,7 +49,7 @@ std::vector<Value> bottom_up(const graph& g, const sequence<int>& outputs, budge
   return found;
 }
 
-/// The outputs with small linear systems written out, where there are any.
+/// The outputs with small linear systems, if any, expanded.
 inline sequence<int> without_small_solves(graph& g, const sequence<int>& outputs) {
   return holds_solves(g, live_nodes(g, outputs)) ? expand_solves(g, outputs) : outputs;
 }

@@ -10,7 +10,7 @@ namespace kanexpr::symbolic {
 
 namespace algebra {
 
-/// Reads expressions as fractions in lowest terms, all functions taken as symbols.
+/// Reads expressions as fractions in lowest terms; functions are treated as symbols.
 class cancelling_reader : public fraction_reader<rational, cancelling_reader> {
 public:
   cancelling_reader(graph& g, budget& left) : fraction_reader(g, left), left_(left) {}
@@ -52,7 +52,7 @@ private:
     return {lowest.above, coprime(std::move(lowest.below))};
   }
 
-  /// The same product, of factors without common divisors.
+  /// The same product with pairwise coprime factors.
   powers coprime(powers all) {
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < i && !left_.failed(); ++j) {

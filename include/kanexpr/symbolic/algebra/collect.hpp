@@ -16,8 +16,8 @@ KANEXPR_ENGINE rewritten collect(expression e, const sequence<expression>& by, s
   for (std::size_t i = 1; i < sums.size(); ++i) {
     const bool is_power = sums[i].size() == 1 && sums[i].terms[0].factors.size() == 1;
     if (!is_power || sums[i].terms[0].factors[0].exponent != 1)
-      return {e,
-              "an expression can be collected by symbols and functions, and not by sums, products or powers"};
+      return {
+          e, "an expression can be collected only by symbols and functions, not by sums, products or powers"};
     bases.push_back(sums[i].terms[0].factors[0].base);
   }
   const auto is_collected = [&bases](int base) { return std::ranges::find(bases, base) != bases.end(); };

@@ -10,8 +10,8 @@ namespace kanexpr::symbolic {
 
 namespace algebra {
 
-/// Whether the values of two expressions are far apart at every one of a few random states at which both are
-/// defined: what rounding does is far less.
+/// Whether two expressions differ clearly, by much more than rounding errors, at each of several random
+/// states where both are defined.
 inline bool are_seen_apart(const graph& g, const sequence<int>& both) {
   constexpr int wanted = 3, tries = 40;
   constexpr double apart = 1e-4;

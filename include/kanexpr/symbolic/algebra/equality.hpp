@@ -7,22 +7,23 @@
 namespace kanexpr::symbolic {
 
 enum class equality {
-  equal,     ///< wherever both are defined: this is proved
-  different, ///< somewhere: proved, or seen clearly in numbers
+  equal,     ///< wherever both are defined; proved
+  different, ///< at some state; proved or clearly visible numerically
   undecided,
 };
 
-/// Whether two expressions have the same value everywhere. Polynomials in symbols and in sines, cosines and
-/// tangents of sums of angles, and quotients of these, are always decided, if there are not too many terms.
+/// Determines whether two expressions have the same value everywhere. Polynomials in symbols and in sines,
+/// cosines and tangents of sums of angles, and quotients of these, are always decided unless they have too
+/// many terms.
 ///
-/// Other functions are taken as symbols, but for squares of square roots: what is equal then is equal. Where
-/// their relations might matter, and where there are too many terms, numbers decide whether it is different;
-/// if they do not, as for abs(x) and x, it is undecided. Decimal numbers are what their bits say: 0.1 is not
-/// 1/10.
+/// Other functions are treated as symbols, except that squares of square roots are simplified: expressions
+/// found equal are equal. If relations between these functions might matter, or there are too many terms, a
+/// numerical test can show that the expressions differ; otherwise, as for abs(x) and x, the result is
+/// undecided. Decimal numbers have their exact binary value: 0.1 is not 1/10.
 KANEXPR_ENGINE equality compare(expression a, expression b, std::size_t most_terms = usual_most_terms);
 
-/// Whether two expressions are proved to have the same value everywhere; `compare` tells what is different
-/// from what is not known.
+/// Whether two expressions are proved to have the same value everywhere; `compare` distinguishes different
+/// from undecided.
 KANEXPR_ENGINE bool are_equal(expression a, expression b, std::size_t most_terms = usual_most_terms);
 
 } // namespace kanexpr::symbolic

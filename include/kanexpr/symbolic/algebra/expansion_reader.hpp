@@ -7,13 +7,13 @@ namespace kanexpr::symbolic {
 
 namespace algebra {
 
-/// Reads expressions as sums of products of powers, functions taken as symbols and a sum under a bar as one
-/// factor.
+/// Reads expressions as sums of products of powers. Functions are treated as symbols, and a sum in a
+/// denominator as one factor.
 class expansion_reader {
 public:
   expansion_reader(graph& g, budget& left) : g_(g), left_(left) {}
 
-  /// Empty where the budget does not suffice.
+  /// Returns nothing if the budget is exceeded.
   std::vector<real_polynomial> read(const sequence<int>& outputs) {
     const auto size_of = [](const real_polynomial& p) { return p.size(); };
     return bottom_up<real_polynomial>(
@@ -57,7 +57,8 @@ private:
     return {over({}, times(shared, {{base, 1}})), rational(1) / c};
   }
 
-  /// Squares of roots are what stands under them, and sums under a bar come back when divided by.
+  /// Replaces squares of roots by their radicands, and denominator sums that move to a numerator by their
+  /// terms.
   real_polynomial multiplied(const real_polynomial& p) {
     const int base = meanings_.empty() ? none : outer_base(p);
     if (base == none) return p;
@@ -93,7 +94,7 @@ private:
 
   graph& g_;
   budget& left_;
-  std::map<int, real_polynomial> meanings_{}; ///< of what stands under a root, and of sums under a bar
+  std::map<int, real_polynomial> meanings_{}; ///< radicands and sums in denominators
 };
 
 } // namespace algebra

@@ -6,10 +6,10 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// Reads expressions as fractions of polynomials. A form provides `written(fraction)`, the expression, with
-/// which arguments of functions are built, `argument(fraction)`, the same without its sign, and
-/// `function(op, a, b, fraction)`, which may give the functions that it knows a value by their arguments; the
-/// others are taken as symbols.
+/// Reads expressions as fractions of polynomials. A form provides `written(fraction)`, an expression;
+/// `argument(fraction)`, a function argument with its sign split off; `function(op, fraction)`, which returns
+/// a numerator and a denominator for functions that it can express; and `meets_opaque(node)`, which is called
+/// for every function treated as a symbol.
 template <class Coefficient, class Form>
 class fraction_reader {
 public:
@@ -17,7 +17,7 @@ public:
 
   fraction_reader(graph& g, budget& left) : g_(g), left_(left), arithmetic_(left) {}
 
-  /// Empty where the budget does not suffice.
+  /// Returns nothing if the budget is exceeded.
   std::vector<fraction> read(const sequence<int>& outputs) {
     const auto size_of = [](const fraction& f) { return f.above.size(); };
     return bottom_up<fraction>(
@@ -56,7 +56,7 @@ private:
 
   fraction divided(const fraction& a, const fraction& b) {
     if (b.above.is_zero()) {
-      left_.fail("it divides by what is zero everywhere");
+      left_.fail("it divides by an expression that is zero everywhere");
       return {};
     }
     return arithmetic_.quotient(a, b);

@@ -4,13 +4,13 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// A polynomial over powers of others, as it is to be written.
+/// A polynomial divided by powers of other polynomials, ready to be written as an expression.
 struct real_fraction {
   real_polynomial above;
   std::vector<std::pair<real_polynomial, std::int64_t>> below;
 };
 
-/// A number and a monomial times what is left of a polynomial without them.
+/// A polynomial split into a numerical and monomial factor and the remaining polynomial.
 struct factored {
   term<rational> outside{{}, 1};
   real_polynomial inside;
@@ -22,7 +22,7 @@ inline factored factored_out(const real_polynomial& p) {
   return {{m, c}, scaled(p, rational(1) / c, over({}, m))};
 }
 
-/// What all terms share stands in front; the signs of the sums do not depend on the numbers of nodes.
+/// Writes common factors in front; the signs of the sums do not depend on node numbers.
 inline expression quotient_in(graph& g, const real_fraction& f) {
   if (f.above.is_zero()) return {g, graph::zero};
   auto [front, above] = factored_out(f.above);

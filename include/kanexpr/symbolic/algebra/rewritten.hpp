@@ -6,8 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// An expression in another form. Where that could not be reached it is the old one, and `cause` says why: it
-/// has the same value in any case, and may be used as an expression.
+/// An expression in a new form. If the rewriting failed, it is the original expression and `cause` gives the
+/// reason. The value is the same in either case, and the result converts to an expression.
 struct rewritten {
   expression value;
   std::string cause;

@@ -3,13 +3,14 @@
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
 #include <kanexpr/symbolic/print/term.hpp>
 
-/// Polynomials in nodes of a graph, and back to expressions. The order in which these are built follows from
-/// the numbers of the nodes, so equal polynomials become the same node.
+/// Conversion between expressions and polynomials in nodes of a graph. The order of construction follows from
+/// node numbers, so equal polynomials become the same node.
 namespace kanexpr::symbolic::algebra {
 
 using real_polynomial = polynomial<rational>;
 
-/// A node as a polynomial: itself to the first power, or what it is without its sign.
+/// A node as a polynomial: the node itself to the first power, or the negative of its operand if it is a
+/// negation.
 template <class Coefficient>
 polynomial<Coefficient> atom(expression e) {
   const graph& g = e.owner();
@@ -22,7 +23,7 @@ polynomial<Coefficient> atom(expression e) {
   return {{{e.node(), 1}}, Coefficient(1)};
 }
 
-/// Π base^exponent over those with exponents of one sign, which is 1 or -1.
+/// Π base^exponent over the factors whose exponents have the given sign (1 or -1).
 inline expression side_of(graph& g, const monomial& m, int sign) {
   expression side(g, graph::one);
   for (const factor& f : m)
@@ -54,8 +55,7 @@ inline std::map<int, std::size_t> written_order(graph& g, const real_polynomial&
   return order;
 }
 
-/// Whether the term that stands first by the names in it is negative: a sign that does not depend on the
-/// numbers of nodes.
+/// Whether the first term, in an order by names, is negative; this sign does not depend on node numbers.
 inline bool leads_with_minus(graph& g, const real_polynomial& p) {
   if (p.size() <= 1) return !p.is_zero() && p.terms.front().coefficient.is_negative();
   const std::map<int, std::size_t> order = written_order(g, p);
@@ -79,7 +79,7 @@ inline bool is_all_negative(const real_polynomial& p) {
   return std::ranges::all_of(p.terms, [](const term<rational>& t) { return t.coefficient.is_negative(); });
 }
 
-/// An argument without its sign.
+/// A function argument split into magnitude and sign.
 struct unsigned_argument {
   expression magnitude;
   bool negative = false;
@@ -87,7 +87,7 @@ struct unsigned_argument {
   expression value() const { return negative ? -magnitude : magnitude; }
 };
 
-/// A function of two arguments or one, with its sign in front.
+/// A function of one or two arguments, with its sign in front.
 template <class Coefficient>
 polynomial<Coefficient> function_of(operation op, const unsigned_argument& x, const unsigned_argument& y) {
   graph& g = x.magnitude.owner();

@@ -12,7 +12,7 @@ namespace kanexpr::symbolic {
 namespace algebra {
 
 /// Reads expressions as fractions of trigonometric polynomials; functions other than sine, cosine and tangent
-/// are taken as symbols.
+/// are treated as symbols.
 class trigonometric_reader : public fraction_reader<gaussian, trigonometric_reader> {
 public:
   trigonometric_reader(graph& g, budget& left) : fraction_reader(g, left), angles_(g) {}
@@ -30,7 +30,7 @@ public:
     return {written(negative ? arithmetic().negative(f) : f), negative};
   }
 
-  /// What stands over and under the bar.
+  /// The numerator and denominator of a trigonometric function.
   std::optional<std::pair<trigonometric_polynomial, trigonometric_polynomial>> function(operation op,
                                                                                         const fraction& x) {
     const trigonometric_polynomial one(1);
@@ -47,8 +47,8 @@ public:
 
   void meets_opaque(int node) { opaque_.insert(node); }
 
-  /// Whether something may be zero without being so in its form: it holds functions of which nothing is
-  /// known.
+  /// Whether a polynomial contains functions treated as symbols, so that it may be zero although its form is
+  /// not.
   bool holds_unknown(const trigonometric_polynomial& p) const {
     return std::ranges::any_of(p.terms, [this](const term<gaussian>& t) { return holds_unknown(t.factors); });
   }

@@ -7,10 +7,11 @@
 
 namespace kanexpr::symbolic {
 
-/// Reverse accumulation: the gradient of Σ seed·output by every symbol, in one pass over the graph.
+/// Reverse accumulation: the gradient of Σ seed·output with respect to every symbol, in one pass over the
+/// graph.
 ///
-/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Give some of the outputs a weight with
-/// `seed`, then `run` once, then ask for the gradient by any symbol; `restart` for other weights.
+/// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Assign weights to outputs with `seed`,
+/// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other weights.
 class accumulation {
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
@@ -36,7 +37,7 @@ public:
       const node n = graph_[id];
       if (adjoints_[id] == graph::zero || is_leaf(n.op)) continue;
       if (n.op == operation::component) {
-        adjoints_[n.a] = graph::one; // all of a solution at once, when its turn comes
+        adjoints_[n.a] = graph::one; // the whole solution is handled when its turn comes
         continue;
       }
       if (n.op == operation::solve || n.op == operation::transposed_solve) {
@@ -54,7 +55,7 @@ public:
         back_through_selection(n, adjoint);
         continue;
       }
-      if (n.op == operation::multiply && n.a == n.b) { // the 2 meets the ½ of an energy
+      if (n.op == operation::multiply && n.a == n.b) { // the 2 cancels the ½ of an energy
         collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
         continue;
       }
@@ -72,7 +73,7 @@ private:
     adjoint = add(graph_, adjoint, part);
   }
 
-  /// The angle takes one product, and what is turned one each.
+  /// Costs one product for the angle and one for each rotated value.
   constexpr bool back_through_turn(const node& n, int adjoint) {
     const turned_component x = turned_component_at(graph_, n);
     if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;
@@ -91,8 +92,9 @@ private:
         collect(operands[i], multiply(graph_, adjoint, call(graph_, f.slope(i), n.a)));
   }
 
-  /// What is left out must not matter: zero times a slope that is infinite there would. So where a slope may
-  /// be, what is selected is the derivative by each symbol.
+  /// The branch that is not selected must not affect the result, but zero times an infinite derivative is
+  /// NaN. If a derivative may be infinite, the selection is therefore applied to the derivative with respect
+  /// to each symbol.
   constexpr void back_through_selection(const node& n, int adjoint) {
     const sequence<char> live = live_nodes(graph_, {n.b});
     bool stays_finite = true;
@@ -109,7 +111,7 @@ private:
     }
   }
 
-  /// Wherever the operands of an operation are finite.
+  /// Whether the derivatives are finite wherever the operands are finite.
   constexpr bool has_finite_slopes(const node& n) const {
     switch (form_of(n.op)) {
     case form::divide: return graph_.is_constant(n.b);
@@ -142,7 +144,7 @@ private:
     collect(id, is_negative ? negate(graph_, part) : part);
   }
 
-  /// The adjoint of b is λ in Aᵀ λ = x̄, and that of A is -λ xᵀ.
+  /// The adjoint of b is the solution λ of Aᵀ λ = x̄, and that of A is -λ xᵀ.
   constexpr void back_through(int id, const node& n) {
     const expression factors{graph_, n.a};
     const bool is_transposed = n.op == operation::transposed_solve;
@@ -166,8 +168,8 @@ private:
 
   graph& graph_;
   sequence<int> adjoints_;
-  sequence<int> uses_;  ///< among the nodes that the outputs depend on
-  sequence<int> order_; ///< of the nodes that the outputs depend on
+  sequence<int> uses_;  ///< number of uses by live nodes
+  sequence<int> order_; ///< live nodes, users first
 };
 
 } // namespace kanexpr::symbolic

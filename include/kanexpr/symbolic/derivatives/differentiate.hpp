@@ -6,7 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// The partial derivatives of an operation by its operands, as nodes made of those and of its own value.
+/// The partial derivatives of an operation with respect to its operands, as nodes in terms of the operands
+/// and the result.
 struct partials {
   int by_a;
   int by_b;
@@ -31,10 +32,10 @@ constexpr partials local_partials(graph& g, int id) {
     return {(b / square).node(), (-(a / square)).node()};
   }
   case form::selection: return {zero, selected(g, n.op, n.a, one)};
-  case form::constant: // have no operands
+  case form::constant: // no operands
   case form::symbol:
-  case form::singularity_measure: // is never differentiated
-  case form::pair:                // have derivatives of their own, below
+  case form::singularity_measure: // never differentiated
+  case form::pair:                // differentiated below
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
@@ -44,9 +45,9 @@ constexpr partials local_partials(graph& g, int id) {
   return {zero, zero};
 }
 
-/// Directional derivatives: every symbol has a rate, and an expression's rate follows by the chain rule.
+/// Directional derivatives: every symbol has a rate, and the rate of an expression follows by the chain rule.
 ///
-/// Results are remembered, so that many expressions share their common parts.
+/// Results are cached, so that expressions share their common parts.
 class differentiation {
 public:
   constexpr differentiation() = default;
@@ -56,12 +57,12 @@ public:
   differentiation& operator=(differentiation&&) = default;
   constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
-  /// The rate of a symbol's node; zero where none is set. To be set before the first `of`.
+  /// Sets the rate of a symbol, zero by default. Must be called before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
 
   constexpr expression of(expression e) { return {*graph_, of(e.node())}; }
 
-  /// Forgets all rates, to begin with others.
+  /// Clears all rates so that others can be set.
   constexpr void restart() {
     for (int id : known_) rates_[id] = unknown;
     known_.clear();
@@ -124,7 +125,7 @@ private:
     return rate;
   }
 
-  /// A ẋ = ḃ - Ȧ x, with the factors that A has already.
+  /// Solves A ẋ = ḃ - Ȧ x, reusing the factorization of A.
   constexpr int of_solution(int id) {
     if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
     const node n = (*graph_)[id];
@@ -146,10 +147,10 @@ private:
 
   graph* graph_ = nullptr;
   sequence<int> rates_{}; ///< by node
-  sequence<int> known_{}; ///< the nodes that have one
+  sequence<int> known_{}; ///< nodes with a rate
 };
 
-/// The partial derivative of an expression by a symbol.
+/// The partial derivative of an expression with respect to a symbol.
 constexpr expression differentiate(expression e, expression symbol) {
   differentiation d(e.owner());
   d.set_rate(symbol, expression{e.owner(), graph::one});

@@ -6,18 +6,18 @@
 
 namespace kanexpr::symbolic {
 
-/// A number and its derivative in time.
+/// A number and its time derivative.
 struct rated {
   double value = 0;
   double rate = 0;
 };
 
-/// One operation on numbers that change. What `value_of` does not define is left to those who look at the
-/// result: it is not a number then.
+/// Applies an operation to numbers that change with time. Undefined results are NaN; the caller must check
+/// for them.
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   if (!is_selection(op) && !elementary::detail::is_finite(value))
-    return {value, elementary::detail::not_a_number}; // a constant expression must not compute with it
+    return {value, elementary::detail::not_a_number}; // constant expressions cannot compute with it
   const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
   switch (form_of(op)) {
   case form::negate: return along(-1);
@@ -45,12 +45,12 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: break; // no operations on two numbers
+  case form::call: break; // not operations on two numbers
   }
   return {value, elementary::detail::not_a_number};
 }
 
-/// Evaluates some outputs and their derivatives in time, without making expressions of these.
+/// Evaluates outputs and their time derivatives without building expressions for the derivatives.
 class rate_evaluation {
 public:
   constexpr rate_evaluation(const graph& g, const sequence<int>& outputs) : g_(g), at_(g.size()) {
@@ -59,7 +59,7 @@ public:
       if (live[id] != 0) live_.push(id);
   }
 
-  /// `of_symbol(id)` gives the value and the rate of a symbol by its node.
+  /// `of_symbol(id)` returns the value and rate of the symbol at node `id`.
   template <class OfSymbol>
   constexpr void at(OfSymbol of_symbol) {
     for (int id : live_) {
@@ -83,7 +83,7 @@ private:
 
   // A constant expression must not divide by zero.
   static constexpr rated defined(operation op, rated a, rated b) {
-    if (is_selection(op)) return rated_value_of(op, a, b); // what it leaves out may be undefined
+    if (is_selection(op)) return rated_value_of(op, a, b); // the other branch may be undefined
     if (!is_finite(a) || !is_finite(b)) return undefined;
     if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
     if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))
@@ -108,7 +108,7 @@ private:
   }
 
   const graph& g_;
-  sequence<int> live_{}; ///< in the order of their numbers
+  sequence<int> live_{}; ///< in ascending order
   sequence<rated> at_;
 };
 

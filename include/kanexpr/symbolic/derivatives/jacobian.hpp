@@ -5,8 +5,8 @@
 
 namespace kanexpr::symbolic {
 
-/// The derivatives of expressions, a row for each, by symbols: column by column along the symbols, or row by
-/// row by reverse accumulation where there are fewer rows.
+/// The derivatives of expressions (rows) with respect to symbols (columns): column by column by forward
+/// differentiation, or row by row by reverse accumulation if there are fewer rows.
 constexpr matrix jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
   matrix all(g, of.size(), by.size());
   if (all.entries.empty()) return all;

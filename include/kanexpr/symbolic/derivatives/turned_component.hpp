@@ -4,14 +4,14 @@
 
 namespace kanexpr::symbolic {
 
-/// A component of a vector that is turned about an axis, as c a − s b or s a + c b with the cosine and the
-/// sine of an angle. Its derivative by the angle is the other component, but for the sign, which mostly is
-/// there already. By the chain rule through the sine and the cosine it would take products with both.
+/// A component of a vector rotated about an axis: c a − s b or s a + c b, with c and s the cosine and sine of
+/// an angle. Its derivative with respect to the angle is the other component up to sign, and usually exists
+/// already. The chain rule through sine and cosine would need products with both.
 struct turned_component {
-  int angle = -1; ///< none: it is something else
-  /// The products: of a sine or a cosine with a value.
+  int angle = -1; ///< -1: not a rotated component
+  /// The products of a sine or cosine with a value.
   int circular[2]{}, value[2]{};
-  bool adds = false; ///< the second to the first
+  bool adds = false; ///< whether the second is added to the first
 
   constexpr explicit operator bool() const { return angle >= 0; }
 };
@@ -36,7 +36,7 @@ constexpr turned_component turned_component_at(const graph& g, const node& n) {
   return found;
 }
 
-/// Its derivative by the angle, as a node that may have the other sign.
+/// The derivative with respect to the angle, as a node that may have the opposite sign.
 struct turned_slope {
   int value;
   bool is_negative;

@@ -5,7 +5,7 @@
 
 namespace kanexpr::symbolic {
 
-/// Any operation on nodes that exist, simplified.
+/// Applies an operation to existing nodes and simplifies the result.
 constexpr int build(graph& g, operation op, int a, int b) {
   switch (form_of(op)) {
   case form::negate: return negate(g, a);
@@ -25,7 +25,7 @@ constexpr int build(graph& g, operation op, int a, int b) {
   case form::singularity_measure: return singularity_measure(g, a, b);
   case form::function: return apply(g, op, a);
   case form::constant:
-  case form::symbol: break; // have no operands
+  case form::symbol: break; // no operands
   }
   return graph::zero;
 }

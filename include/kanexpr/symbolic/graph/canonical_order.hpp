@@ -5,13 +5,13 @@
 #include <bit>
 #include <cstdint>
 
-/// An order of nodes that follows from what they are. Their numbers depend on what was formed before, and
-/// where users form expressions, on the order in which a compiler evaluates operands.
+/// A node order that depends only on the expressions. Node numbers depend on what was built before and, where
+/// users write expressions, on the order in which a compiler evaluates operands.
 namespace kanexpr::symbolic {
 
 namespace detail {
 
-/// Numbers that tell expressions apart whatever their nodes are called.
+/// Hashes that distinguish expressions independently of their node numbers.
 class marks {
 public:
   constexpr explicit marks(const graph& g) : mark_(g.size(), 0) {
@@ -57,10 +57,10 @@ private:
 
 } // namespace detail
 
-/// The nodes that some outputs depend on, each before its operands.
+/// Returns the nodes that the outputs depend on, each before its operands.
 constexpr sequence<int> users_first(const graph& g, const sequence<int>& outputs) {
   const detail::marks mark(g);
-  sequence<char> met(g.size(), 0); // 1: its operands come first, 2: it is listed
+  sequence<char> met(g.size(), 0); // 1: operands are listed first; 2: listed
   sequence<int> open, operands_first;
   for (int i = outputs.size() - 1; i >= 0; --i) open.push(outputs[i]);
   while (!open.empty()) {

@@ -5,7 +5,7 @@
 
 namespace kanexpr::symbolic {
 
-/// Of as many operands as it takes.
+/// Applies a composition to its operands.
 constexpr expression compose(composition f, const sequence<expression>& x) {
   switch (f) {
   case composition::hypot: return hypot(x[0], x[1]);

@@ -2,7 +2,7 @@
 
 namespace kanexpr::symbolic {
 
-/// A function that models have a word for and the graph writes with others (compose.hpp).
+/// A function that has a name in models and is written in terms of others in the graph (compose.hpp).
 enum class composition : unsigned char {
   hypot,
   if_positive,
@@ -18,14 +18,14 @@ enum class composition : unsigned char {
 
 inline constexpr int any_number = -1;
 
-/// What models call it, and of how many scalars it is.
+/// The name of a composition in models and its number of operands.
 struct composition_word {
   composition is;
   const char* name;
   int operands;
 };
 
-/// In their order, as a test makes sure.
+/// In the order of the enumeration; a test checks this.
 inline constexpr composition_word compositions[] = {
     {composition::hypot, "hypot", 2},
     {composition::if_positive, "if_positive", 3},

@@ -5,7 +5,8 @@
 
 namespace kanexpr::symbolic {
 
-/// Nodes of one graph, and what their expressions need, in another. They are numbered by what they are.
+/// Copies nodes, with the expressions they need, to another graph. The new numbers follow the canonical
+/// order.
 inline sequence<int> copied(const graph& from, const sequence<int>& wanted, graph& to) {
   for (const external_function* f : from.externals()) to.externals().push(f);
   sequence<int> place(from.size(), graph::zero);

@@ -10,7 +10,7 @@
 
 namespace kanexpr::symbolic {
 
-/// One operation on numbers in a constant expression, where the C library cannot go.
+/// Evaluates one operation in a constant expression, where the C library is not available.
 constexpr double value_of(operation op, double a, double b) {
   switch (form_of(op)) {
   case form::negate: return -a;
@@ -30,13 +30,13 @@ constexpr double value_of(operation op, double a, double b) {
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: break; // no operations on two numbers
+  case form::call: break; // not operations on two numbers
   }
   return elementary::detail::not_a_number;
 }
 
-/// The same where operands may be undefined, which a constant expression must not calculate with, or 0 a
-/// divisor. Then the result is not-a-number, but of a selection that leaves it out.
+/// Like `value_of`, but accepts undefined operands and a zero divisor, which constant expressions reject. The
+/// result is then NaN, except where a selection does not select the operand.
 constexpr double defined_value_of(operation op, double a, double b) {
   if (is_selection(op)) return selected(op, a, b);
   if (!numeric::is_number(a) || !numeric::is_number(b) || (op == operation::divide && numeric::equal(b, 0.0)))
@@ -44,10 +44,9 @@ constexpr double defined_value_of(operation op, double a, double b) {
   return value_of(op, a, b);
 }
 
-/// Evaluates what some outputs need, at values that are given to the symbols, as often as is asked. What is
-/// not defined there (0/0, the solution of a singular system) is not-a-number, and so is all that depends on
-/// it. What calls a function of the program has a value that is not the function's, but goes with its
-/// derivatives.
+/// Evaluates the nodes that the outputs need, for any number of sets of symbol values. Undefined values (0/0,
+/// the solution of a singular system) are NaN and propagate. Calls of user-defined functions get generic
+/// values, which are consistent with their derivatives.
 class evaluation {
 public:
   constexpr evaluation(const graph& g, const sequence<int>& outputs)
@@ -55,11 +54,11 @@ public:
     if (g.holds_lists()) place_.resize(value_.size(), 0);
   }
 
-  /// `value_of_symbol(id)` gives the value of a symbol by its node.
+  /// `value_of_symbol(id)` returns the value of the symbol at node `id`.
   template <class ValueOfSymbol>
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
-    const node* const nodes = g_.begin(); // the compiler interprets calls of []
+    const node* const nodes = g_.begin(); // a pointer, since compilers interpret every call of []
     double* const value = value_.begin();
     for (int id : live_) {
       const node& n = nodes[id];
@@ -75,13 +74,13 @@ public:
   }
 
   constexpr double operator[](int id) const { return value_[id]; }
-  /// The nodes that have a value, in the order of their numbers.
+  /// The evaluated nodes, in ascending order.
   constexpr const sequence<int>& live() const { return live_; }
 
 private:
   static constexpr double undefined = elementary::detail::not_a_number;
 
-  /// Appends the values of a list, and says whether all are defined.
+  /// Appends the values of a list and returns whether all are defined.
   constexpr bool gather(int list) {
     bool all = true;
     for (; g_[list].op == operation::pair; list = g_[list].b) {
@@ -140,10 +139,10 @@ private:
   sequence<int> live_;
   sequence<double> value_;
   sequence<double> more_{}; ///< factors and solutions
-  sequence<int> place_{};   ///< of them, by node
+  sequence<int> place_{};   ///< start in `more_`, by node
 };
 
-/// The values of some outputs; `value_of_symbol(id)` gives that of a symbol by its node.
+/// The values of the outputs; `value_of_symbol(id)` returns the value of the symbol at node `id`.
 template <class ValueOfSymbol>
 constexpr sequence<double> values_at(const graph& g, const sequence<int>& outputs,
                                      ValueOfSymbol value_of_symbol) {

@@ -13,15 +13,16 @@ template <class Number>
 concept wider_than_int = std::floating_point<Number> || std::same_as<Number, unsigned> ||
                          (std::integral<Number> && sizeof(Number) > sizeof(int));
 
-/// A scalar expression: a node and the graph that it lives in, with the operators of ordinary algebra. What
-/// is made of two graphs while a program runs is of none, and so is what is made of that.
+/// A scalar expression: a node and its graph, with the operators of ordinary algebra. At run time, an
+/// operation on expressions from two graphs yields an expression without a graph, as does any operation on
+/// the result.
 class expression {
 public:
   constexpr expression() = default;
   constexpr expression(graph& owner, int node) : graph_(&owner), node_(node) {}
 
   constexpr int node() const { return node_; }
-  /// Whether it is of a graph at all.
+  /// Whether the expression belongs to a graph.
   constexpr bool is_given() const { return graph_ != nullptr; }
   constexpr graph& owner() const { return *graph_; }
   constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
@@ -30,7 +31,7 @@ public:
   constexpr bool is_constant() const {
     return (__builtin_is_constant_evaluated() || is_given()) && graph_->is_constant(node_);
   }
-  /// The same node; equal expressions are the same node wherever local rules make them so.
+  /// Equality of nodes; local rules reduce most equal expressions to the same node.
   constexpr bool operator==(const expression& other) const { return node_ == other.node_; }
 
   constexpr expression number(const symbolic::number& value) const {
@@ -58,7 +59,7 @@ public:
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
   }
-  // to C++ 1/2 is the whole number 0
+  // in C++, 1/2 is the integer 0
   friend constexpr expression operator+(expression a, int b) { return a + a.whole(b); }
   friend constexpr expression operator-(expression a, int b) { return a - a.whole(b); }
   friend constexpr expression operator+(int a, expression b) { return b.whole(a) + b; }
@@ -67,7 +68,7 @@ public:
   friend constexpr expression operator-(int a, expression b) { return b.whole(a) - b; }
   friend constexpr expression operator/(expression a, int b) { return a / a.whole(b); }
   friend constexpr expression operator/(int a, expression b) { return b.whole(a) / b; }
-  // as these, too, would become an int
+  // otherwise converted to int
   template <wider_than_int Number>
   friend constexpr expression operator+(expression a, Number b) {
     return a + a.given(b);
@@ -100,7 +101,7 @@ public:
   friend constexpr expression operator/(Number a, expression b) {
     return b.given(a) / b;
   }
-  // '2' would become the int 50
+  // '2' would convert to the int 50
   template <numeric::letter Letter>
   friend expression operator+(expression, Letter) = delete;
   template <numeric::letter Letter>
@@ -139,14 +140,14 @@ private:
       return number(real(static_cast<double>(value)));
   }
 
-  // without initializers, which the compiler would run for each that there is room for; {} is zero of no
-  // graph
+  // No default initializers: the compiler would run them for every element of an array. {} is the zero
+  // without a graph.
   graph* graph_;
   int node_;
 };
 
-/// a b + c d. The operands of `+` have no order among themselves, and nodes are numbered as they are made; so
-/// where several of them make nodes, each gets a name first, here and wherever expressions are formed.
+/// a b + c d. C++ does not fix the evaluation order of the operands of `+`, and nodes are numbered as they
+/// are created; so here, and wherever several operands create nodes, each is named first.
 constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
   const expression first = a * b, second = c * d;
   return first + second;
@@ -165,7 +166,7 @@ constexpr expression atan2(expression y, expression x) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(y, x)) return {};
   return {y.owner(), atan2(y.owner(), y.node(), x.node())};
 }
-/// x where the condition is positive, or where it is not, else zero.
+/// x if the condition is positive (or not positive), otherwise zero.
 constexpr expression selected(operation op, expression condition, expression x) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(condition, x)) return {};
   return {x.owner(), selected(x.owner(), op, condition.node(), x.node())};
@@ -175,7 +176,7 @@ constexpr expression power(expression base, expression exponent) {
   return {base.owner(), power(base.owner(), base.node(), exponent.node())};
 }
 
-/// A function of the program; of one operand at least, all of one graph.
+/// A call of a user-defined function; it requires at least one operand, and all operands must share a graph.
 constexpr expression call(const external_function& f, const sequence<expression>& operands) {
   sequence<int> nodes;
   for (const expression& each : operands) {

@@ -3,35 +3,34 @@
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 
-/// Functions that a program brings to its models.
+/// User-defined functions in models.
 namespace kanexpr::symbolic {
 
-/// How often a function of a program may be differentiated, and of how many operands it may be.
+/// The highest order of derivatives of a user-defined function, and its maximum number of operands.
 inline constexpr int most_derivatives = 4, most_operands = 9;
 
-/// What expressions know of a function of a program: what it is called, and its derivatives by its operands,
-/// each of which is such a function too. They are told apart by their addresses.
+/// A user-defined function as expressions see it: its name and its partial derivatives, each of which is such
+/// a function too. Functions are identified by their addresses.
 struct external_function {
-  name called{};    ///< `tyre`, and `tyre_1_2` of its derivative by the first operand and the second
+  name called{};    ///< `tyre`; `tyre_1_2` for its derivative with respect to operands 1 and 2
   name original{};  ///< `tyre`
-  int operands = 0; ///< how many
-  int order = 0;    ///< of the derivative
+  int operands = 0; ///< number of operands
+  int order = 0;    ///< order of the derivative
   int by[most_derivatives]{};
-  /// At numbers; null: the program gives a function, and not this derivative of it.
+  /// Evaluates the function; null if the program does not provide this derivative.
   double (*value)(const double*) = nullptr;
-  /// The derivatives by each operand; null: nobody will ask for them.
+  /// The derivatives with respect to each operand; null if they are never needed.
   const external_function* const* slopes = nullptr;
 
   constexpr bool is_given() const { return value != nullptr; }
-  /// What is not given has no derivative that is.
+  /// The derivative of a function that is not provided is not provided either.
   constexpr const external_function& slope(int operand) const {
     return slopes == nullptr ? *this : *slopes[operand];
   }
 };
 
-/// A value in place of that of the function, which the compiler may be unable to call, where expressions are
-/// looked at by numbers that nobody chose: those of a function with all its derivatives, 1.25 plus a sine of
-/// the operands.
+/// A substitute value for tests of expressions at generic points, since the compiler may be unable to call
+/// the function: 1.25 plus a sine of the operands, with matching derivatives.
 constexpr double generic_value_of(const external_function& f, const double* operands) {
   unsigned mark = 2166136261u; // Fowler, Noll & Vo's hash
   for (char letter : f.original.view()) mark = (mark ^ static_cast<unsigned char>(letter)) * 16777619u;
@@ -57,14 +56,14 @@ constexpr double generic_value_of(const external_function& f, const double* oper
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wnon-template-friend"
 #endif
-/// Leads from a function to the type that calls it with any type of scalars, `decltype(code_of(tag))`.
+/// Maps a function to the type that calls it with any scalar type, `decltype(code_of(tag))`.
 template <const external_function* function>
 struct external_tag {
   friend constexpr auto code_of(external_tag);
 };
 #pragma GCC diagnostic pop
 
-/// Says which type that is, where it is instantiated.
+/// Defines that type when it is instantiated.
 template <class Code, const external_function* function>
 struct external_link {
   friend constexpr auto code_of(external_tag<function>) { return Code{}; }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <type_traits>
 
-/// Functions of one argument: of an expression, of the numbers of a program, and their derivatives. What is
-/// plain data stands in operation.hpp.
+/// Functions of one argument: for expressions and for numbers, with their derivatives. Their plain data are
+/// in operation.hpp.
 namespace kanexpr::symbolic {
 
 constexpr expression sqrt(expression a) { return apply(operation::sqrt, a); }
@@ -26,8 +26,8 @@ constexpr expression tanh(expression a) { return apply(operation::tanh, a); }
 constexpr expression abs(expression a) { return apply(operation::abs, a); }
 constexpr expression sign(expression a) { return apply(operation::sign, a); }
 
-/// `of` is the function for any scalar type, `slope` its derivative at x, where it is f: of expressions and
-/// of numbers in the compiler.
+/// `of` is the function for any scalar type; `slope` is its derivative at x, where its value is f, for
+/// expressions and for compile-time numbers.
 template <operation op>
 struct scalar_function;
 
@@ -224,7 +224,7 @@ struct scalar_function<operation::sign> {
   }
 };
 
-/// Calls `use.template operator()<op>()`, for a function of one argument, with `op` as a constant.
+/// Calls `use.template operator()<op>()` for a function of one argument, with `op` as a constant.
 template <class Use>
 constexpr decltype(auto) with_function(operation op, const Use& use) {
   switch (op) {
@@ -264,7 +264,7 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   __builtin_unreachable();
 }
 
-/// The derivative of a function of one argument at x, where it is f.
+/// The derivative of a function of one argument at x, where its value is f.
 template <class Number>
 constexpr Number slope_of(operation op, const Number& x, const Number& f) {
   return with_function(op, [&]<operation function>() { return scalar_function<function>::slope(x, f); });

@@ -5,15 +5,15 @@
 #include <kanexpr/symbolic/graph/meeting_angles.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
 
-/// Sums in which sin² + cos² of an angle is one, or terms cancel once sums are multiplied out.
+/// Shortens sums in which sin² + cos² of an angle occurs or terms cancel after multiplying out.
 namespace kanexpr::symbolic {
 
-/// Some outputs with such sums written shorter. `beside` is needed anyway.
+/// Rewrites such sums in the outputs. The nodes in `beside` are needed in any case.
 class gathering {
 public:
-  /// Which sums are written anew: those of which each leaves less to do for all outputs at once (as logic
-  /// circuits are rewritten: Mishchenko, Chatterjee & Brayton 2006), or all in which terms meet, as several
-  /// may need what none of them needs alone.
+  /// The sums to rewrite: those that each reduce the operations of all outputs together (as in logic
+  /// rewriting: Mishchenko, Chatterjee & Brayton 2006), or all in which terms combine, since several together
+  /// may save operations that no single one does.
   enum class choice { each_shorter, all };
 
   constexpr gathering(graph& g, const sequence<int>& outputs, const sequence<int>& beside, choice which)
@@ -21,7 +21,7 @@ public:
   gathering(const gathering&) = delete;
   gathering& operator=(const gathering&) = delete;
 
-  /// Whether there is anything to look at.
+  /// Whether any live sum may have terms that combine.
   constexpr bool may_meet() {
     take_up_new_nodes();
     const sequence<char> live = live_nodes(g_, outputs_);
@@ -44,7 +44,7 @@ public:
 private:
   using set = detail::meeting_angles::set;
 
-  /// What changes in the number of operations.
+  /// A change in the operation counts.
   struct change {
     int products = 0, sums = 0, others = 0, signs = 0;
 
@@ -85,7 +85,7 @@ private:
     ++uses_[id];
     if (!detail::is_sum(by)) is_whole_[id] = 1;
   }
-  /// Puts the images of its operands into a node, and then something shorter in its place.
+  /// Replaces the operands of a node by their images, then the node by a shorter expression if there is one.
   constexpr void rewrite(int id) {
     const node n = g_[id];
     int now = id;
@@ -105,7 +105,7 @@ private:
     image_[id] = now;
   }
 
-  // what is live, as uses come and go
+  // live nodes, updated as uses come and go
 
   constexpr void hold(int id) {
     if (uses_[id]++ == 0 && is_kept_[id] == 0) hold_operands(id);
@@ -151,7 +151,7 @@ private:
 
   // sums
 
-  /// Of a sum that changes anyway, whatever its terms have in common is taken out.
+  /// Shortens a sum. If it changes anyway, common factors of its terms are taken out too.
   constexpr int gathered(int id, bool changes) {
     const set about = angles_[id].meeting;
     left_ = most_visits;
@@ -171,7 +171,7 @@ private:
   constexpr bool is_multiplied_out(int id, set about) const {
     return detail::is_sum(g_[id].op) && (angles_[id].inside & about) != 0;
   }
-  /// How many terms there are before any meet; too many where it takes long to tell.
+  /// The number of terms before any combine; too many if counting takes too long.
   constexpr int terms_in(int id, set about, bool is_multiplied_out) {
     constexpr int too_many = sum_of_monomials::most_terms + 1;
     const node& n = g_[id];
@@ -186,7 +186,7 @@ private:
     return both < too_many ? both : too_many;
   }
 
-  /// The terms of a sum, with products multiplied out whose sums have factors of some angles.
+  /// The terms of a sum; products are multiplied out if their sums have factors of the given angles.
   constexpr sum_of_monomials terms_of(int id, set about) {
     const node n = g_[id];
     if (!detail::is_sum(n.op)) return product_at(id, about);
@@ -207,7 +207,7 @@ private:
     if (is_multiplied_out(id, about)) return terms_of(id, about);
     if (n.op == operation::multiply || n.op == operation::divide) {
       const sum_of_monomials a = product_at(n.a, about), b = product_at(n.b, about);
-      if (n.op == operation::multiply) return a * b; // no temporary of a conditional expression: g++ 12
+      if (n.op == operation::multiply) return a * b; // no temporary in a conditional expression: g++ 12
       return a * inverse_of(n.b, b);
     }
     monomial m;
@@ -229,7 +229,8 @@ private:
     return sum_of_monomials(inverse);
   }
 
-  /// What all terms have in front, but for signs, stays in front, where rules look for it; else 1.
+  /// The coefficient that all terms share up to sign, which stays in front for other rules to find; otherwise
+  /// 1.
   static constexpr number common_coefficient(const sum_of_monomials& sum) {
     if (sum.size() == 0) return exactly(1);
     const number first = sum[0].coefficient;
@@ -243,7 +244,7 @@ private:
     return sum_of_monomials(inverse);
   }
 
-  /// Writes a sum with the factor taken out that most of its terms have, again and again.
+  /// Writes a sum, repeatedly taking out the factor that most terms share.
   constexpr int written(const sum_of_monomials& sum) {
     if (sum.size() == 0) return graph::zero;
     if (sum.size() == 1) return written(sum[0]);
@@ -278,7 +279,7 @@ private:
     const int above = product_of(m, 1), below = product_of(m, -1), coefficient = g_.constant(m.coefficient);
     return multiply(g_, coefficient, below == graph::one ? above : divide(g_, above, below));
   }
-  /// The powers of one sign. Products that are live already are used.
+  /// The product of all powers whose exponents have the given sign. Existing live products are reused.
   constexpr int product_of(const monomial& m, int sign) {
     sequence<int> factors;
     for (int i = 0; i < m.count; ++i)
@@ -305,19 +306,20 @@ private:
   const sequence<int>&outputs_, &beside_;
   choice choice_;
   detail::meeting_angles angles_{};
-  sequence<int> image_{}; ///< what takes the place of a node
+  sequence<int> image_{}; ///< the replacement of each node
   sequence<int> uses_{};
-  sequence<char> is_kept_{};  ///< live whatever becomes of the outputs
-  sequence<char> is_whole_{}; ///< not only a part of a longer sum
+  sequence<char> is_kept_{};  ///< live regardless of the outputs
+  sequence<char> is_whole_{}; ///< not part of a longer sum
   change change_{};
   static constexpr int most_visits = 200;
-  int left_ = 0; ///< of these
+  int left_ = 0; ///< visits left
   bool has_met_ = false;
 };
 
-/// Some outputs with sin² + cos² seen as one, where that leaves less to do, and as they were elsewhere. What
-/// is derived further shares the parts of sums, so a small gain would be lost there. `beside` is needed
-/// anyway. Of long equations compilers would take longer for this than for deriving them.
+/// Combines sin² + cos² in the outputs if that saves operations, and otherwise returns the outputs unchanged.
+/// A small gain is not worthwhile, because later derivatives share parts of the sums. The nodes in `beside`
+/// are needed in any case. Long equations are skipped: for them this step would take longer than the
+/// derivation.
 constexpr sequence<int> gathered(graph& g, const sequence<int>& outputs, const sequence<int>& beside) {
   constexpr int most_operations = 200, least_part = 16;
   const sequence<char> nothing, kept = live_nodes(g, beside);

@@ -12,18 +12,18 @@ namespace kanexpr::symbolic {
 
 /// One operation; its operands are the numbers of earlier nodes.
 ///
-/// A constant's `a` is its place among the numbers, a symbol's its place among the symbols. Without
-/// initializers, which the compiler would run for each node that there is room for.
+/// A constant's `a` is its index among the numbers, a symbol's its index among the symbols. No default
+/// initializers: the compiler would run them for every element of the array.
 struct node {
   operation op;
   int a;
   int b;
 };
 
-/// A hash-consed expression graph: equal expressions are one node, operands come before their users.
+/// A hash-consed expression graph: equal expressions are one node, and operands precede their users.
 ///
-/// This class only stores. What may be built, and in which simplest form, is in rules.hpp. It is what a
-/// derivation does most, and compilers interpret every call; so it looks into its arrays directly.
+/// This class only stores nodes; rules.hpp builds them in simplest form. Most of a derivation happens here,
+/// and compilers interpret every call, so the code accesses its arrays directly.
 class graph {
 public:
   static constexpr int zero = 0;
@@ -47,7 +47,7 @@ public:
   }
 
   constexpr int size() const { return size_; }
-  /// Whether there is anything of a linear system or a call, live or not.
+  /// Whether the graph holds any part of a linear system or a call, live or not.
   constexpr bool holds_lists() const { return holds_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
   constexpr const node* begin() const { return nodes_; }
@@ -59,7 +59,7 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
-  /// That a program has put the whole number 0 into an expression, which `takes_whole_zero` tells once.
+  /// Records that the program put the integer 0 into an expression; `takes_whole_zero` returns this once.
   void note_whole_zero() { holds_whole_zero_ = true; }
   bool takes_whole_zero() {
     const bool held = holds_whole_zero_;
@@ -67,7 +67,7 @@ public:
     return held;
   }
 
-  /// That it has limited something between a number and a smaller one.
+  /// Records a clamp whose lower bound exceeds its upper bound.
   void note_limits_out_of_order() { has_limits_out_of_order_ = true; }
   bool takes_limits_out_of_order() {
     const bool held = has_limits_out_of_order_;
@@ -75,10 +75,10 @@ public:
     return held;
   }
 
-  /// The functions of the program that are called here.
+  /// The user-defined functions called in this graph.
   constexpr sequence<const external_function*>& externals() { return externals_; }
   constexpr const sequence<const external_function*>& externals() const { return externals_; }
-  /// That of a call.
+  /// The function of a call.
   constexpr const external_function& external_at(int id) const {
     return *externals_[static_cast<int>(number_at(nodes_[id].b).numerator)];
   }
@@ -89,10 +89,10 @@ public:
     return append({operation::constant, numbers_.push(value), 0}, place);
   }
 
-  /// The node of an existing constant, or -1.
+  /// The node of a constant, or -1 if there is none.
   constexpr int find_constant(const number& value) const { return table_[place_of(value)]; }
 
-  /// The node of a symbol; two symbols are the same where kind and name are.
+  /// The node of a symbol; symbols are equal if their kinds and names are.
   constexpr int variable(const symbol& wanted) {
     const symbol* const all = symbols_.begin();
     for (int i = 0, end = symbols_.size(); i < end; ++i)
@@ -101,7 +101,7 @@ public:
     return find_or_append({operation::symbol, symbols_.push(wanted), 0});
   }
 
-  /// Number of an existing node, or -1.
+  /// The number of an existing node, or -1 if there is none.
   constexpr int find(const node& wanted) const {
     unsigned place = hash(wanted) & last_place_;
     for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
@@ -123,7 +123,7 @@ public:
     return size_++;
   }
 
-  /// Becomes a graph that was set aside, with its nodes in their order as arrays.
+  /// Restores a stored graph from arrays of its nodes in order.
   constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const operation* op,
                          const int* a, const int* b, int nodes) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
@@ -142,7 +142,7 @@ private:
     const auto real = std::bit_cast<std::uint64_t>(value.real);
     return hash(node{operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32))});
   }
-  /// Of a reference: g++ keeps the value of each call with plain numbers, and there are many.
+  /// Takes a reference, because g++ caches every constexpr call with plain values, and there are many.
   static constexpr unsigned hash(const node& n) {
     const unsigned mixed = (static_cast<unsigned>(n.a) * 2654435761u) ^
                            (static_cast<unsigned>(n.b) * 2246822519u) ^
@@ -150,7 +150,7 @@ private:
     return mixed ^ (mixed >> 15);
   }
 
-  /// Where in the table a constant is, or would be.
+  /// The slot of a constant in the hash table, or the free slot for it.
   constexpr int place_of(const number& wanted) const {
     unsigned place = hash(wanted) & last_place_;
     for (; table_[place] >= 0; place = (place + 1) & last_place_) {
@@ -171,7 +171,7 @@ private:
     return size_++;
   }
   constexpr void grow(const node& added) {
-    const node kept = added; // may be one of these very nodes
+    const node kept = added; // `added` may refer to one of these nodes
     node* const before = nodes_;
     const int count = size_;
     nodes_ = nullptr;
@@ -182,8 +182,7 @@ private:
     place_all(nodes_, count + 1, count);
   }
 
-  /// Takes over nodes that all differ, in their order, from the first that is not placed yet; they may stand
-  /// in their places already.
+  /// Inserts distinct nodes in order, from `first` on; `all` may be the array of nodes itself.
   constexpr void place_all(const node* all, int count, int first = 0) {
     for (int id = first; id < count; ++id) {
       const node n = nodes_[id] = all[id];
@@ -195,7 +194,7 @@ private:
     size_ = count;
   }
 
-  /// Twice as many places in the table as there are nodes at most, an empty graph's.
+  /// Allocates an empty graph; the table has at least twice as many slots as nodes.
   constexpr void make_room(int nodes) {
     delete[] nodes_;
     delete[] table_;
@@ -210,7 +209,7 @@ private:
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;
-  int* table_ = nullptr; ///< open addressing; -1 is free
+  int* table_ = nullptr; ///< open addressing; -1 marks a free slot
   unsigned last_place_ = 0;
   sequence<number> numbers_{};
   sequence<symbol> symbols_{};

@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/graph.hpp>
 
-/// Lists as nodes, so that a node with two operands can stand for an operation on many.
+/// Lists as nodes, so that a node with two operands can represent an operation on many.
 namespace kanexpr::symbolic {
 
 constexpr int list_of(graph& g, const sequence<int>& elements) {
@@ -22,12 +22,12 @@ constexpr sequence<int> elements_of(const graph& g, int list) {
   return elements;
 }
 
-/// An integer that a node carries beside its operand: an order or an index.
+/// An integer stored as an operand: an order or an index.
 constexpr int integer_at(const graph& g, int constant) {
   return static_cast<int>(g.number_at(constant).numerator);
 }
 
-/// A function of the program with a list of operands.
+/// A call of a user-defined function with a list of operands.
 constexpr int call(graph& g, const external_function& f, int operands) {
   sequence<const external_function*>& all = g.externals();
   int place = all.find(&f);
@@ -35,12 +35,12 @@ constexpr int call(graph& g, const external_function& f, int operands) {
   return g.find_or_append({operation::call, operands, g.constant(exactly(place))});
 }
 
-/// Systems up to this order are written out with cofactors when they are lowered.
+/// Systems up to this order are expanded by cofactors when they are lowered.
 inline constexpr int largest_written_out = 3;
 
 constexpr int order_of(const graph& g, int factorization) { return integer_at(g, g[factorization].b); }
 
-/// The entries of a factorized matrix, by rows.
+/// The entries of a factorized matrix, row by row.
 constexpr sequence<int> entries_of(const graph& g, int factorization) {
   sequence<int> entries;
   for (int rows = g[factorization].a; g[rows].op == operation::pair; rows = g[rows].b)

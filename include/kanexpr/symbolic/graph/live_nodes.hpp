@@ -4,15 +4,15 @@
 
 namespace kanexpr::symbolic {
 
-/// Whether the second operand is not the end of a list, an order or an index.
+/// Whether the second operand is a value, not the end of a list, an order or an index.
 constexpr bool is_value(const node& n) {
   return n.op == operation::pair ? n.b != graph::zero : !is_numbered(n.op);
 }
 
-/// Marks the nodes that `outputs` need; not the numbers by which lists are ended, orders and indices given.
+/// Marks the nodes that `outputs` need, except the constants that end lists or give orders and indices.
 constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
   sequence<char> marks(g.size(), 0);
-  const node* const nodes = g.begin(); // the compiler interprets calls of []
+  const node* const nodes = g.begin(); // a pointer, since compilers interpret every call of []
   char* const live = marks.begin();
   int last = -1;
   for (int id : outputs) {
@@ -22,7 +22,7 @@ constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs
   for (int id = last; id >= 0; --id) {
     if (live[id] == 0) continue;
     const node& n = nodes[id];
-    if (n.op <= operation::symbol) continue; // a leaf, without a call
+    if (n.op <= operation::symbol) continue; // a leaf, tested without a call
     live[n.a] = 1;
     if (n.op <= operation::power) {
       if (n.op != operation::negate) live[n.b] = 1;
@@ -33,7 +33,7 @@ constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs
   return marks;
 }
 
-/// The same nodes but for lists, in the order of their numbers: operands come before their users.
+/// The live nodes except lists, in ascending order, so operands precede their users.
 constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs) {
   const sequence<char> marks = live_nodes(g, outputs);
   const node* const nodes = g.begin();
@@ -44,7 +44,7 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
   return values;
 }
 
-/// Whether `outputs` need one of some nodes.
+/// Whether `outputs` depend on any of some nodes.
 constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
   const sequence<char> live = live_nodes(g, outputs);
   for (int id : some)

@@ -7,7 +7,8 @@ namespace kanexpr::symbolic {
 
 namespace detail {
 
-/// Whether a node is a product, or a factor, that fits into a monomial.
+/// Multiplies the factors of a product, or a single factor, into a monomial; returns false if they do not
+/// fit.
 constexpr bool take_factors(const graph& g, int id, monomial& into) {
   const node& n = g[id];
   if (n.op == operation::multiply) return take_factors(g, n.a, into) && take_factors(g, n.b, into);
@@ -29,7 +30,7 @@ constexpr int product_of(graph& g, const monomial& m) {
 
 } // namespace detail
 
-/// A quotient of products without the factors that they share, as the mass in −m g l sin(q)/(m l²).
+/// A quotient of products with common factors canceled, such as the mass in −m g l sin(q)/(m l²).
 constexpr int divide_in_lowest_terms(graph& g, int a, int b) {
   if (g.is_constant(a) || g.is_constant(b)) return divide(g, a, b);
   monomial above, below;
@@ -43,7 +44,7 @@ constexpr int divide_in_lowest_terms(graph& g, int a, int b) {
     any = true;
     below.multiply_by(taken.factor, -shared);
     above.multiply_by(taken.factor, -shared);
-    if (shared == taken.exponent) --i; // it is gone
+    if (shared == taken.exponent) --i; // removed
   }
   if (!any) return divide(g, a, b);
   const int coefficient = g.constant(above.coefficient / below.coefficient);

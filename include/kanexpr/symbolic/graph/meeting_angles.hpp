@@ -4,30 +4,30 @@
 
 #include <cstdint>
 
-/// In which sums of a graph sin² and cos² of one angle may meet.
+/// Finds sums in which sin² and cos² of the same angle may combine.
 namespace kanexpr::symbolic {
 
 namespace detail {
 
 constexpr bool is_sum(operation op) { return op == operation::add || op == operation::subtract; }
 
-/// Where sums may have terms that meet, by a look at each node. Sets of angles are bits at even places; a
-/// cosine is told from a sine by the bit beside it. More than 32 angles share bits.
+/// Sums whose terms may combine, found by visiting each node once. Sets of angles are bits at even positions;
+/// the next bit distinguishes a cosine from a sine. More than 32 angles share bits.
 class meeting_angles {
 public:
   using set = std::uint64_t;
 
   struct of_node {
-    set factors = 0; ///< sines and cosines by which it is a product
-    set shared = 0;  ///< the same, of every term of a sum
-    set inside = 0;  ///< angles of factors of the terms of sums that it is a product of
-    set twice = 0;   ///< angles that it has twice where those are multiplied out
-    set meeting = 0; ///< angles that two terms of a sum have twice, or all of them once
+    set factors = 0; ///< sines and cosines that are factors of the node
+    set shared = 0;  ///< sines and cosines that every term of a sum has as factors
+    set inside = 0;  ///< angles in factors of the terms of sums that are factors of the node
+    set twice = 0;   ///< angles that occur twice when those sums are multiplied out
+    set meeting = 0; ///< angles that two terms of a sum have twice, or all terms have once
   };
 
   constexpr const of_node& operator[](int id) const { return known_[id]; }
 
-  /// Looks at the nodes that are new.
+  /// Visits the new nodes.
   constexpr void look(const graph& g) {
     for (int id = known_.size(), end = g.size(); id < end; ++id) known_.push(look_at(g[id]));
   }

@@ -4,18 +4,18 @@
 
 namespace kanexpr::symbolic {
 
-/// A number times powers of nodes, which are in the order of their numbers.
+/// A number times powers of nodes, sorted by node number.
 struct monomial {
   static constexpr int most_powers = 14;
   struct power {
     int factor = 0;
-    int exponent = 0; ///< not zero
+    int exponent = 0; ///< nonzero
   };
   number coefficient = exactly(1);
   int count = 0;
   power powers[most_powers]{};
 
-  /// False where there is no room for it.
+  /// Returns false if there is no room for another factor.
   constexpr bool multiply_by(int factor, int exponent) {
     int place = 0;
     while (place < count && powers[place].factor < factor) ++place;
@@ -50,7 +50,7 @@ struct monomial {
   }
 };
 
-/// A short sum of monomials of different powers; not given where it would be long.
+/// A short sum of monomials with distinct powers; not given if it would be too long.
 class sum_of_monomials {
 public:
   static constexpr int most_terms = 32;
@@ -110,7 +110,7 @@ private:
   bool is_given_ = true;
 };
 
-/// sin² X + cos² X is X, as often as there is such a pair. Whether there was one.
+/// Replaces each sin² X + cos² X by X; returns whether there was one.
 constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
   const auto joined = [&] {
     for (int i = 0; i < s.size(); ++i)
@@ -124,7 +124,7 @@ constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
         if (cosine < 0 || !other.multiply_by(cosine, 2)) continue;
         for (int j = 0; j < s.size(); ++j) {
           if (!s[j].has_the_powers_of(other)) continue;
-          if (!(s[j].coefficient - other.coefficient == exactly(0))) break; // as far as decimal numbers tell
+          if (!(s[j].coefficient - other.coefficient == exactly(0))) break; // up to decimal rounding
           s.drop(i < j ? j : i);
           s.drop(i < j ? i : j);
           s.add(one);

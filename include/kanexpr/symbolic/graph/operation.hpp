@@ -7,7 +7,7 @@
 
 namespace kanexpr::symbolic {
 
-/// What a node of the graph does with its operands.
+/// The operation that a node applies to its operands.
 enum class operation : unsigned char {
   constant,
   symbol,
@@ -17,7 +17,7 @@ enum class operation : unsigned char {
   multiply,
   divide,
   power, ///< general exponents only; integer powers are products, halves are square roots
-  // functions of one argument, and atan2; what is known of them stands in `functions`
+  // functions of one argument, and atan2; `functions` lists their properties
   sqrt,
   sin,
   cos,
@@ -33,18 +33,18 @@ enum class operation : unsigned char {
   tanh,
   abs,
   sign,
-  // selections: the second operand where the first is positive, or where it is not, else zero
+  // selections: the second operand if the first is positive (or not positive), otherwise zero
   if_positive,
   if_not_positive,
-  // of lists: linear systems and calls; lists are no values, and stand only as operands of these
-  pair,                ///< a list: its first element and the list of the others, ended by the constant zero
-  factorization,       ///< of the matrix with a list of rows, each a list, and of the order in the constant b
+  // lists, linear systems and calls; a list is not a value, only an operand of these
+  pair,                ///< a list: its first element and the list of the rest, ended by the constant zero
+  factorization,       ///< of the matrix with a list of rows (each a list); the constant b is its order
   solve,               ///< A x = b: a factorization and the list b
   transposed_solve,    ///< Aᵀ x = b
-  component,           ///< an element of a solution; the constant b counts from zero
-  singularity_measure, ///< how far a factorization is from a singular matrix: of a small one its determinant,
-                       ///< of another its pivots beside the list b, squares of the sizes of its entries
-  call,                ///< of a function of the program with a list; the constant b says which
+  component,           ///< an element of a solution; the constant b is its zero-based index
+  singularity_measure, ///< distance of a factorization from singularity: the determinant if small, otherwise
+                       ///< the pivots relative to the list b, the squared sizes of the entries
+  call,                ///< of a user-defined function with a list; the constant b is its index
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -53,7 +53,7 @@ constexpr bool is_binary(operation op) {
   return (op >= operation::add && op <= operation::power) || op == operation::atan2 ||
          op >= operation::if_positive;
 }
-/// Whether the second operand is a plain number that says how many or which, and no value.
+/// Whether the second operand is a plain number (an order or an index), not a value.
 constexpr bool is_numbered(operation op) {
   return op == operation::factorization || op == operation::component || op == operation::call;
 }
@@ -62,8 +62,7 @@ constexpr bool is_selection(operation op) {
   return op == operation::if_positive || op == operation::if_not_positive;
 }
 
-/// The second operand of a selection where it lets it through, else zero. A condition that is not a number
-/// lets nothing through and is handed on.
+/// The second operand if the selection passes it, otherwise zero. If the condition is NaN, the result is NaN.
 constexpr double selected(operation op, double condition, double x) {
   if (!numeric::is_number(condition)) return condition;
   return (condition > 0) == (op == operation::if_positive) ? x : 0;
@@ -71,13 +70,13 @@ constexpr double selected(operation op, double condition, double x) {
 
 constexpr bool is_commutative(operation op) { return op == operation::add || op == operation::multiply; }
 
-/// A function of one argument.
+/// Whether the operation is a function of one argument, except atan2.
 constexpr bool is_function(operation op) {
   return op >= operation::sqrt && op <= operation::sign && op != operation::atan2;
 }
 
-/// Operations with all functions of one argument taken as one: what does the same with each of these looks at
-/// the form, so that a new one does not concern it.
+/// Operations, with all functions of one argument as one form. Code that treats these functions alike
+/// switches over forms, so a new function does not affect it.
 enum class form : unsigned char {
   constant,
   symbol,
@@ -108,40 +107,40 @@ constexpr form form_of(operation op) {
 }
 static_assert(form_of(operation::power) == form::power && form_of(operation::call) == form::call);
 
-/// f(-x) is -f(x) for an odd function, f(x) for an even one.
+/// The symmetry of a function: f(-x) is -f(x) if odd, f(x) if even.
 enum class parity { none, odd, even };
 
-/// Which unit a function gives to what it is of.
+/// The unit of a function's value, given the unit of its argument.
 enum class unit_rule {
-  numbers, ///< a plain number, of plain numbers
-  kept,    ///< the same
-  root,    ///< the square root of it
-  dropped, ///< none, of whatever has one
+  numbers, ///< dimensionless, for a dimensionless argument
+  kept,    ///< the same unit
+  root,    ///< the square root of the unit
+  dropped, ///< dimensionless, for any argument
 };
 
-/// What has to be known of a function of one argument beside its derivative (functions.hpp). Where nothing is
-/// said, what is assumed is safe for every function.
+/// The properties of a function of one argument besides its derivative (functions.hpp). The defaults are safe
+/// for every function.
 struct function_properties {
-  static constexpr double everywhere = (std::numeric_limits<double>::max)(); ///< no infinity, for -ffast-math
+  static constexpr double everywhere = (std::numeric_limits<double>::max)(); ///< finite for -ffast-math
   static constexpr int nowhere = -1;
 
   operation op;
-  const char* name;        ///< by which people know it, as C++ has it
+  const char* name;        ///< its name in C++
   double (*value)(double); ///< in constant expressions
-  const char* latex = "";  ///< a command; empty: the name as an operator
+  const char* latex = "";  ///< a LaTeX command; if empty, the name as an operator
   parity symmetry = parity::none;
-  double smooth_from = -everywhere, smooth_to = everywhere; ///< where it has a derivative, ends left out
+  double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable
   int exact_at = nowhere;                                   ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
-  bool is_trigonometric = false; ///< counted so; others as `other`
+  bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;
-  bool stays_finite = false;    ///< wherever its argument is finite
-  bool passes_infinity = false; ///< it is not finite where its argument is not
+  bool stays_finite = false;    ///< finite wherever its argument is finite
+  bool passes_infinity = false; ///< not finite where its argument is not
 
   constexpr bool is_smooth_at(double x) const { return x > smooth_from && x < smooth_to; }
 };
 
-/// In the order of their operations.
+/// In the order of the operations.
 inline constexpr function_properties functions[] = {
     {.op = operation::sqrt,
      .name = "sqrt",
@@ -176,7 +175,7 @@ inline constexpr function_properties functions[] = {
      .symmetry = parity::odd,
      .exact_at = 0,
      .is_trigonometric = true,
-     .stays_finite = true, // as large as rounding lets it be
+     .stays_finite = true, // rounding keeps it finite
      .passes_infinity = true},
     {.op = operation::asin,
      .name = "asin",
@@ -269,12 +268,12 @@ static_assert(every_function_has_its_place());
 
 } // namespace detail
 
-/// Of a function of one argument.
+/// The properties of a function of one argument.
 constexpr const function_properties& properties_of(operation op) {
   return functions[detail::place_of_function(op)];
 }
 
-/// The word by which people know the function; empty for arithmetic.
+/// The C++ name of the function; empty for arithmetic.
 constexpr const char* function_name(operation op) {
   switch (form_of(op)) {
   case form::function: return properties_of(op).name;
@@ -294,7 +293,7 @@ constexpr const char* function_name(operation op) {
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
-  case form::call: return ""; // who knows the graph knows its name
+  case form::call: return ""; // its name is stored in the graph
   }
   return "";
 }

@@ -4,12 +4,12 @@
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/same_product.hpp>
 
-/// Building expressions in their simplest local form.
+/// Builds expressions in their simplest local form.
 ///
-/// Each rule looks at most two levels deep and never makes an expression larger. Signs are drawn outwards,
-/// where the next sum absorbs them; constants are gathered in front; commutative operands are in the order
-/// of their numbers, so that equal expressions meet in one node. Compilers interpret each call, so what is
-/// asked most often of nodes is asked in place.
+/// Each rule inspects at most two levels and never makes an expression larger. Signs move outward, where the
+/// next sum absorbs them; constants move to the front; commutative operands are sorted by node number, so
+/// that equal expressions become one node. Compilers interpret each call, so the most frequent tests are
+/// written inline.
 namespace kanexpr::symbolic {
 
 constexpr int negate(graph& g, int a);
@@ -20,7 +20,7 @@ constexpr int divide(graph& g, int a, int b);
 
 namespace detail {
 
-/// c of a node c*x, whose x is known; one where nothing stands in front.
+/// The coefficient c of a node c*x with given x; 1 if there is none.
 constexpr number coefficient_of(const graph& g, int a, int x) {
   return a == x ? exactly(1) : g.number_at(g[a].a);
 }
@@ -31,7 +31,7 @@ constexpr int squared_angle(const graph& g, int a, operation function) {
   return n.op == operation::multiply && n.a == n.b && g[n.a].op == function ? g[n.a].a : -1;
 }
 
-/// Of two products.
+/// Whether two products are sin² and cos² of the same angle.
 constexpr bool is_pythagorean(const graph& g, int a, int b) {
   const int s = squared_angle(g, a, operation::sin);
   return s >= 0 && s == squared_angle(g, b, operation::cos);
@@ -76,7 +76,7 @@ constexpr int add(graph& g, int a, int b) {
   if (x.op == operation::multiply && y.op == operation::multiply &&
       (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)))
     return graph::one;
-  // constants gather in front: (c + x) + y is c + (x + y) only where that meets another constant
+  // constants move to the front: (c + x) + y becomes c + (x + y) only if that meets another constant
   if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
       nodes[y.a].op == operation::constant) {
     const int c = g.constant(g.number_at(x.a) + g.number_at(y.a));
@@ -107,7 +107,7 @@ constexpr int subtract(graph& g, int a, int b) {
   if (x.op == operation::constant) {
     if (y.op == operation::add && nodes[y.a].op == operation::constant)
       return subtract(g, g.constant(g.number_at(a) - g.number_at(y.a)), y.b);
-    // 1 - sin² is not rewritten: cos² would cost a product and may need a cosine that nothing else needs
+    // 1 - sin² is not rewritten: cos² costs a product and may need a cosine that is not needed otherwise
   } else {
     const int of_a = x.op == operation::multiply && nodes[x.a].op == operation::constant ? x.b : a,
               of_b = y.op == operation::multiply && nodes[y.a].op == operation::constant ? y.b : b;
@@ -152,7 +152,7 @@ constexpr int multiply(graph& g, int a, int b) {
   return g.find_or_append(a < b ? node{operation::multiply, a, b} : node{operation::multiply, b, a});
 }
 
-/// A division by the constant zero stays as it is written: what it means is the model's mistake to report.
+/// Division by the constant zero is kept as written; the model reports it as a mistake.
 constexpr int divide(graph& g, int a, int b) {
   if (b == graph::one) return a;
   const node* const nodes = g.begin();
@@ -173,7 +173,7 @@ constexpr int divide(graph& g, int a, int b) {
   return g.find_or_append({operation::divide, a, b});
 }
 
-/// What a function has near zero where its argument is rounded: the cosine of the double next to π/2 is zero.
+/// Rounds function values near zero: the cosine of the double next to π/2 is zero.
 constexpr number beside_argument(double value, double argument) {
   return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) &&
                       !numeric::equal(value, argument)
@@ -181,7 +181,7 @@ constexpr number beside_argument(double value, double argument) {
                   : value);
 }
 
-/// The exact root of a fraction that has one, else a double.
+/// The exact root of a fraction if it is rational, otherwise a double.
 constexpr number root_of(const number& n) {
   const number folded = real(elementary::sqrt(n.value()));
   if (!n.exact() || folded.exact()) return folded;
@@ -190,7 +190,7 @@ constexpr number root_of(const number& n) {
   return above.exact() && below.exact() ? above / below : folded;
 }
 
-/// A function of a constant.
+/// The value of a function at a constant.
 constexpr number function_of(operation op, const number& n) {
   if (op == operation::sqrt) return root_of(n);
   if (op == operation::abs) return n.negative() ? -n : n;
@@ -198,7 +198,7 @@ constexpr number function_of(operation op, const number& n) {
   return op == operation::sin || op == operation::cos ? beside_argument(f, x) : real(f);
 }
 
-/// A function of one argument.
+/// Applies a function of one argument.
 constexpr int apply(graph& g, operation op, int a) {
   const node x = g[a];
   if (x.op == operation::constant) return g.constant(function_of(op, g.number_at(a)));
@@ -241,7 +241,7 @@ constexpr int integer_power(graph& g, int base, std::int64_t exponent) {
   return exponent % 2 == 0 ? even : multiply(g, base, even);
 }
 
-/// Integer powers become products and halves square roots; the rest is left to `pow`.
+/// Builds integer powers as products and half powers as square roots; other exponents use `pow`.
 constexpr int power(graph& g, int base, int exponent) {
   if (base == graph::one) return graph::one;
   if (g.is_constant(exponent)) {

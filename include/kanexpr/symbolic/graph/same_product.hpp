@@ -4,7 +4,7 @@
 
 namespace kanexpr::symbolic::detail {
 
-/// The factors of nested products, in the order of their numbers; too many count as none.
+/// The factors of nested products, sorted by node number; none if there are too many.
 struct factors_of {
   static constexpr int most = 8;
   int factor[most]{};
@@ -35,7 +35,7 @@ private:
   }
 };
 
-/// Whether a and b are products of the same factors in different groups.
+/// Whether a and b are products of the same factors, grouped differently.
 constexpr bool is_same_product(const graph& g, int a, int b) {
   const node &x = g[a], &y = g[b];
   if (x.op != operation::multiply || y.op != operation::multiply) return false;

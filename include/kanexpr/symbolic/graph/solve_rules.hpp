@@ -4,11 +4,11 @@
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/numbers/inverse.hpp>
 
-/// Building the solutions of linear systems. What has one unknown is a division, what is made of numbers a
-/// number; everything else stays as it is until it is lowered, for only then is it known what is needed.
+/// Builds solutions of linear systems. A system of order one becomes a division, and a constant system is
+/// solved immediately; all others stay symbolic until lowering, when the required components are known.
 namespace kanexpr::symbolic {
 
-/// The entries come by rows.
+/// The factorization of a matrix whose entries are given by rows.
 constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
   sequence<int> rows;
   for (int i = 0; i < order; ++i) {
@@ -19,7 +19,7 @@ constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
   return g.find_or_append({operation::factorization, list_of(g, rows), g.constant(exactly(order))});
 }
 
-/// The inverse of a factorized matrix of numbers, by rows; nothing where it is none, or has none.
+/// The inverse of a factorized matrix of constants, by rows; empty if the matrix is singular or not constant.
 constexpr sequence<number> constant_inverse(const graph& g, int factorization) {
   sequence<number> entries;
   for (int entry : entries_of(g, factorization)) {
@@ -29,7 +29,7 @@ constexpr sequence<number> constant_inverse(const graph& g, int factorization) {
   return inverse_of(entries, order_of(g, factorization));
 }
 
-/// All of a solution; zero where the right side is.
+/// The complete solution of a system; zero if the right-hand side is zero.
 constexpr int solution(graph& g, operation op, int factorization, int right) {
   bool is_zero = true;
   for (int list = right; g[list].op == operation::pair; list = g[list].b)

@@ -4,14 +4,14 @@
 
 namespace kanexpr::symbolic {
 
-/// Replaces nodes by others, everywhere at once, and simplifies on the way.
+/// Replaces nodes throughout an expression simultaneously and simplifies the result.
 class substitution {
 public:
   constexpr explicit substitution(graph& g) : graph_(g) {}
   substitution(const substitution&) = delete;
   substitution& operator=(const substitution&) = delete;
 
-  /// To be set before the first `in`.
+  /// Must be called before the first `in`.
   constexpr void replace(expression old, expression by) { remember(old.node(), by.node()); }
 
   constexpr expression in(expression e) { return {graph_, in(e.node())}; }
@@ -46,7 +46,7 @@ private:
   graph& graph_;
   sequence<int> images_{};
   int* image_ = nullptr; ///< by node
-  int known_ = 0;        ///< nodes that there is an image of, or `unknown`
+  int known_ = 0;        ///< number of nodes whose entries are valid or `unknown`
 };
 
 } // namespace kanexpr::symbolic

@@ -6,20 +6,21 @@
 
 namespace kanexpr::symbolic {
 
-/// How long the name of a symbol may be: the primes of its derivatives come behind it.
+/// The maximum length of a symbol name; the remaining characters are reserved for the primes of its
+/// derivatives.
 inline constexpr int longest_name = name::capacity - 3;
 
-constexpr bool begins_name(char letter) { // beyond ASCII it is a part of a letter
+constexpr bool begins_name(char letter) { // beyond ASCII: part of a letter
   return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
          static_cast<unsigned char>(letter) >= 0x80;
 }
-/// Neither a quote nor a control character.
+/// Whether a character is neither a quote nor a control character.
 constexpr bool is_printed(char letter) {
   return letter != '"' && static_cast<unsigned char>(letter) >= ' ' && letter != '\x7f';
 }
 
-/// A name begins with a letter and has at most 60, none of which is a prime, a quote or a control character:
-/// primes stand for rates.
+/// A name begins with a letter and has at most 60 characters, without primes, quotes or control characters;
+/// primes denote rates.
 constexpr bool is_name(std::string_view text) {
   if (text.empty() || text.size() > longest_name || !begins_name(text[0])) return false;
   for (char letter : text)
@@ -35,16 +36,16 @@ enum class symbol_kind : unsigned char {
   input,
   coordinate_rate, ///< dq/dt
   speed_rate,      ///< du/dt
-  auxiliary_speed, ///< zero at all times
-  multiplier,      ///< Lagrange's, the force of a constraint
-  weight,          ///< of a rate of the state, in a sum of them
-  direction,       ///< a change of the state and the inputs
+  auxiliary_speed, ///< always zero
+  multiplier,      ///< Lagrange multiplier, the force of a constraint
+  weight,          ///< weight of a state rate in a weighted sum of rates
+  direction,       ///< perturbation of the state and the inputs
 };
 
 struct symbol {
   symbol_kind kind{};
   name called{};
-  int position = 0; ///< among the symbols of its kind, in the order of the state, parameter or input vector
+  int position = 0; ///< index among symbols of its kind, in the order of the state, parameter or input vector
 
   constexpr bool operator==(const symbol& other) const {
     return kind == other.kind && called == other.called;

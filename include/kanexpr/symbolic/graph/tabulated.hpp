@@ -2,12 +2,12 @@
 
 #include <kanexpr/symbolic/graph/composed.hpp>
 
-/// Functions through given points.
+/// Interpolation of tables.
 namespace kanexpr::symbolic {
 
 namespace detail {
 
-/// The points of a table, the lengths of its intervals and the slopes of the straight lines across them.
+/// The points of a table, the lengths of its intervals and the slopes of its chords.
 struct table_points {
   sequence<expression> x{}, y{}, length{}, slope{};
 
@@ -23,9 +23,9 @@ struct table_points {
   }
 };
 
-/// The slope where two intervals meet: the weighted harmonic mean of those across them, or zero where these
-/// have different signs, so that the curve is monotone where its points are. Fritsch & Butland, A method for
-/// constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
+/// The slope where two intervals meet: the weighted harmonic mean of the chord slopes, or zero if their signs
+/// differ, so that the curve is monotone where its points are. Fritsch & Butland, A method for constructing
+/// local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
 constexpr expression slope_between(const table_points& p, int before, int behind) {
   const expression left = 2 * p.length[behind] + p.length[before],
                    right = p.length[behind] + 2 * p.length[before];
@@ -35,8 +35,8 @@ constexpr expression slope_between(const table_points& p, int before, int behind
   return if_positive(product, mean, zero);
 }
 
-/// The slope at an end, of the parabola through three points, as far as the curve stays monotone with it.
-/// Moler, Numerical Computing with MATLAB (2004), section 3.6.
+/// The slope at an end: that of the parabola through three points, limited to keep the curve monotone. Moler,
+/// Numerical Computing with MATLAB (2004), section 3.6.
 constexpr expression slope_at_end(const table_points& p, int first, int second) {
   const expression h = p.length[first], beside = p.length[second], s = p.slope[first];
   const expression above = difference_of_products(2 * h + beside, s, h, p.slope[second]);
@@ -56,8 +56,8 @@ constexpr sequence<expression> monotone_slopes(const table_points& p) {
   return all;
 }
 
-/// The cubics of all intervals, with the slopes d at the points. `passed` is what of x lies beyond each
-/// point but the last.
+/// The sum of the cubics of all intervals, with slopes d at the points. `passed` holds the amounts by which x
+/// exceeds each point except the last.
 constexpr expression climbed(const table_points& p, const sequence<expression>& d,
                              const sequence<expression>& passed) {
   expression sum = p.y[0];
@@ -77,9 +77,10 @@ constexpr expression beyond(expression x, expression point) {
 
 } // namespace detail
 
-/// A monotone cubic through points x₀, y₀, x₁, y₁, …, two or more with x growing, and constant beyond them.
-/// Each interval adds what the curve climbs within it, a cubic of the part t of it that x has passed: nothing
-/// is looked up, and the derivatives are those of the cubics. At a point itself they are those before it.
+/// A monotone cubic interpolant through two or more points x₀, y₀, x₁, y₁, … with increasing x, constant
+/// beyond them. Each interval adds the rise of the curve within it, a cubic in the fraction t of the interval
+/// that x has passed; so there is no lookup, and the derivatives are those of the cubics. At a point, they
+/// are those of the interval before it.
 constexpr expression tabulated(expression x, const expression* points, int count) {
   const detail::table_points p(points, count);
   const expression within = (min)(x, p.x.back());
@@ -88,8 +89,8 @@ constexpr expression tabulated(expression x, const expression* points, int count
   return detail::climbed(p, detail::monotone_slopes(p), passed);
 }
 
-/// The same of a curve that begins anew at the last point, with the value and the slope of the first. Where x
-/// is in the period is told by the angle that it stands for, so that no derivative jumps.
+/// The periodic counterpart: it repeats after the last point, which has the value and slope of the first. The
+/// position in the period is computed from the angle that x corresponds to, so that no derivative jumps.
 constexpr expression periodic(expression x, const expression* points, int count) {
   constexpr double whole_turn = 6.28318530717958647692;
   const detail::table_points p(points, count);

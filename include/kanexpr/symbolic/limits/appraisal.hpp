@@ -7,8 +7,8 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// What the nodes that some outputs need are worth where symbols are replaced, all at once, and which of them
-/// have no value there.
+/// The values of the nodes that the outputs need when symbols are replaced simultaneously, with a record of
+/// the nodes that are undefined there.
 class appraisal {
 public:
   appraisal(const graph& g, const sequence<int>& outputs, const std::vector<replacement>& point)
@@ -24,11 +24,11 @@ public:
   }
 
   const generic_values& operator[](int id) const { return at(id).values; }
-  /// Whether it depends on a symbol that is replaced.
+  /// Whether a node depends on a replaced symbol.
   bool is_moved(int id) const { return at(id).moved; }
-  /// Whether it has no value by plain substitution, or depends on what has none.
+  /// Whether plain substitution leaves a node, or a node that it depends on, undefined.
   bool is_singular(int id) const { return at(id).singular; }
-  /// What stands for a symbol that is replaced; else nothing.
+  /// The replacement of a symbol, or null if it is not replaced.
   const replacement* replacing(int symbol) const {
     const auto found = by_symbol_.find(symbol);
     return found == by_symbol_.end() ? nullptr : found->second;
@@ -112,7 +112,7 @@ private:
 
   const graph& g_;
   sequence<int> place_;            ///< by node; -1: not needed
-  std::vector<appraised> known_{}; ///< by place
+  std::vector<appraised> known_{}; ///< indexed by `place_`
   std::map<int, const replacement*> by_symbol_{};
   std::map<int, std::vector<generic_values>> solutions_{};
   appraised none_{};

@@ -11,7 +11,7 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// A value, and a bound on what rounding has done to it on the way. Not-a-number where it is not defined.
+/// A value with a bound on its accumulated rounding error; NaN if undefined.
 ///
 /// Running error analysis: Higham, Accuracy and Stability of Numerical Algorithms (2002), section 3.3.
 struct bounded {
@@ -20,7 +20,7 @@ struct bounded {
 
   static constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
   static bounded undefined() { return {std::numeric_limits<double>::quiet_NaN(), 0}; }
-  /// A result that was rounded once more.
+  /// Adds the rounding error of the result itself.
   static bounded rounded(double value, double error) {
     if (!numeric::is_finite(value) || !numeric::is_finite(error)) return undefined();
     return {value, error + unit_roundoff * std::abs(value)};
@@ -31,12 +31,13 @@ struct bounded {
   }
 
   bool defined() const { return numeric::is_number(value); }
-  /// Whether it counts as zero: it is, or not a digit of it is sure. `0.1 + 0.2 - 0.3` vanishes, and the
-  /// cosine of the double next to π/2; 1e-30 does not. Four times the bound allows for what came before.
+  /// Whether the value counts as zero: it is zero or has no significant digit. `0.1 + 0.2 - 0.3` and the
+  /// cosine of the double next to π/2 vanish; 1e-30 does not. Four times the bound allows for errors made
+  /// earlier.
   bool vanishes() const { return std::abs(value) <= 4 * error; }
 };
 
-/// Whether an operation has no value at operands that are defined, or none that is sure.
+/// Whether an operation with defined operands has no value, or no reliable one.
 inline bool is_singular(operation op, const bounded& a, const bounded& b) {
   if (op == operation::divide) return b.vanishes();
   if (op == operation::log) return a.vanishes();
@@ -46,18 +47,18 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
   if (op == operation::tan)
     return a.error > 0 && std::abs(elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
   if (op == operation::atan2) return a.vanishes() && b.vanishes();
-  if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // whose sign is not sure
+  if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // the sign is uncertain
   return op == operation::power && a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
 }
 
 namespace detail {
 
-/// The part of an error that remains near a square root's branch point.
+/// The error of a square root near its branch point.
 inline double past_branch(double error, double slope) {
   return numeric::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
 }
 
-/// How far an error of the argument moves a function of one argument.
+/// The error of a function of one argument due to the error of its argument.
 inline double carried_error(operation op, const bounded& a, double value) {
   if (numeric::equal(a.error, 0.0)) return 0;
   const double x = a.value;
@@ -74,7 +75,7 @@ inline double carried_error(operation op, const bounded& a, double value) {
   return steepest * a.error;
 }
 
-/// How far errors of the operands move the value of an operation.
+/// The error of an operation due to the errors of its operands.
 inline double carried_error(operation op, const bounded& a, const bounded& b, double value) {
   const double x = std::abs(a.value), y = std::abs(b.value);
   switch (form_of(op)) {
@@ -97,7 +98,7 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: break; // no operations on two numbers
+  case form::call: break; // not operations on two numbers
   }
   return std::numeric_limits<double>::infinity();
 }

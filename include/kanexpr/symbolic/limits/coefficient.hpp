@@ -6,8 +6,8 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// A coefficient of a series: a number, exact while it can be, or an expression. What vanishes at generic
-/// values of its symbols, or within the bound on rounding, is zero.
+/// A coefficient of a series: a number, exact if possible, or an expression. It counts as zero if it vanishes
+/// at generic values of its symbols or within the rounding bound.
 class coefficient {
 public:
   coefficient() = default;
@@ -32,7 +32,7 @@ public:
   bool is_zero() const { return is_number_ && numeric::equal(number_.value(), 0.0); }
   const number& value() const { return number_; }
   const generic_values& at() const { return at_; }
-  graph& owner() const { return expression_.owner(); } ///< of an expression
+  graph& owner() const { return expression_.owner(); } ///< requires an expression
   expression in(graph& g) const { return is_number_ ? constant(g, number_) : expression_; }
 
 private:
@@ -45,14 +45,15 @@ private:
 
 namespace detail {
 
-/// The caller has made sure that it is arithmetic and does not divide by zero.
+/// Requires an arithmetic operation and a nonzero divisor.
 inline number arithmetic(operation op, const number& a, const number& b) {
   if (op == operation::add) return a + b;
   if (op == operation::subtract) return a - b;
   return op == operation::multiply ? a * b : a / b;
 }
 
-/// A quotient of expressions with one number in front, so that those of a direction meet and cancel.
+/// A quotient of expressions with its numerical factors combined in front, so that the factors from a
+/// direction cancel.
 inline int quotient(graph& g, int a, int b) {
   const bool is_negative = (g[a].op == operation::negate) != (g[b].op == operation::negate);
   struct scaled {
@@ -96,7 +97,7 @@ inline coefficient operator*(const coefficient& a, const coefficient& b) {
   if (a.is_zero() || b.is_zero()) return {};
   return detail::combined(operation::multiply, a, b);
 }
-/// The caller has made sure that `b` is not zero.
+/// Requires that `b` is not zero.
 inline coefficient operator/(const coefficient& a, const coefficient& b) {
   if (a.is_zero()) return {};
   return detail::combined(operation::divide, a, b);

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-/// Functions of coefficients; nothing where the value of a number is not real, or not finite.
+/// Functions of coefficients; they return nothing if the value of a number is not real or not finite.
 namespace kanexpr::symbolic::taylor {
 
 namespace detail {
@@ -16,7 +16,7 @@ inline number function_of(operation op, const number& n) {
   return real(value_of(op, n.value(), 0));
 }
 
-/// Whether a function of an exact number is exact.
+/// Whether a function of an exact number has an exact value.
 inline bool stays_exact(operation op, const number& n, const number& f) {
   if (op == operation::abs || op == operation::sign) return true;
   if (op == operation::sqrt) return f.exact() && f * f == n;
@@ -53,14 +53,14 @@ inline std::optional<coefficient> atan2(const coefficient& y, const coefficient&
   return coefficient(atan2(above, x.in(g)), at);
 }
 
-/// The condition is an expression.
+/// Requires that the condition is an expression.
 inline coefficient selected(operation op, const coefficient& condition, const coefficient& x) {
   graph& g = condition.owner();
   const expression on = condition.in(g);
   return {selected(op, on, x.in(g)), apply(op, condition.at(), x.at())};
 }
 
-/// The caller has made sure that the base is not zero.
+/// Requires a nonzero base.
 inline std::optional<coefficient> power(const coefficient& base, const coefficient& exponent) {
   const generic_values at = apply(operation::power, base.at(), exponent.at());
   if (base.is_number() && exponent.is_number()) {

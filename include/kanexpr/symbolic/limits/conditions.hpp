@@ -7,20 +7,21 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// What to say of an expression that has no limit: a sentence that names the part that fails.
+/// Describes why an expression has no limit, in a sentence that names the part that fails.
 class conditions {
 public:
   conditions(const graph& g, const appraisal& point) : g_(g), point_(point) {}
 
-  /// Of a node that has no series along a line.
+  /// For a node that has no series along a line.
   std::string without_series(const line& l, int id) const {
     id = l.failing(id);
     switch (l[id].met()) {
     case obstacle::none:
-    case obstacle::truncated: return "no limit is found with " + terms_known(id) + where(id);
+    case obstacle::truncated: return "no limit was found with " + terms_known(id) + where(id);
     case obstacle::zero_divisor:
     case obstacle::singular_system: return nowhere(id);
-    case obstacle::piecewise: return function(id) + " changes with the signs of what stays" + where(id);
+    case obstacle::piecewise:
+      return function(id) + " depends on the signs of the remaining symbols" + where(id);
     case obstacle::zero_logarithm: return function(id) + " is not finite" + where(id);
     case obstacle::infinite_argument: return "the argument of " + function(id) + " is not finite" + where(id);
     case obstacle::not_real: return function(id) + " is not real" + where(id);
@@ -29,7 +30,7 @@ public:
     return {};
   }
 
-  /// Of a node that has no value at generic values of all symbols either.
+  /// For a node that is undefined even at generic values of all symbols.
   std::string everywhere(const appraisal& generic, int id) const {
     const sequence<char> live = live_nodes(g_, {id});
     int first = 0;
@@ -37,7 +38,7 @@ public:
     return nowhere(first);
   }
 
-  /// Of a node that grows beyond all bounds along a line.
+  /// For a node that tends to infinity along a line.
   std::string pole(const line& l, int id) const {
     for (;;) {
       const node& n = g_[id];
@@ -67,19 +68,20 @@ private:
   std::string nowhere(int id) const {
     const node& n = g_[id];
     if (n.op == operation::divide) return denominator(n.b) + " vanishes identically";
-    return is_solution(n.op) ? system(n.a) + " is singular everywhere" : function(id) + " is defined nowhere";
+    return is_solution(n.op) ? system(n.a) + " is singular everywhere"
+                             : function(id) + " is undefined everywhere";
   }
 
-  /// How far series go: of functions of the program as far as these have derivatives.
+  /// The extent of the series, which is limited by the derivatives that user-defined functions provide.
   std::string terms_known(int id) const {
     const sequence<char> live = live_nodes(g_, {id});
     for (int each = 0; each <= id; ++each)
       if (live[each] != 0 && g_[each].op == operation::call)
-        return "the derivatives that are given of " + std::string(g_.external_at(each).original.view());
-    return "16 terms of a series";
+        return "the given derivatives of " + std::string(g_.external_at(each).original.view());
+    return "16 series terms";
   }
 
-  /// The operand with the pole of the highest order; -1: none has one.
+  /// The operand with the pole of the highest order; -1 if no operand has a pole.
   int steepest(const line& l, const node& n) const {
     sequence<int> operands;
     if (n.op == operation::call) {
@@ -95,7 +97,7 @@ private:
     for (int each : operands)
       if (l.holds(each) && l[each] && l[each]->has_terms() && l[each]->order() < least)
         found = each, least = l[each]->order();
-    // a solution is looked into as a whole
+    // a component leads to the whole solution
     return found < 0 && n.op == operation::component ? n.a : found;
   }
 
@@ -103,7 +105,7 @@ private:
     const std::string text = short_text(id);
     return text.empty() ? "a denominator" : text + " in a denominator";
   }
-  /// As a formula; a long one by its function alone.
+  /// A formula, or only the function name if the formula is too long.
   std::string function(int id) const {
     std::string text = short_text(id);
     if (!text.empty()) return text;
@@ -125,7 +127,7 @@ private:
     return text + "]]";
   }
 
-  /// " at q1 = 0, q2 = pi", of the symbols that are replaced in a node.
+  /// " at q1 = 0, q2 = pi": the replaced symbols in a node.
   std::string where(int id) const {
     constexpr int most_symbols = 6;
     const sequence<char> live = live_nodes(g_, {id});
@@ -142,14 +144,14 @@ private:
     return text;
   }
 
-  /// The printed form, or nothing where it is long. Nothing long is printed to find that out.
+  /// The printed form, or nothing if it would be too long; the length is estimated before printing.
   std::string short_text(int id) const {
     int left = static_cast<int>(most_letters);
     if (!fits(id, left)) return {};
     const std::string text = print(g_, id);
     return text.size() > most_letters ? std::string{} : text;
   }
-  /// Whether a tree has no more nodes than are left.
+  /// Whether the expression tree has at most `left` nodes.
   bool fits(int id, int& left) const {
     if (--left < 0) return false;
     const node& n = g_[id];

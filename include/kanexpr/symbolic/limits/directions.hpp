@@ -4,12 +4,13 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// The straight ways to a point, by the steps of the symbols that are replaced there: from two opposite
-/// sides, and, of several symbols, such that any two are parted by their signs and each is the larger one
-/// somewhere. The last has equal steps, which makes the shortest expressions; it may be special.
+/// Straight lines toward a point, given by the steps of the replaced symbols: from two opposite sides and,
+/// for several symbols, such that the signs of any two symbols differ on some line and each is the larger one
+/// on some line. The last line has equal steps, which give the shortest expressions; it may be a special
+/// case.
 class directions {
 public:
-  /// Of those symbols that some outputs depend on.
+  /// Covers the replaced symbols that the outputs depend on.
   directions(const graph& g, const appraisal& point, const sequence<int>& outputs) {
     const sequence<char> live = live_nodes(g, outputs);
     for (int id = 0; id < live.size(); ++id)
@@ -20,7 +21,7 @@ public:
   int size() const { return moved_.size() == 1 ? 2 : mixed + patterns_ + 1; }
   bool has_equal_steps() const { return moved_.size() > 1; }
 
-  /// Numbers without simple relations between them.
+  /// Steps without simple ratios.
   int step(int way, int symbol) const {
     if (moved_.size() == 1) return way == 0 ? 1 : -1;
     if (way == size() - 1) return 1;
@@ -39,7 +40,7 @@ private:
   static constexpr int mixed = 4;
 
   sequence<int> moved_{};
-  int patterns_ = 0; ///< of signs
+  int patterns_ = 0; ///< number of sign patterns
 };
 
 } // namespace kanexpr::symbolic::taylor

@@ -6,20 +6,20 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// Why an operation has no series.
+/// The reason why an operation has no series.
 enum class obstacle {
   none,
-  truncated,         ///< with more terms it may have
+  truncated,         ///< more terms may help
   zero_divisor,      ///< zero along the whole line
-  zero_logarithm,    ///< the logarithm of what vanishes
-  infinite_argument, ///< of an exponential or a sine
+  zero_logarithm,    ///< the argument of a logarithm is zero
+  infinite_argument, ///< the argument of an exponential or a sine
   not_real,
-  fractional_order, ///< powers of ε between the integers
+  fractional_order, ///< non-integer powers of ε
   singular_system,  ///< along the whole line
-  piecewise,        ///< the first term vanishes for some values of the symbols that stay
+  piecewise,        ///< the leading term vanishes for some values of the remaining symbols
 };
 
-/// A series, or why there is none.
+/// A series, or the reason why there is none.
 class expansion {
 public:
   expansion(series found) : found_(std::move(found)) {}

@@ -3,8 +3,8 @@
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/limits/expansion.hpp>
 
-/// Functions of the program, of which nothing is known but their derivatives: their values are what nobody
-/// chose, also where their operands are numbers.
+/// User-defined functions. Only their derivatives are known, so they get generic values even where their
+/// operands are numbers.
 namespace kanexpr::symbolic::taylor {
 
 inline generic_values called(const external_function& f, const std::vector<generic_values>& operands) {
@@ -21,7 +21,7 @@ inline generic_values called(const external_function& f, const std::vector<gener
   });
 }
 
-/// The coefficient without ε.
+/// The constant coefficient.
 inline coefficient called(graph& g, const external_function& f, const std::vector<series>& operands) {
   sequence<int> nodes;
   std::vector<generic_values> values;
@@ -32,7 +32,7 @@ inline coefficient called(graph& g, const external_function& f, const std::vecto
   return {expression{g, call(g, f, list_of(g, nodes))}, called(f, values)};
 }
 
-/// So many terms, or as many as there are derivatives for.
+/// The series with the requested number of terms, or fewer if there are not enough derivatives.
 inline series called(graph& g, const external_function& f, const std::vector<series>& operands, int terms,
                      int most) {
   const coefficient first = called(g, f, operands);
@@ -48,7 +48,7 @@ inline series called(graph& g, const external_function& f, const std::vector<ser
   return integral(rate, first);
 }
 
-/// The series of a call, of operands that have one.
+/// The series of a call whose operands have one.
 inline expansion call_expanded(graph& g, const external_function& f, const std::vector<series>& operands,
                                int most) {
   int terms = 1;

@@ -24,13 +24,13 @@ coefficient weighted(const series& s, int k, const Weights& w) {
 
 } // namespace detail
 
-/// Why the argument of an entire function will not do.
+/// The obstacle to expanding an entire function at this argument.
 inline obstacle unbounded(const series& s) {
   if (s.has_terms() && s.order() < 0) return obstacle::infinite_argument;
   return s.end() <= 0 ? obstacle::truncated : obstacle::none;
 }
 
-/// The sine or the cosine, circular or hyperbolic.
+/// The circular or hyperbolic sine or cosine.
 inline expansion sine(const series& s, operation wanted) {
   if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   if (s.is_constant()) return detail::constant_or(apply(wanted, s[0]), obstacle::not_real);
@@ -49,7 +49,7 @@ inline expansion sine(const series& s, operation wanted) {
   return series(0, std::move(is_sine ? sines : cosines), s.last(), s.most());
 }
 
-/// By t' = (1 + t²) s'; where the cosine vanishes, by a quotient.
+/// Integrates t' = (1 + t²) s'; where the cosine vanishes, a quotient is used.
 inline expansion tan(const series& s) {
   if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   const std::optional<coefficient> cosine = apply(operation::cos, s[0]);
@@ -71,7 +71,7 @@ inline expansion tan(const series& s) {
   return series(0, std::move(t), s.last(), s.most());
 }
 
-/// sᵖ for a constant exponent, by h' s = p h s'. The first term decides what is real.
+/// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether it is real.
 inline expansion power(const series& s, const coefficient& p) {
   if (s.is_zero() && p.is_number() && !p.value().negative()) return series(coefficient(p.is_zero() ? 1 : 0));
   if (s.is_zero()) return obstacle::zero_divisor;
@@ -102,7 +102,7 @@ inline expansion power(const series& s, const coefficient& p) {
 
 inline expansion sqrt(const series& s) { return power(s, coefficient(exactly(1, 2))); }
 
-/// |s|, or the sign of s; the first term decides.
+/// |s| or the sign of s; the leading term decides.
 inline expansion magnitude(const series& s) {
   if (!s.has_terms()) return s;
   if (s.lead().is_number()) return s.lead().value().negative() ? -s : s;
@@ -110,7 +110,7 @@ inline expansion magnitude(const series& s) {
   const series first(s.order(), {*apply(operation::abs, s.lead())}, series::all_orders, s.most());
   return first + (s - series(s.order(), {s.lead()}, series::all_orders, s.most())) * series(*side);
 }
-/// The first term of the condition decides; with symbols it does so in each term.
+/// The leading term of the condition decides; if it is symbolic, every term gets a selection.
 inline expansion selected(operation op, const series& condition, const series& s) {
   if (condition.is_zero()) return op == operation::if_positive ? series{} : s;
   if (!condition.has_terms()) return obstacle::truncated;

@@ -9,8 +9,8 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// The values of an expression where its symbols have values that nobody chose: what is zero there is zero
-/// everywhere. A number has one value only.
+/// The values of an expression at generic values of its symbols; an expression that vanishes there is assumed
+/// to vanish everywhere. A number has only one value.
 class generic_values {
 public:
   static constexpr int count = 4;
@@ -24,8 +24,8 @@ public:
     for (int i = 0; i < all.size(); ++i) all.at_[static_cast<std::size_t>(i)] = at(i);
     return all;
   }
-  /// Those of a symbol: small and large, for functions that are not defined everywhere. Parameters are
-  /// positive, as masses and lengths are.
+  /// The generic values of a symbol: small and large, because some functions are not defined everywhere.
+  /// Parameters are positive, as masses and lengths are.
   static generic_values of_symbol(symbol_kind kind, int place) {
     std::uint64_t random = 88172645463325252u + static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15u;
     constexpr double scales[count] = {1, 0.3, 3, 20};
@@ -46,14 +46,14 @@ public:
       if ((*this)[i].defined()) return true;
     return false;
   }
-  /// Wherever they are defined.
+  /// Whether the expression vanishes wherever it is defined.
   bool vanish() const {
     for (int i = 0; i < size(); ++i)
       if ((*this)[i].defined() && !(*this)[i].vanishes()) return false;
     return defined();
   }
 
-  /// Whether they vanish at some values of the symbols and not at others, as abs(x) - x does.
+  /// Whether the expression vanishes at some values of the symbols but not at others, like abs(x) - x.
   bool vanish_partly() const {
     for (int i = 0; i < size(); ++i)
       if ((*this)[i].defined() && (*this)[i].vanishes()) return !vanish();
@@ -69,7 +69,7 @@ inline generic_values apply(operation op, const generic_values& a, const generic
   return generic_values::by(a.is_number() && b.is_number(), [&](int i) { return apply(op, a[i], b[i]); });
 }
 
-/// Whether an operation has no value wherever its operands have.
+/// Whether an operation is undefined wherever its operands are defined.
 inline bool is_singular(operation op, const generic_values& a, const generic_values& b) {
   bool is_known = false;
   for (int i = 0; i < (a.is_number() ? b : a).size(); ++i) {
@@ -80,7 +80,7 @@ inline bool is_singular(operation op, const generic_values& a, const generic_val
   return is_known;
 }
 
-/// Whether a selection lets its second operand through nowhere.
+/// Whether a selection never passes its second operand.
 inline bool is_left_out(operation op, const generic_values& condition) {
   for (int i = 0; i < condition.size(); ++i)
     if (!condition[i].defined() || is_singular(op, condition[i], {}) ||
@@ -89,7 +89,7 @@ inline bool is_left_out(operation op, const generic_values& condition) {
   return true;
 }
 
-/// x in A x = b, with A by rows; nothing where the matrix is singular wherever it is defined.
+/// Solves A x = b with A stored by rows; returns nothing if the matrix is singular wherever it is defined.
 inline std::optional<std::vector<generic_values>> solved(const std::vector<generic_values>& a,
                                                          const std::vector<generic_values>& b) {
   bool is_number = true, is_defined = false, is_regular = false;

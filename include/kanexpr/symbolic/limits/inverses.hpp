@@ -2,10 +2,10 @@
 
 #include <kanexpr/symbolic/limits/functions.hpp>
 
-/// The functions of series that are integrals of algebraic ones.
+/// Functions of series that are integrals of algebraic functions.
 namespace kanexpr::symbolic::taylor {
 
-/// f + ∫ rate, where the rate may have a pole that an integral cannot have.
+/// f + ∫ rate; fails if the rate has a pole.
 inline expansion integral_from(const std::optional<coefficient>& f, const expansion& rate) {
   if (!f) return obstacle::not_real;
   if (!rate) return rate;
@@ -36,7 +36,7 @@ inline expansion atan(const series& s) {
   return integral_from(first, quotient(rate, series(coefficient(1)) + s * s));
 }
 
-/// The arcsine, or the arccosine. At the ends of its range the rate is a quotient of what vanishes.
+/// The arcsine or arccosine. At the ends of its domain the rate is a quotient whose terms vanish.
 inline expansion arcsine(const series& s, operation wanted) {
   if (s.has_terms() && s.order() < 0) return obstacle::not_real;
   if (s.end() <= 0) return obstacle::truncated;
@@ -55,7 +55,7 @@ inline expansion arcsine(const series& s, operation wanted) {
 
 namespace detail {
 
-/// On the negative half of the axis of x the side on which y lies decides.
+/// On the negative x axis, the sign of y decides.
 inline std::optional<coefficient> first_angle(const series& y, const series& x, int order) {
   if (!y[order].is_zero() || !y.has_terms()) return atan2(y[order], x[order]);
   const std::optional<coefficient> side = apply(operation::sign, y.lead()), angle = atan2({}, x[order]);
@@ -64,7 +64,7 @@ inline std::optional<coefficient> first_angle(const series& y, const series& x, 
 
 } // namespace detail
 
-/// The angle of (x, y) by (x y' - y x')/(x² + y²); only their ratio counts, so both may vanish.
+/// The angle of (x, y) from (x y' - y x')/(x² + y²); only the ratio matters, so both may vanish.
 inline expansion atan2(const series& y, const series& x) {
   if (y.is_zero() && x.is_zero()) return obstacle::zero_divisor;
   const int order = (std::min)(y.order(), x.order());

@@ -7,29 +7,29 @@
 #include <string>
 #include <vector>
 
-/// Values at an operating point, with limits where they are 0/0.
+/// Values at an operating point, with limits where substitution gives 0/0.
 namespace kanexpr::symbolic {
 
-/// An entry of a matrix that has no value and no limit, and why, as a sentence.
+/// A matrix entry that has neither a value nor a limit, and the reason as a sentence.
 struct singularity {
   int row = 0;
   int column = 0;
   std::string condition;
 };
 
-/// The values of a matrix at a point; not-a-number at the entries that are singular.
+/// The values of a matrix at a point; singular entries are NaN.
 struct point_values {
   matrix values;
-  std::vector<singularity> singular; ///< empty: all values were found
+  std::vector<singularity> singular; ///< empty if all values were found
 };
 
-/// The values of expressions where symbols are replaced, all at once, by numbers or by expressions of symbols
-/// that stay. What has no value there by substitution has its limit, found by series along straight lines;
-/// where it depends on the direction, or is not finite, the entry is singular.
+/// Evaluates expressions with symbols simultaneously replaced by numbers or by expressions in the remaining
+/// symbols. Where substitution gives no value, the limit is computed from series along straight lines; the
+/// entry is singular if the limit depends on the direction or is not finite.
 ///
-/// A denominator counts as zero where it vanishes at generic values of the symbols that stay, and a number
-/// where it is zero within a running bound on what rounding did to it (bounded.hpp). Functions without a
-/// power series, such as sqrt(q) and log(q) at q = 0, have no limit here even where one side has.
+/// A denominator counts as zero if it vanishes at generic values of the remaining symbols; a number counts as
+/// zero if it is zero within a running bound on its rounding error (bounded.hpp). Functions without a power
+/// series, such as sqrt(q) and log(q) at q = 0, have no limit here even if a one-sided limit exists.
 KANEXPR_ENGINE point_values limits_at(graph& g, const matrix& m, const std::vector<replacement>& point);
 
 } // namespace kanexpr::symbolic

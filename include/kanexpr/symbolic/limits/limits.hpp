@@ -12,11 +12,11 @@ namespace taylor {
 
 struct limit {
   expression value{};
-  std::string condition{}; ///< empty: the value was found
+  std::string condition{}; ///< empty if the value was found
 };
 
-/// Limits of expressions that have no value by substitution. The point is approached along straight lines,
-/// from several sides; where that makes a difference there is no limit.
+/// Limits of expressions for which substitution gives no value. The point is approached along straight lines
+/// from several sides; there is no limit if the results differ.
 class limits {
 public:
   limits(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs)
@@ -30,7 +30,7 @@ private:
   using lines = std::vector<std::unique_ptr<line>>;
   static constexpr int most_terms = 16;
 
-  /// Without those that have no value anywhere.
+  /// Drops the outputs that have no value anywhere.
   sequence<int> those_with_values(const sequence<int>& outputs) {
     const appraisal generic(g_, outputs, {});
     sequence<int> others;
@@ -42,7 +42,7 @@ private:
     return others;
   }
 
-  /// Terms are added until they decide.
+  /// Adds terms until they decide.
   void search(sequence<int> open) {
     for (int most = 2; !open.empty() && most <= most_terms; most *= 2) {
       lines all;
@@ -66,14 +66,14 @@ private:
   static bool is_truncated(const line& l, int id) {
     return l[id] ? !has_pole(l, id) && l[id]->end() <= 0 : l[id].met() == obstacle::truncated;
   }
-  /// A line along which a denominator happens to vanish decides nothing.
+  /// Along a line on which a denominator happens to vanish, nothing can be decided.
   static bool decides(const line& l, int id) {
     const obstacle met = l[id].met();
     return met != obstacle::zero_divisor && met != obstacle::singular_system && !is_truncated(l, id);
   }
   static bool differ(const line& a, const line& b, int id) { return !((*a[id])[0] - (*b[id])[0]).is_zero(); }
 
-  /// Finds a limit, or why there is none; neither where more terms may change it.
+  /// Finds a limit or the reason why there is none; returns false if more terms may change the result.
   bool decide(const lines& all, int id, bool is_last) {
     const line* first = nullptr;
     bool is_open = false;
@@ -91,7 +91,8 @@ private:
     return true;
   }
 
-  /// Why there is no limit, by a line that decides and another before it, or nothing.
+  /// The reason why there is no limit, from a line that decides and an earlier one; empty if there is no
+  /// objection.
   std::string objection(const line* first, const line& other, int id) const {
     if (!other[id]) return say_.without_series(other, id);
     if (has_pole(other, id)) return say_.pole(other, id);

@@ -6,11 +6,11 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// The series of what some outputs need, where the symbols that are replaced come to their point along a
-/// line: the one replaced by x is x + ε d, for ε > 0.
+/// The series of the nodes that the outputs need when the replaced symbols approach their point along a line:
+/// a symbol replaced by x becomes x + ε d, with ε > 0.
 class line {
 public:
-  /// `direction(id)` is the d of a symbol by its node; terms are kept to the order `most`.
+  /// `direction(id)` is the d of the symbol at node `id`; terms are kept up to the order `most`.
   template <class Direction>
   line(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs,
        Direction direction, int most)
@@ -28,7 +28,7 @@ public:
 
   const expansion& operator[](int id) const { return found_.at(id); }
   bool holds(int id) const { return found_.contains(id); }
-  /// The first node on the way to another that has no series, and why; itself where it has one.
+  /// The first node without a series that a node depends on, or the node itself if there is none.
   int failing(int id) const {
     const auto found = failing_.find(id);
     return found == failing_.end() ? id : found->second;
@@ -72,7 +72,7 @@ private:
     return found_.at(operand);
   }
 
-  /// Derivatives take it as a constant.
+  /// The singularity measure, which derivatives treat as a constant.
   expansion measured(int id) {
     if (point_.is_singular(id)) return obstacle::truncated;
     return series(0, {plain(id)}, 1, most_);
@@ -88,7 +88,7 @@ private:
     return call_expanded(g_, f, operands, most_);
   }
 
-  /// What stands for the whole solution is its first component.
+  /// A node of a whole solution represents its first component.
   expansion solve(int id, const node& n) {
     std::vector<series> a, b, x;
     const auto gather = [&](const sequence<int>& ids, std::vector<series>& all) {

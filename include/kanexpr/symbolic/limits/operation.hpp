@@ -5,7 +5,7 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// Whether the first term decides what an operation gives, and vanishes for some values of the symbols.
+/// Whether the leading term decides the result of an operation but vanishes for some values of the symbols.
 inline bool is_piecewise(operation op, const series& a, const series& b) {
   const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanish_partly(); };
   if (op == operation::divide) return is_unsure(b);
@@ -18,7 +18,7 @@ inline bool is_piecewise(operation op, const series& a, const series& b) {
 
 inline expansion apply(operation op, const series& a, const series& b);
 
-/// The derivative of a function of one argument at s, where it is f.
+/// The derivative of a function of one argument at s, where its value is f.
 inline expansion slope_of(operation op, const series& s, const series& f) {
   graph g;
   const expression x = variable(g, {symbol_kind::parameter, "x", 0}),
@@ -39,7 +39,7 @@ inline expansion slope_of(operation op, const series& s, const series& f) {
   return at[static_cast<std::size_t>(slope)];
 }
 
-/// A function that is smooth at s_0, by f' = slope(s, f) s': what is known of f to some order gives one more.
+/// A function that is smooth at s_0, from f' = slope(s, f) s': each known order of f yields the next.
 inline expansion smooth(operation op, const series& s) {
   if (const obstacle met = unbounded(s); met != obstacle::none) return met;
   const std::optional<coefficient> first = apply(op, s[0]);
@@ -53,8 +53,8 @@ inline expansion smooth(operation op, const series& s) {
   return f;
 }
 
-/// A function of one argument: those that need more than their derivative, because they have poles, ends or
-/// corners, by themselves.
+/// A function of one argument. Functions with poles, end points or corners need more than their derivative
+/// and are handled separately.
 inline expansion function_of(operation op, const series& s) {
   if (op == operation::sqrt) return sqrt(s);
   if (op == operation::sin || op == operation::cos || op == operation::sinh || op == operation::cosh)
@@ -68,7 +68,7 @@ inline expansion function_of(operation op, const series& s) {
   return smooth(op, s);
 }
 
-/// One operation that is no linear system.
+/// An operation other than a linear system.
 inline expansion apply(operation op, const series& a, const series& b) {
   if (is_piecewise(op, a, b)) return obstacle::piecewise;
   switch (form_of(op)) {
@@ -93,7 +93,7 @@ inline expansion apply(operation op, const series& a, const series& b) {
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: break; // who expands a graph knows these
+  case form::call: break; // expanded by the graph traversal
   }
   return obstacle::truncated;
 }

@@ -6,11 +6,10 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// Solves A x = b by elimination with row exchanges, where A is square, by rows, and x is b to begin with;
-/// false where a column is left without a pivot. Both are lost.
+/// Solves A x = b by elimination with row exchanges, for a square A stored by rows and x holding b on entry;
+/// returns false if a column has no pivot. Overwrites both.
 ///
-/// `worth(x)` is what a pivot is worth, an optional of anything that can be compared: nothing where it cannot
-/// be divided by.
+/// `worth(x)` rates a pivot: an optional of any comparable type, empty if x cannot be a divisor.
 template <class Number, class Worth>
 bool eliminate(std::vector<Number>& a, std::vector<Number>& x, Worth worth) {
   const std::size_t order = x.size();

@@ -4,7 +4,7 @@
 
 namespace kanexpr::symbolic {
 
-/// What stands for a symbol: a number, or an expression of symbols that stay.
+/// The replacement of a symbol: a number, or an expression in the remaining symbols.
 struct replacement {
   expression symbol;
   expression by;

@@ -7,8 +7,8 @@
 
 namespace kanexpr::symbolic::taylor {
 
-/// A truncated Laurent series in ε: terms from some order on, of which the first is not zero, up to an order
-/// from which on nothing is known. A polynomial is known to all orders.
+/// A truncated Laurent series in ε: terms from a first order, where the coefficient is nonzero, up to an
+/// order from which on the series is unknown. A polynomial is known to all orders.
 ///
 /// Arithmetic: Knuth, The Art of Computer Programming 2 (1997), section 4.7; Griewank & Walther, Evaluating
 /// Derivatives (2008), section 13.2.
@@ -18,7 +18,8 @@ public:
 
   series() = default; // zero
   explicit series(const coefficient& constant) : series(0, {constant}, all_orders, all_orders) {}
-  /// The terms from `first` on; nothing is known from `end` on, nor kept beyond the order `most`.
+  /// The terms from order `first`; the series is unknown from order `end`, and terms beyond the order `most`
+  /// are dropped.
   series(int first, std::vector<coefficient> terms, int end, int most)
       : first_(first), end_(end), most_(most), terms_(std::move(terms)) {
     const int kept = (std::min)(end_, most_ + 1) - first_;
@@ -42,21 +43,21 @@ public:
   bool has_terms() const { return !terms_.empty(); }
   bool is_zero() const { return terms_.empty() && end_ == all_orders; }
   bool is_constant() const { return end_ == all_orders && (terms_.empty() || (first_ == 0 && size() == 1)); }
-  /// The order of the first term; without terms, that from which on nothing is known.
+  /// The order of the first term; without terms, the order from which on the series is unknown.
   int order() const { return terms_.empty() ? end_ : first_; }
   int end() const { return end_; }
   int most() const { return most_; }
-  /// The end of the terms that are worth to be found.
+  /// The end of the terms worth computing.
   int last() const { return (std::min)(end_, most_ + 1); }
   const coefficient& lead() const { return terms_.front(); }
   coefficient operator[](int k) const {
     const int place = k - first_;
     return place >= 0 && place < size() ? terms_[static_cast<std::size_t>(place)] : coefficient{};
   }
-  /// The end of the terms that are not zero.
+  /// The end of the nonzero terms.
   int stop() const { return terms_.empty() ? end_ : first_ + size(); }
 
-  /// Times εⁿ.
+  /// The series times εⁿ.
   series shifted(int n) const {
     if (is_zero()) return *this;
     series moved = *this;
@@ -76,7 +77,7 @@ private:
 
 namespace detail {
 
-/// A series whose terms from `first` to `stop` a function gives by their orders.
+/// A series whose terms from `first` to `stop` are given by a function of their order.
 template <class Term>
 series series_of(int first, int stop, int end, int most, Term term) {
   if (stop > most + 1) stop = most + 1, end = (std::min)(end, stop);
@@ -117,7 +118,7 @@ inline series operator*(const series& a, const series& b) {
   });
 }
 
-/// The caller has made sure that `b` has terms.
+/// Requires that `b` has terms.
 inline series operator/(const series& a, const series& b) {
   if (a.is_zero()) return {};
   const int most = (std::min)(a.most(), b.most()), first = a.order() - b.order();
@@ -136,7 +137,7 @@ inline series operator/(const series& a, const series& b) {
   return {first, std::move(terms), end, most};
 }
 
-/// The derivative by ε.
+/// The derivative with respect to ε.
 inline series derivative(const series& a) {
   const int end = a.end() == series::all_orders ? series::all_orders : a.end() - 1;
   if (!a.has_terms()) return {end, {}, end, a.most()};
@@ -144,7 +145,7 @@ inline series derivative(const series& a) {
                            [&](int k) { return coefficient(k + 1) * a[k + 1]; });
 }
 
-/// The integral by ε of a series without a term of order -1, with a constant.
+/// The integral over ε of a series without a term of order -1, plus a constant.
 inline series integral(const series& a, const coefficient& constant) {
   const int end = a.end() == series::all_orders ? series::all_orders : a.end() + 1;
   return series(0, {constant}, end, a.most()) +

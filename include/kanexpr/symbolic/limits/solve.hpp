@@ -13,7 +13,7 @@ public:
   series_system(graph& g, operation op, std::vector<series> a, std::vector<series> b)
       : g_(g), op_(op), n_(static_cast<int>(b.size())), a_(std::move(a)), b_(std::move(b)) {}
 
-  /// All of x, or why there is none.
+  /// Computes all of x; returns the obstacle if there is no solution.
   obstacle solve(std::vector<series>& x) const {
     if (is_regular_and_symbolic()) return by_first_terms(x);
     return n_ <= 3 ? by_cofactors(x) : by_elimination(x);
@@ -41,7 +41,7 @@ private:
     return is_symbolic && solved(values_of_first(), std::vector<generic_values>(b_.size())).has_value();
   }
 
-  /// A_0 x_k = b_k - Σ A_j x_{k-j}, all with the factors of A_0.
+  /// Solves A_0 x_k = b_k - Σ A_j x_{k-j} with one factorization of A_0.
   obstacle by_first_terms(std::vector<series>& x) const {
     int first = series::all_orders, end = series::all_orders, most = series::all_orders;
     bool is_constant = true;
@@ -109,7 +109,7 @@ private:
     return obstacle::none;
   }
 
-  /// With the pivots of the lowest order.
+  /// Eliminates with pivots of the lowest order.
   obstacle by_elimination(std::vector<series>& x) const {
     std::vector<series> entries;
     bool is_known = true;

@@ -4,18 +4,18 @@
 
 namespace kanexpr::symbolic {
 
-/// Equations of a linear system, by rows, and as many unknowns that only they and earlier blocks settle.
+/// Rows of a linear system and an equal number of unknowns, which they and earlier blocks determine.
 struct coupled_part {
   sequence<int> rows{};
   sequence<int> columns{};
 };
 
-/// Puts a square system into block triangular form by where its matrix is not zero: a matching of equations
-/// with unknowns, and the strongly connected components of what hangs on what then (Duff & Reid, "An
+/// Permutes a square system to block triangular form from its sparsity pattern, by a matching of equations
+/// with unknowns and the strongly connected components of the resulting dependencies (Duff & Reid, "An
 /// implementation of Tarjan's algorithm for the block triangularization of a matrix", 1978).
 class block_triangular_form {
 public:
-  /// `columns_of_row[i]`: the unknowns that equation i holds.
+  /// `columns_of_row[i]`: the unknowns in equation i.
   constexpr explicit block_triangular_form(const sequence<sequence<int>>& columns_of_row)
       : columns_(columns_of_row), n_(columns_of_row.size()), row_of_(n_, none), visited_(n_, 0) {
     for (int i = 0; i < n_; ++i) {
@@ -27,15 +27,15 @@ public:
       if (row_of_[j] != none && number_[j] == none) visit(j);
   }
 
-  /// Whether equations and unknowns can be paired at all; where not, the matrix is singular.
+  /// Whether all equations and unknowns can be paired; if not, the matrix is structurally singular.
   constexpr bool is_regular() const { return matched_ == n_; }
-  /// In the order in which they can be solved; unknowns without an equation are left out.
+  /// The blocks in solution order; unknowns without an equation are left out.
   constexpr const sequence<coupled_part>& parts() const { return parts_; }
 
 private:
   static constexpr int none = -1;
 
-  /// Finds a column for a row, and others for the rows that have to give way.
+  /// Finds a column for a row, reassigning columns of other rows if necessary.
   constexpr bool matches(int row) {
     for (int j : columns_[row]) {
       if (visited_[j] != 0) continue;
@@ -80,7 +80,7 @@ private:
   int count_ = 0;
   sequence<int> row_of_; ///< by column
   sequence<char> visited_;
-  sequence<int> number_{}, least_{}; ///< of columns, as they are met
+  sequence<int> number_{}, least_{}; ///< of columns, in order of discovery
   sequence<int> open_{};
   sequence<char> is_open_{};
   sequence<coupled_part> parts_{};

@@ -4,19 +4,19 @@
 
 namespace kanexpr::symbolic {
 
-/// Solutions of systems of order 2 or 3 written out with cofactors. Minors are formed where they are needed
-/// and met again as equal nodes; structural zeros vanish.
+/// Solves systems of order 2 or 3 by cofactors. Minors are formed when needed and shared as equal nodes;
+/// structural zeros vanish.
 class cofactors {
 public:
-  /// How the cofactors are used: column by column (Cramer's rule, which forms most of them with the right
-  /// side), all of them once for any number of right sides, or divided by the determinant beforehand.
+  /// The use of the cofactors: column by column (Cramer's rule, most of them formed with the right-hand
+  /// side), all of them once for any number of right-hand sides, or divided by the determinant beforehand.
   struct method {
     enum kind { by_columns, adjugate, inverse } way = adjugate;
-    int column = 0;          ///< whose cofactors make the determinant
+    int column = 0;          ///< the column along which the determinant is expanded
     bool transposed = false; ///< columns of Aᵀ
   };
 
-  /// The entries come by rows; `results` is how many components of solutions are needed.
+  /// The entries are given by rows; `results` is the number of solution components needed.
   constexpr cofactors(graph& g, const sequence<int>& entries, int order, method m, int results)
       : g_(g), a_(entries), n_(order), method_(m) {
     determinant_ = graph::zero;
@@ -41,7 +41,7 @@ public:
     return divides_ ? divide(g_, above, determinant_) : multiply(g_, above, reciprocal_);
   }
 
-  /// The methods to choose from for a system, its transpose, or both.
+  /// The available methods for a system, its transpose, or both.
   static constexpr sequence<method> all(int order, bool has_plain, bool has_transposed) {
     sequence<method> methods;
     for (int j = 0; j < order; ++j) {
@@ -62,7 +62,7 @@ private:
     return subtract(g_, product, multiply(g_, q, r));
   }
 
-  /// The cofactor of an entry, with its sign.
+  /// The signed cofactor of an entry.
   constexpr int of(int i, int j, bool transposed) {
     if (transposed) return of(j, i, false);
     if (n_ == 3) return minor_of(at(i + 1, j + 1), at(i + 1, j + 2), at(i + 2, j + 1), at(i + 2, j + 2));
@@ -75,8 +75,8 @@ private:
       for (int i = 0; i < 3 && i < n_; ++i) sum = add(g_, sum, multiply(g_, b[i], of(i, j, transposed)));
       return sum;
     }
-    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b), the other way round
-    // negative
+    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b); the opposite order changes
+    // the sign
     const int c = method_.column, third = 3 - c - j;
     for (int i = 0; i < 3; ++i) {
       const int p = (i + 1) % 3, q = (i + 2) % 3;

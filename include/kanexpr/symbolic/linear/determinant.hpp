@@ -4,11 +4,11 @@
 
 namespace kanexpr::symbolic {
 
-/// Beyond it a determinant that is written out would be long.
+/// The largest order for which the determinant is expanded; beyond it, the expression would be long.
 inline constexpr int largest_with_determinant = 6;
 
-/// Of a matrix by rows, along its first row. Minors are met again as equal nodes, and structural zeros
-/// vanish.
+/// The determinant of a matrix stored by rows, expanded along its first row. Minors are shared as equal
+/// nodes, and structural zeros vanish.
 constexpr expression determinant(const sequence<expression>& entries, int order) {
   if (order == 1) return entries[0];
   expression sum = entries[0] - entries[0];

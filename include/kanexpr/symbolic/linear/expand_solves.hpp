@@ -8,17 +8,17 @@ namespace kanexpr::symbolic {
 
 namespace detail {
 
-/// What is needed of one factorization.
+/// The uses of one factorization.
 struct solves_of_factors {
   int factorization = 0;
   sequence<int> solutions{};
-  int results = 0; ///< components of them
+  int results = 0; ///< number of solution components used
   bool measured = false;
   cofactors::method method{};
 };
 
-/// Rewrites the solutions of small systems, and of systems of numbers, as ordinary operations. Nodes are
-/// taken in their order, so operands come before their users.
+/// Rewrites the solutions of small systems and of constant systems as ordinary operations. Nodes are visited
+/// in ascending order, so operands precede their users.
 class expansion {
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
@@ -70,7 +70,7 @@ private:
     }
   }
 
-  /// Tries all methods on a graph of their own, whose symbols stand for the entries.
+  /// Tries all methods on a separate graph in which symbols represent the entries.
   constexpr cofactors::method cheapest(const solves_of_factors& uses) {
     const int order = order_of(g_, uses.factorization);
     const auto entries = stand_ins(entries_of(g_, uses.factorization));
@@ -159,16 +159,16 @@ private:
   graph& g_;
   sequence<char> live_;
   sequence<int> image_;
-  sequence<int> uses_of_; ///< by the node of a factorization
+  sequence<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
   graph trial_{};
-  int inverted_ = -1; ///< the matrix of numbers that was inverted last
+  int inverted_ = -1; ///< the constant matrix inverted last
   sequence<number> inverse_{};
 };
 
 } // namespace detail
 
-/// Whether `expand_solves` has anything to do for what is live.
+/// Whether any live node requires `expand_solves`.
 constexpr bool holds_solves(const graph& g, const sequence<char>& live) {
   if (!g.holds_lists()) return false;
   const node* const nodes = g.begin();
@@ -178,8 +178,8 @@ constexpr bool holds_solves(const graph& g, const sequence<char>& live) {
   return false;
 }
 
-/// The outputs with the solutions of systems of order 1 to 3 written out: one determinant and its reciprocal
-/// for all right sides, and cofactors. Larger systems stay.
+/// Rewrites the outputs with systems of order 1 to 3 solved by cofactors, with one determinant and its
+/// reciprocal for all right-hand sides. Larger systems are kept.
 constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs) {
   detail::expansion expanded(g, outputs);
   expanded.run();

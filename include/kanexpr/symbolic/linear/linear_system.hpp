@@ -2,8 +2,8 @@
 
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
-/// Linear systems as nodes of the graph: one factorization serves any number of right sides, transposed
-/// systems, and all derivatives.
+/// Linear systems as nodes of the graph: one factorization serves any number of right-hand sides, transposed
+/// systems and all derivatives.
 namespace kanexpr::symbolic {
 
 constexpr sequence<int> nodes_of(const sequence<expression>& all) {
@@ -12,7 +12,7 @@ constexpr sequence<int> nodes_of(const sequence<expression>& all) {
   return nodes;
 }
 
-/// A square matrix made ready to solve with; no value, but what `solve` and `singularity_measure` need.
+/// A factorized square matrix; not a value, only an operand of `solve` and `singularity_measure`.
 constexpr expression factorization(graph& g, const matrix& a) {
   return {g, factorization(g, nodes_of(a.entries), a.rows)};
 }
@@ -25,18 +25,18 @@ constexpr sequence<expression> solve(operation op, expression factorization, con
   return x;
 }
 
-/// x in A x = b.
+/// Solves A x = b.
 constexpr sequence<expression> solve(expression factorization, const sequence<expression>& b) {
   return solve(operation::solve, factorization, b);
 }
-/// x in Aᵀ x = b.
+/// Solves Aᵀ x = b.
 constexpr sequence<expression> solve_transposed(expression factorization, const sequence<expression>& b) {
   return solve(operation::transposed_solve, factorization, b);
 }
 
-/// How far a matrix is from a singular one: of order 1 to 3 |det|, beyond the least pivot of elimination
-/// beside the terms that it is the sum of, if the entries are as large as the roots of `squares`, by rows.
-/// Zero, or no number, where it is singular. Derivatives take it as a constant.
+/// The distance of a matrix from singularity: |det| for orders 1 to 3; for larger orders, the smallest pivot
+/// of the elimination relative to the terms that add up to it. `squares` holds the squared sizes of the
+/// entries, by rows. Zero or NaN if the matrix is singular. Derivatives treat it as a constant.
 constexpr expression singularity_measure(expression factorization, const sequence<expression>& squares) {
   graph& g = factorization.owner();
   return {g, singularity_measure(g, factorization.node(), list_of(g, nodes_of(squares)))};

@@ -6,23 +6,23 @@
 
 namespace kanexpr::symbolic {
 
-/// What one unknown is divided by when a symmetric matrix is eliminated.
+/// The divisor for one unknown in the elimination of a symmetric matrix.
 struct pivot {
-  int place = 0; ///< of the unknown
+  int place = 0; ///< index of the unknown
   int key = 0;   ///< the divisor
   expression value{};
-  expression entry{}; ///< of the diagonal, before anything was taken off it
+  expression entry{}; ///< the diagonal entry before elimination
 };
 
 struct symmetric_solution {
   sequence<expression> x{};
-  sequence<pivot> pivots{}; ///< not those that are numbers; what spoils others comes before them
+  sequence<pivot> pivots{}; ///< without constants; a pivot that affects others precedes them
 };
 
 namespace detail {
 
-/// The pivot that a quotient divides by. A quotient may have been simplified: then its divisor is a factor of
-/// the pivot, which is compared with itself.
+/// Records the pivot that a quotient divides by. If the quotient has been simplified, its divisor is only a
+/// factor of the pivot and is compared with itself.
 constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, expression value,
                           expression entry) {
   graph& g = value.owner();
@@ -39,8 +39,8 @@ constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, 
 
 namespace detail {
 
-/// A symmetric matrix on its way through elimination, by nodes and in both triangles, with the number of
-/// entries off the diagonal of each row that is left. Compilers interpret every call, so it is arrays.
+/// A symmetric matrix during elimination, with nodes in both triangles, and the number of off-diagonal
+/// entries in each remaining row. It uses arrays, because compilers interpret every call.
 struct symmetric_elimination {
   int n;
   sequence<int> entries;
@@ -48,7 +48,7 @@ struct symmetric_elimination {
   int* entry;  ///< by rows
   int* degree; ///< by row
 
-  /// From the lower triangle.
+  /// Reads the lower triangle.
   constexpr explicit symmetric_elimination(const matrix& m)
       : n(m.rows), entries(n * n, graph::zero), row_degrees(n, 0), entry(entries.begin()),
         degree(row_degrees.begin()) {
@@ -74,10 +74,10 @@ struct symmetric_elimination {
 
 } // namespace detail
 
-/// A symmetric positive definite matrix as M = LᵀDL, without square roots, to solve M x = f.
+/// Factorizes a symmetric positive definite matrix as M = LᵀDL, without square roots, to solve M x = f.
 ///
-/// The order of elimination keeps structural zeros (minimum degree; among equals the last row first, which
-/// runs a chain from its tip to its base). Only the lower triangle of M is read.
+/// The elimination order keeps structural zeros (minimum degree; ties go to the last row, which runs along a
+/// chain from tip to base). Only the lower triangle of M is read.
 class symmetric_factorization {
 public:
   constexpr symmetric_factorization(graph& g, const matrix& m)
@@ -99,8 +99,8 @@ public:
     return solved;
   }
 
-  /// Some columns of the inverse, which is symmetric: of two entries that are equal one is computed. Their
-  /// pivots are those of a solution each, one after another.
+  /// Selected columns of the inverse. It is symmetric, so only one of two equal entries is computed. The
+  /// pivots are returned for each column as for a solution.
   constexpr sequence<symmetric_solution> inverse_columns(const sequence<int>& columns) const {
     sequence<symmetric_solution> solved(columns.size());
     sequence<sequence<int>> right, x;
@@ -161,12 +161,12 @@ private:
           right[i] = subtract(g_, right[i], multiply(g_, factors_[p * n_ + i], right[p]));
   }
 
-  /// From the unknowns that were eliminated later.
+  /// Computes an unknown from those eliminated later.
   constexpr int unknown(int step, const sequence<int>& right, const sequence<int>& x,
                         sequence<pivot>& pivots) const {
     const int p = order_[step];
     int sum = graph::zero;
-    if (inverses_[p] == graph::zero) { // coupled to nothing that is left: one division does
+    if (inverses_[p] == graph::zero) { // not coupled to any remaining unknown: one division suffices
       sum = divide_in_lowest_terms(g_, right[p], left_.entry[p * n_ + p]);
       note(p, sum, pivots);
     } else {
@@ -184,7 +184,7 @@ private:
   sequence<expression> diagonal_{};
   sequence<int> order_{};
   sequence<int> inverses_, factors_; ///< row p: the multipliers of pivot p
-  sequence<int> positions_;          ///< in the order of elimination, by row
+  sequence<int> positions_;          ///< in the elimination order, by row
   sequence<pivot> pivots_{};
 };
 

@@ -7,21 +7,21 @@
 
 namespace kanexpr::symbolic {
 
-/// One coupled part of a linear system that is solved on its own and may be singular at some states.
+/// One coupled block of a linear system, which is solved separately and may be singular at some states.
 struct solved_block {
   sequence<int> rows{}, columns{}; ///< equations and unknowns
-  int key = 0;                     ///< the divisor where there is one unknown, else the factorization
-  expression measure{};            ///< far from singular as large as `scale`, up to signs; singular 0
+  int key = 0;                     ///< the divisor if there is one unknown, otherwise the factorization
+  expression measure{};            ///< 0 if singular; up to sign, about `scale` far from singularity
   expression scale{};
 };
 
 struct linear_solution {
   matrix x{};
-  sequence<solved_block> blocks{}; ///< not those whose matrix is of numbers
+  sequence<solved_block> blocks{}; ///< except blocks with a constant matrix
   bool structurally_regular = true;
 };
 
-/// Whether nodes that are needed depend on the solution of a block.
+/// Whether live nodes depend on the solution of a block.
 constexpr bool rests_on(const graph& g, const sequence<char>& live, int key) {
   if (g[key].op == operation::factorization) return live[key] != 0;
   for (int id = key + 1; id < live.size(); ++id)
@@ -101,7 +101,7 @@ private:
     return true;
   }
 
-  /// What equation i leaves on the right for the unknowns of its own part.
+  /// The right-hand side of equation i for the unknowns of its own block.
   constexpr expression right_side(int i, int column) const {
     expression sum = b_(i, column);
     for (int j = 0; j < a_.columns; ++j)
@@ -109,7 +109,7 @@ private:
     return sum;
   }
 
-  /// The mean squares of a part's entries, by rows.
+  /// The mean squares of the entries of a block, by rows.
   constexpr sequence<int> squares_of(const sequence<int>& rows, const sequence<int>& columns) const {
     sequence<int> coefficients, entries, squares;
     for (int i : rows) {
@@ -139,7 +139,7 @@ private:
     int key = without_sign(divisor.node());
     if (used > 1) {
       const int quotient = without_sign(reciprocal.node());
-      if (g_[quotient].op != operation::divide) return; // the divisor is one part of something
+      if (g_[quotient].op != operation::divide) return; // the divisor is only part of the denominator
       key = g_[quotient].b;
     }
     out_.blocks.push({{i}, {j}, key, divisor, root(squares_of({i}, {j})[0])});
@@ -168,8 +168,8 @@ private:
     push_block(part, factors);
   }
 
-  /// The determinant of a small part has a mean square of its own. Of a larger one each pivot is compared
-  /// with the mean squares that elimination makes of those of the entries.
+  /// A small block uses the mean square of its determinant. For a larger block, each pivot is compared with
+  /// the mean squares that the elimination forms from those of the entries.
   constexpr void push_block(const coupled_part& part, expression factors) {
     const int order = part.rows.size();
     const sequence<int> squares = squares_of(part.rows, part.columns);
@@ -195,10 +195,10 @@ private:
 
 } // namespace detail
 
-/// Solves A X = B, where A is square and may have zeros: block by block of its block triangular form, so an
-/// equation with one unknown left is a division. `equations` has a row for each equation with all of its
-/// coefficients, also those of what is no unknown here; `sums` are what they come from, of which all terms
-/// have one unit. Unknowns that a structurally singular matrix leaves open stay zero.
+/// Solves A X = B for a square A, which may be sparse, block by block in block triangular form; an equation
+/// with one remaining unknown is a division. `equations` has one row per equation with all coefficients,
+/// including those of variables that are not unknowns here; `sums` are the sums they come from, whose terms
+/// all have the same unit. Unknowns that a structurally singular matrix leaves undetermined remain zero.
 constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations,
                                        const sequence<int>& sums = {}) {
   return detail::linear_solver(g, a, b, equations, sums).run();

@@ -6,7 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// Inverts a matrix of numbers, by rows, exactly where they are fractions. Nothing for a singular one.
+/// Inverts a matrix of numbers stored by rows, exactly if they are fractions. Returns nothing if it is
+/// singular.
 constexpr sequence<number> inverse_of(sequence<number> a, int order) {
   sequence<number> inverse(order * order, exactly(0));
   for (int i = 0; i < order; ++i) inverse[i * order + i] = exactly(1);

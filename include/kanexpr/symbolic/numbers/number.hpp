@@ -9,12 +9,12 @@
 
 namespace kanexpr::symbolic {
 
-/// A constant: an exact fraction where it was written so (`/4`), a double otherwise.
+/// A constant: an exact fraction if it is written as one (`/4`), otherwise a double.
 ///
-/// Exact arithmetic falls back to doubles where a numerator or denominator would overflow.
+/// Exact arithmetic falls back to doubles when a numerator or denominator would overflow.
 struct number {
   std::int64_t numerator = 0;
-  std::int64_t denominator = 1; ///< positive; 0: the value is `real`
+  std::int64_t denominator = 1; ///< positive; 0 means that the value is `real`
   double real = 0;
 
   constexpr bool exact() const { return denominator != 0; }
@@ -34,7 +34,7 @@ constexpr bool is_finite(double value) {
 }
 constexpr bool is_finite(const number& n) { return n.denominator != 0 || is_finite(n.real); }
 
-/// A double; one that holds an integer becomes exact, so that `1.0*x` is `x`.
+/// A double; if it holds an integer, it becomes exact, so that `1.0*x` is `x`.
 constexpr number real(double value) {
   constexpr double integers_end = 9007199254740992.0; // 2^53
   if (value > -integers_end && value < integers_end) {
@@ -45,7 +45,7 @@ constexpr number real(double value) {
 }
 
 constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
-  constexpr std::int64_t lowest = (std::numeric_limits<std::int64_t>::min)(); // has no negative
+  constexpr std::int64_t lowest = (std::numeric_limits<std::int64_t>::min)(); // its negative overflows
   if (numerator == lowest || denominator == lowest)
     return real(static_cast<double>(numerator) / static_cast<double>(denominator));
   if (denominator < 0) numerator = -numerator, denominator = -denominator;
@@ -59,11 +59,10 @@ constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
   return {numerator, denominator, 0};
 }
 
-/// What stands for the result of an operation that has none.
+/// The result of an undefined operation.
 constexpr number no_number() { return {0, 0, std::numeric_limits<double>::quiet_NaN()}; }
 
-/// Whether a result, formed in the wider range of a long double, is one of doubles: in the compiler nothing
-/// may overflow.
+/// Whether a result, computed as a long double, fits into a double: constant expressions must not overflow.
 constexpr bool stays_finite(long double wide) {
   constexpr auto end = static_cast<long double>((std::numeric_limits<double>::max)());
   return wide <= end && wide >= -end;
@@ -73,7 +72,7 @@ constexpr number operator-(const number& a) {
   return a.exact() ? number{-a.numerator, a.denominator, 0} : number{0, 0, -a.real};
 }
 
-/// What rounding leaves where decimal numbers cancel is zero: 0.1 + 0.2 - 0.3.
+/// Decimal numbers that cancel up to rounding give zero: 0.1 + 0.2 - 0.3.
 constexpr number operator+(const number& a, const number& b) {
   if (a.exact() && b.exact()) {
     std::int64_t left = 0, right = 0, sum = 0, below = 0;
@@ -109,7 +108,7 @@ constexpr number operator*(const number& a, const number& b) {
   return real(x * y);
 }
 
-/// The caller has made sure that `b` is not zero.
+/// Requires that `b` is not zero.
 constexpr number operator/(const number& a, const number& b) {
   if (a.exact() && b.exact()) {
     std::int64_t above = 0, below = 0;

@@ -5,12 +5,12 @@
 
 namespace kanexpr::symbolic {
 
-/// How many terms a sum may have on the way to a result, by default.
+/// The default limit on the number of terms of an intermediate sum.
 inline constexpr std::size_t usual_most_terms = 20'000;
 
 namespace algebra {
 
-/// What a rewriting may use. Once something went wrong all that follows is short and means nothing.
+/// Limits the size of a rewriting. After a failure, all further results are short and meaningless.
 class budget {
 public:
   explicit budget(std::size_t most_terms) : most_terms_(most_terms), products_left_(200 * most_terms) {}
@@ -18,21 +18,21 @@ public:
   bool failed() const { return !cause_.empty(); }
   const std::string& cause() const { return cause_; }
 
-  /// Whether a sum may have so many terms.
+  /// Whether a sum may have the given number of terms.
   bool allows(std::size_t terms) {
     if (terms > most_terms_) fail("the sums have more than " + std::to_string(most_terms_) + " terms");
     return !failed();
   }
-  /// Whether all sums that are kept at once may.
+  /// Whether all sums held simultaneously may have the given number of terms.
   bool allows_together(std::size_t terms) {
     if (terms > 10 * most_terms_)
       fail("the sums together have more than " + std::to_string(10 * most_terms_) + " terms");
     return !failed();
   }
-  /// Whether there is time for so many products of terms.
+  /// Whether the budget allows the given number of products of terms.
   bool spend(std::size_t products) {
     if (products > products_left_)
-      fail("it takes more than " + std::to_string(200 * most_terms_) + " products of terms");
+      fail("it requires more than " + std::to_string(200 * most_terms_) + " products of terms");
     else
       products_left_ -= products;
     return !failed();

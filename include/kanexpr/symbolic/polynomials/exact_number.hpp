@@ -8,13 +8,13 @@
 #include <concepts>
 #include <utility>
 
-/// Algebra on expressions while the program runs: exact arithmetic that does not overflow.
+/// Run-time algebra on expressions: exact arithmetic without overflow.
 namespace kanexpr::symbolic::algebra {
 
 using integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
-/// A fraction in lowest terms. Most are whole, and those take no search for divisors.
+/// A fraction in lowest terms. Most fractions are integers, for which no common divisor is computed.
 class rational {
 public:
   rational() = default;
@@ -22,7 +22,7 @@ public:
   rational(Whole whole) : above_(whole) {}
   explicit rational(integer whole) : above_(std::move(whole)) {}
   rational(integer above, integer below) : above_(std::move(above)), below_(std::move(below)) { reduce(); }
-  /// What the bits of a finite double say.
+  /// The exact value of a finite double.
   explicit rational(double value) {
     int exponent = 0;
     above_ = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
@@ -45,7 +45,7 @@ public:
     const integer by = shift < 0 ? below_ << -shift : below_;
     integer quotient, rest;
     divide_qr(divided, by, quotient, rest);
-    const auto digits = quotient.convert_to<std::uint64_t>() | (rest.is_zero() ? 0u : 1u); // 63 bits or 64
+    const auto digits = quotient.convert_to<std::uint64_t>() | (rest.is_zero() ? 0u : 1u); // 63 or 64 bits
     return std::ldexp((is_negative() ? -1 : 1) * static_cast<double>(digits), -shift);
   }
 
@@ -85,28 +85,27 @@ private:
   integer below_ = 1;
 };
 
-/// A double is the fraction that its bits say, so 0.1 is not 1/10; the caller has made sure that it is
-/// finite.
+/// A double is converted to its exact binary fraction, so 0.1 is not 1/10; it must be finite.
 inline rational exact_value(const number& n) {
   return n.exact() ? rational(integer(n.numerator), integer(n.denominator)) : rational(n.real);
 }
 
-/// Whether a fraction is written as a double, for it came from one that is no short fraction, as 0.1 or 9.81:
-/// 2²⁰ divides what is below, or that is very large.
+/// Whether a fraction is printed as a double because it came from a decimal number such as 0.1 or 9.81: its
+/// denominator is a multiple of 2²⁰ or very large.
 inline bool is_decimal(const rational& r) { return lsb(r.below()) >= 20 || msb(r.below()) >= 32; }
 
-/// Fractions stay exact where they fit into 64 bits; decimals, and what does not fit, are the nearest double.
+/// Fractions that fit into 64 bits stay exact; decimals and larger fractions become the nearest double.
 inline number number_of(const rational& r) {
   if (is_decimal(r) || abs(r.above()) > (std::numeric_limits<std::int64_t>::max)()) return real(r.value());
   return exactly(r.above().convert_to<std::int64_t>(), r.below().convert_to<std::int64_t>());
 }
 
-/// The positive fraction of which both are whole multiples, as large as can be; zero is a multiple of all.
+/// The largest positive fraction of which both are integer multiples; zero is a multiple of any fraction.
 inline rational common_measure(const rational& a, const rational& b) {
   return {gcd(a.above(), b.above()), lcm(a.below(), b.below())};
 }
 
-/// a + i b with fractions.
+/// a + i b with rational parts.
 struct gaussian {
   rational real;
   rational imaginary{};
@@ -137,7 +136,7 @@ inline gaussian operator/(const gaussian& a, const gaussian& b) {
 
 inline bool is_decimal(const gaussian& a) { return is_decimal(a.real) || is_decimal(a.imaginary); }
 inline bool is_negative(const rational& a) { return a.is_negative(); }
-/// A half plane, so that of a and -a one is negative.
+/// Tests a half-plane, so that exactly one of a and -a is negative.
 inline bool is_negative(const gaussian& a) {
   return a.real.is_zero() ? a.imaginary.is_negative() : a.real.is_negative();
 }

@@ -8,7 +8,7 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// A power of a node, or, where the base is negative, of an exponential: see angle.hpp.
+/// A power of a node or, if the base is negative, of an exponential; see angle.hpp.
 struct factor {
   int base = 0;
   std::int64_t exponent = 0;
@@ -16,13 +16,13 @@ struct factor {
   bool operator==(const factor&) const = default;
 };
 
-/// Π base^exponent by ascending base, without exponents of zero; they may be negative.
+/// Π base^exponent with ascending bases and nonzero exponents, which may be negative.
 using monomial = std::vector<factor>;
 
-/// Of two exponents; beyond this nobody counts them.
+/// The largest exponent allowed in a polynomial.
 inline constexpr std::int64_t largest_exponent = std::int64_t{1} << 60;
 
-/// Calls `visit(base, exponent in a, exponent in b)` for what is in one of them, by ascending base.
+/// Calls `visit(base, exponent in a, exponent in b)` for each base in either monomial, in ascending order.
 template <class Visit>
 void visit_both(const monomial& a, const monomial& b, Visit visit) {
   auto x = a.begin(), y = b.begin();
@@ -73,7 +73,7 @@ inline monomial without(const monomial& m, int base) {
   return rest;
 }
 
-/// The lexicographic order of exponents, which products keep.
+/// The lexicographic order of exponents, which multiplication preserves.
 inline std::strong_ordering compare(const monomial& a, const monomial& b) {
   for (std::size_t i = 0; i < (std::max)(a.size(), b.size()); ++i) {
     if (i == a.size()) return 0 <=> b[i].exponent;

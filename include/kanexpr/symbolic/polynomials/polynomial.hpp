@@ -17,7 +17,7 @@ struct term {
   bool operator==(const term&) const = default;
 };
 
-/// A sum of terms, the largest monomial first, none of them zero. Exponents may be negative.
+/// A sum of nonzero terms, largest monomial first. Exponents may be negative.
 template <class Coefficient>
 struct polynomial {
   std::vector<term<Coefficient>> terms{};
@@ -75,7 +75,7 @@ polynomial<Coefficient> operator-(const polynomial<Coefficient>& p, const polyno
   return p + -q;
 }
 
-/// Terms in any order, with repetitions, as a polynomial.
+/// Collects terms, in any order and with repetitions, into a polynomial.
 template <class Coefficient>
 class term_sum {
 public:
@@ -105,7 +105,7 @@ bool has_large_exponent(const polynomial<Coefficient>& p) {
   return false;
 }
 
-/// What a product with such coefficients takes, that of small ones being 1.
+/// The cost of a product with such coefficients, relative to small ones.
 template <class Coefficient>
 std::size_t effort(const polynomial<Coefficient>& p) {
   std::size_t most = 0;
@@ -113,7 +113,7 @@ std::size_t effort(const polynomial<Coefficient>& p) {
   return 1 + (most / 128) * (most / 128);
 }
 
-/// Zero where the budget does not suffice.
+/// Returns zero if the budget is exceeded.
 template <class Coefficient>
 polynomial<Coefficient> product(const polynomial<Coefficient>& p, const polynomial<Coefficient>& q,
                                 budget& left) {

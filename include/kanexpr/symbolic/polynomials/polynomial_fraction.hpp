@@ -4,15 +4,15 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// A polynomial over a product of powers of others, which are known by their places in a list.
+/// A polynomial over a product of powers of other polynomials, identified by their indices in a list.
 template <class Coefficient>
 struct fraction {
   polynomial<Coefficient> above{};
   std::map<std::size_t, std::int64_t> below{}; ///< positive exponents
 };
 
-/// Arithmetic of fractions. What is below stays in factors, and each is taken out of what is above as often
-/// as it divides that.
+/// Arithmetic of fractions. Denominators stay factored, and each factor is canceled as often as it divides
+/// the numerator.
 template <class Coefficient>
 class fraction_arithmetic {
 public:
@@ -20,7 +20,7 @@ public:
 
   const polynomial<Coefficient>& divisor(std::size_t place) const { return divisors_[place]; }
 
-  /// The square of a node, wherever it occurs.
+  /// Sets the square of a node, to be used wherever it occurs.
   void set_square(int root, const fraction<Coefficient>& square) { squares_[root] = square; }
 
   fraction<Coefficient> sum(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
@@ -43,7 +43,7 @@ public:
     return simplified(std::move(result));
   }
 
-  /// The caller has made sure that b is not zero.
+  /// Requires that b is not zero.
   fraction<Coefficient> quotient(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
     const fraction<Coefficient> below = divided_by(b.above);
     std::map<std::size_t, std::int64_t> exponents = a.below;
@@ -81,8 +81,8 @@ private:
     return a;
   }
 
-  /// 1/p: of numbers and powers of nodes as they are, of the rest as a divisor, in the factors that are
-  /// known.
+  /// 1/p: numbers and powers of nodes are inverted directly; the remaining polynomial becomes a divisor,
+  /// split into known factors.
   fraction<Coefficient> divided_by(const polynomial<Coefficient>& p) {
     const monomial shared = common_monomial(p);
     rational scale = holds_decimals(p) ? 1 : common_number(p);
@@ -104,7 +104,7 @@ private:
     return result;
   }
 
-  /// Only first powers of square roots are left.
+  /// Leaves only first powers of square roots.
   fraction<Coefficient> without_squares(const polynomial<Coefficient>& p) {
     const int root = squared_root(p);
     if (root == none) return {p, {}};

@@ -4,7 +4,7 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// Without the numbers and monomials that all terms share; the first term is positive.
+/// Divides out the common numerical factor and monomial; the first term becomes positive.
 inline polynomial<rational> primitive_part(const polynomial<rational>& p) {
   if (p.is_zero()) return p;
   const rational c = common_number(p);
@@ -12,13 +12,14 @@ inline polynomial<rational> primitive_part(const polynomial<rational>& p) {
                 over({}, common_monomial(p)));
 }
 
-/// Greatest common divisors of polynomials in several variables: variables that the divisor cannot hold are
-/// found by images modulo a prime and taken out, then it is interpolated. What is returned divides both.
+/// Greatest common divisors of multivariate polynomials: variables that the divisor cannot contain are found
+/// from images modulo a prime and removed; the divisor is then interpolated. The result always divides both
+/// polynomials.
 class divisor_search {
 public:
   explicit divisor_search(budget& left) : left_(left) {}
 
-  /// Up to a number; one where the budget does not suffice.
+  /// The divisor up to a numerical factor; 1 if the budget is exceeded.
   polynomial<rational> common_divisor(const polynomial<rational>& a, const polynomial<rational>& b) {
     if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
     const monomial shared = common_part(common_monomial(a), common_monomial(b));
@@ -88,7 +89,7 @@ private:
     }
     return primitive_or_monomial(common);
   }
-  /// Signs and numbers apart.
+  /// The primitive part with its monomial, without sign and numerical factor.
   static real_polynomial primitive_or_monomial(const real_polynomial& p) {
     return scaled(primitive_part(p), rational(1), common_monomial(p));
   }
@@ -97,7 +98,7 @@ private:
     return of_all(values_of(coefficients<rational>(p, [main](int base) { return base == main; })));
   }
 
-  /// What the degrees of the divisor cannot exceed, for the variables of both.
+  /// Upper bounds on the degrees of the divisor, for the variables in both.
   std::map<int, std::int64_t> degree_bounds(const real_polynomial& a, const real_polynomial& b) {
     std::map<int, std::int64_t> bounds;
     std::map<int, residue> point;
@@ -118,7 +119,7 @@ private:
     return bounds;
   }
 
-  /// Modulo one prime after another, until a divisor is found.
+  /// Works modulo one prime after another until a divisor is found.
   real_polynomial interpolated(const real_polynomial& a, const real_polynomial& b, int main,
                                const std::map<int, std::int64_t>& bounds) {
     const auto is_main = [main](int base) { return base == main; };
@@ -147,12 +148,12 @@ private:
       const real_polynomial candidate = divisor_of(lifted, modulus, main);
       if (exact_quotient(a, candidate, left_) && exact_quotient(b, candidate, left_)) return candidate;
     }
-    left_.fail("a common divisor could not be found");
+    left_.fail("the common divisor could not be found");
     return one();
   }
 
-  /// Coefficients modulo the product of all primes so far (Chinese remainder theorem). Whether the last prime
-  /// changed nothing, or was the first.
+  /// Combines coefficients modulo the product of all primes so far (Chinese remainder theorem). Returns
+  /// whether the last prime changed nothing or was the first.
   static bool lift(const std::vector<std::pair<monomial, residue>>& found, const prime_field& field,
                    std::map<monomial, integer, descending>& lifted, integer& modulus) {
     const bool is_first = modulus == 1;

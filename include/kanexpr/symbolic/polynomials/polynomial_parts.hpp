@@ -6,8 +6,7 @@
 #include <map>
 #include <optional>
 
-/// What polynomials are made of: common factors that are seen at once, degrees, coefficients, exact
-/// quotients.
+/// Parts of polynomials: obvious common factors, degrees, coefficients, exact quotients.
 namespace kanexpr::symbolic::algebra {
 
 struct exponent_range {
@@ -15,7 +14,7 @@ struct exponent_range {
   std::int64_t largest = 0;
 };
 
-/// By base; what is in some terms only has an exponent of zero in the others.
+/// The ranges by base; a base missing from some terms has exponent zero there.
 template <class Coefficient>
 std::map<int, exponent_range> exponent_ranges(const polynomial<Coefficient>& p) {
   std::map<int, exponent_range> ranges;
@@ -35,8 +34,8 @@ std::map<int, exponent_range> exponent_ranges(const polynomial<Coefficient>& p) 
   return ranges;
 }
 
-/// The largest monomial of nodes that divides all terms; exponentials are left alone, so that what is real
-/// stays so.
+/// The largest monomial of nodes that divides all terms; exponentials are excluded, so that real polynomials
+/// stay real.
 template <class Coefficient>
 monomial common_monomial(const polynomial<Coefficient>& p) {
   monomial common;
@@ -45,7 +44,7 @@ monomial common_monomial(const polynomial<Coefficient>& p) {
   return common;
 }
 
-/// The positive number that leaves whole coefficients without a common divisor.
+/// The positive number whose removal leaves coprime integer coefficients.
 template <class Coefficient>
 rational common_number(const polynomial<Coefficient>& p) {
   rational common = 0;
@@ -58,7 +57,7 @@ bool holds_decimals(const polynomial<Coefficient>& p) {
   return std::ranges::any_of(p.terms, [](const term<Coefficient>& t) { return is_decimal(t.coefficient); });
 }
 
-/// The coefficients of a polynomial by the monomials in some of its bases.
+/// The coefficients of a polynomial, by the monomials in some of its bases.
 template <class Coefficient>
 std::map<monomial, polynomial<Coefficient>, descending>
 coefficients(const polynomial<Coefficient>& p, const std::function<bool(int)>& is_taken_out) {
@@ -66,12 +65,12 @@ coefficients(const polynomial<Coefficient>& p, const std::function<bool(int)>& i
   for (const term<Coefficient>& t : p.terms) {
     monomial out, in;
     for (const factor& f : t.factors) (is_taken_out(f.base) ? out : in).push_back(f);
-    parts[out].terms.push_back({in, t.coefficient}); // the order of the rest is that of the whole
+    parts[out].terms.push_back({in, t.coefficient}); // keeps the order of terms
   }
   return parts;
 }
 
-/// p/d where d divides p; nothing where it does not, or the budget does not suffice.
+/// p/d if d divides p; nothing if it does not or the budget is exceeded.
 template <class Coefficient>
 std::optional<polynomial<Coefficient>> exact_quotient(const polynomial<Coefficient>& p,
                                                       const polynomial<Coefficient>& d, budget& left) {

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-/// Arithmetic modulo a prime below 2³¹, and polynomials in one variable there.
+/// Arithmetic modulo a prime below 2³¹, and univariate polynomials over that field.
 namespace kanexpr::symbolic::algebra {
 
 using residue = std::uint64_t;
-/// The coefficients of a polynomial in one variable, that of the power 0 first; the last is not zero.
+/// The coefficients of a univariate polynomial, constant term first; the last is not zero.
 using residues = std::vector<residue>;
 
 class prime_field {
@@ -43,7 +43,7 @@ public:
     for (residue& c : p) c = multiply(c, by);
     return p;
   }
-  /// With a leading coefficient of one.
+  /// The monic greatest common divisor.
   residues greatest_common_divisor(residues a, residues b) const {
     while (!b.empty()) {
       reduce(a, b);
@@ -68,7 +68,7 @@ public:
       carried = quotient[i - 1] = add(p[i], multiply(carried, root));
     return quotient;
   }
-  /// The polynomial with these values at as many places.
+  /// The polynomial with the given values at the given points.
   residues interpolated(const residues& places, const residues& values) const {
     const residues all = from_roots(places);
     residues sum(places.size(), 0);
@@ -79,8 +79,8 @@ public:
     }
     return sum;
   }
-  /// The c in Σ c_s base_s^t = value_t for t = 1, 2, ...: a transposed Vandermonde system. There may be more
-  /// values than needed.
+  /// The c with Σ c_s base_s^t = value_t for t = 1, 2, ... (a transposed Vandermonde system). There may be
+  /// more values than needed.
   residues weights(const residues& bases, const residues& values) const {
     const residues all = from_roots(bases);
     residues found;
@@ -108,7 +108,7 @@ private:
   residue prime_;
 };
 
-/// The next prime below.
+/// The next smaller prime.
 inline residue prime_below(residue n) {
   const auto is_prime = [](residue p) {
     for (residue divisor = 3; divisor * divisor <= p; divisor += 2)

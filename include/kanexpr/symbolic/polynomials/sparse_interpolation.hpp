@@ -8,8 +8,7 @@
 
 namespace kanexpr::symbolic::algebra {
 
-/// The values of polynomials with whole coefficients modulo a prime, as polynomials in one of their
-/// variables.
+/// Evaluates polynomials with integer coefficients modulo a prime, as polynomials in one of their variables.
 class modular_image {
 public:
   modular_image(const prime_field& f, const polynomial<rational>& p, int main) : field_(f) {
@@ -22,7 +21,7 @@ public:
 
   std::size_t degree() const { return degree_; }
   std::size_t size() const { return terms_.size(); }
-  /// Shorter where the leading coefficient vanishes.
+  /// The result is shorter if the leading coefficient vanishes.
   residues at(const std::map<int, residue>& point) const {
     residues sum(degree_ + 1, 0);
     for (const piece& t : terms_) {
@@ -49,25 +48,25 @@ private:
 };
 
 /// The greatest common divisor of two polynomials modulo a prime, with a given leading coefficient in the
-/// main variable, from its values: which terms there are is learned with one variable after another (Zippel,
-/// Probabilistic algorithms for sparse polynomials, 1979). What it finds is to be verified.
+/// main variable, interpolated from its values; its terms are found one variable after another (Zippel,
+/// Probabilistic algorithms for sparse polynomials, 1979). The result must be verified.
 class sparse_interpolation {
 public:
   struct problem {
-    const polynomial<rational>&a, &b, &leading; ///< whole coefficients, no negative exponents
+    const polynomial<rational>&a, &b, &leading; ///< integer coefficients, no negative exponents
     int main;
     std::size_t degree;                              ///< of the divisor in the main variable
-    std::vector<std::pair<int, std::size_t>> bounds; ///< the other variables and their largest degrees
+    std::vector<std::pair<int, std::size_t>> bounds; ///< the other variables and their maximum degrees
   };
 
   sparse_interpolation(const prime_field& f, const problem& given, std::mt19937_64& random, budget& left)
       : field_(f), given_(given), a_(f, given.a, given.main), b_(f, given.b, given.main),
         leading_(f, given.leading, given.main), random_(random), left_(left) {}
 
-  /// The degree in the main variable that an image had; lower than what was given if that was too high.
+  /// The degree of an image in the main variable; lower than the given degree if that was too high.
   std::size_t degree_seen() const { return degree_seen_; }
 
-  /// The coefficients by monomials; nothing where it had bad luck.
+  /// The coefficients by monomials; nothing if a random point was unsuitable.
   std::optional<std::vector<std::pair<monomial, residue>>> run() {
     for (const auto& [base, bound] : given_.bounds) point_[base] = any();
     const residues first = image(point_);
@@ -93,7 +92,7 @@ private:
   }
   residue any() { return std::uniform_int_distribution<residue>(1, field_.prime() - 1)(random_); }
 
-  /// Empty where the point is a bad one.
+  /// Empty if the point is unsuitable.
   residues image(const std::map<int, residue>& point) {
     if (!left_.spend(a_.size() + b_.size())) return {};
     const residues a = a_.at(point), b = b_.at(point), leading = leading_.at(point);
@@ -104,7 +103,7 @@ private:
     return field_.scaled(divisor, leading.front());
   }
 
-  /// Learns how the coefficients depend on one more variable.
+  /// Determines how the coefficients depend on one more variable.
   bool extend(std::size_t index) {
     const auto [base, bound] = given_.bounds[index];
     residues places{point_[base]};
@@ -134,11 +133,11 @@ private:
       supports_[k] = support;
       values_[k] = values;
     }
-    // the values belong to monomials now, and no longer to this place
+    // the values now belong to monomials, no longer to this point
     return left_.allows(supports_.size());
   }
 
-  /// The coefficients of the known terms, at a point of which the first variables are free.
+  /// The coefficients of the known terms, at a point whose first variables are free.
   residues_by_degree values_at(std::map<int, residue> point, std::size_t free) {
     std::size_t most = 1;
     for (const std::vector<monomial>& support : supports_) most = (std::max)(most, support.size());

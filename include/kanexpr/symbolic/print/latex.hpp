@@ -7,7 +7,7 @@
 
 namespace kanexpr::symbolic {
 
-/// LaTeX for math mode, such as `\frac{m r^{2}}{4} - \sin^{2} q_1`.
+/// Writes LaTeX for math mode, such as `\frac{m r^{2}}{4} - \sin^{2} q_1`.
 KANEXPR_ENGINE std::string latex(const graph& g, int id);
 KANEXPR_ENGINE std::string latex(expression e);
 KANEXPR_ENGINE std::string latex(const matrix& m);

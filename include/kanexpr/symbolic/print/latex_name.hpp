@@ -7,7 +7,7 @@
 
 namespace kanexpr::symbolic::printing {
 
-/// `theta12` as theta and 12, `I_xx` as I and xx, `Link<3>` as Link and 3.
+/// Splits `theta12` into theta and 12, `I_xx` into I and xx, `Link<3>` into Link and 3.
 struct split_name {
   std::string head{};
   std::string subscript{};
@@ -26,7 +26,7 @@ struct split_name {
   }
 
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  /// Bytes beyond ASCII are parts of letters in UTF-8.
+  /// Bytes beyond ASCII belong to letters in UTF-8.
   static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
   }
@@ -41,13 +41,13 @@ inline bool is_greek(std::string_view word) {
   return std::ranges::find(letters, word) != letters.end();
 }
 
-/// One letter, a Greek letter by its name, or a word in upright letters.
+/// A single letter, a Greek letter by name, or an upright word.
 inline std::string latex_word(const std::string& word) {
   if (word.size() == 1) return word;
   return is_greek(word) ? "\\" + word : "\\mathrm{" + word + "}";
 }
 
-/// Primes at the end, as in `theta''`, are derivatives in time and become dots.
+/// Trailing primes, as in `theta''`, denote time derivatives and become dots.
 inline std::string latex_name(std::string_view name, bool dotted = false) {
   std::size_t dots = dotted ? 1 : 0;
   for (; name.ends_with('\''); name.remove_suffix(1)) ++dots;

@@ -74,7 +74,7 @@ KANEXPR_ENGINE std::string print(expression e) { return print(e.owner(), e.node(
 
 namespace printing {
 
-/// How many letters a text of UTF-8 shows.
+/// The number of characters in a UTF-8 text.
 inline std::size_t width_of(std::string_view text) {
   const auto begins_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
   return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));

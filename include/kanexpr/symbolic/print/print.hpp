@@ -8,11 +8,11 @@
 
 namespace kanexpr::symbolic {
 
-/// Plain text, such as `m*r^2/4 - sin(q1)^2`.
+/// Writes plain text such as `m*r^2/4 - sin(q1)^2`.
 KANEXPR_ENGINE std::string print(const graph& g, int id);
 KANEXPR_ENGINE std::string print(expression e);
 
-/// One row a line, columns aligned, behind a text: `print(m, "M = ")`.
+/// Writes a matrix with one row per line and aligned columns, after an optional prefix: `print(m, "M = ")`.
 KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {});
 
 } // namespace kanexpr::symbolic

@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// Expressions as people write them: flat sums of flat products. What every printed form starts from.
+/// Expressions as flat sums of flat products, the way they are written by hand. All printed forms start from
+/// these.
 namespace kanexpr::symbolic::printing {
 
 struct factor {
@@ -20,13 +21,13 @@ struct factor {
   auto operator<=>(const factor&) const = default;
 };
 
-/// coefficient · Π base^exponent, the factors in the order in which they are written.
+/// coefficient · Π base^exponent, with the factors in printing order.
 struct term {
   number coefficient = exactly(1);
   std::vector<factor> factors{};
 };
 
-/// The numerator or the denominator of a term: only positive numbers and exponents.
+/// The numerator or denominator of a term, with positive numbers and exponents only.
 struct side {
   number coefficient = exactly(1);
   std::vector<factor> factors;
@@ -53,13 +54,13 @@ inline side denominator(const term& t) {
   return below;
 }
 
-/// What is written as one word with arguments, and the lists among those.
+/// Whether an operation is printed as a function name with arguments, or is a list among the arguments.
 inline bool is_written_as_function(operation op) {
   return *function_name(op) != '\0' || op >= operation::pair;
 }
 
-/// Breaks a node into weighted parts, which `expand` names; each node is met once, with all of its weight,
-/// since users come after their operands. Returns the parts that cannot be broken, by node.
+/// Decomposes a node into weighted parts, as given by `expand`. Users follow their operands, so each node is
+/// visited once with its total weight. Returns the parts that cannot be decomposed, by node.
 template <class Weight, class Expand>
 std::map<int, Weight> gather(int root, const Weight& unit, Expand expand) {
   std::map<int, Weight> parts;
@@ -86,7 +87,7 @@ inline number integer_power(number base, std::int64_t exponent) {
   return result;
 }
 
-/// The names q2 and q10 in this order.
+/// Compares names so that q2 precedes q10.
 inline std::strong_ordering compare_names(std::string_view a, std::string_view b) {
   const auto letters = [](std::string_view text) { return text.find_last_not_of("0123456789") + 1; };
   const std::size_t i = letters(a), j = letters(b);
@@ -95,13 +96,13 @@ inline std::strong_ordering compare_names(std::string_view a, std::string_view b
   return a <=> b;
 }
 
-/// Reads a graph as sums of products. The order of terms and of factors follows from names and structure
-/// alone: the numbers of nodes depend on the order in which a user's compiler evaluates operands.
+/// Reads a graph as sums of products. The order of terms and factors depends only on names and structure,
+/// because node numbers depend on the order in which a user's compiler evaluates operands.
 class term_reader {
 public:
   explicit term_reader(const graph& g) : graph_(g) {}
 
-  /// A node as a sum, never empty; numbers come last, but some positive term first.
+  /// A node as a nonempty sum; numbers come last, except that a positive term comes first if there is one.
   const std::vector<term>& terms_of(int id) {
     const auto known = sums_.find(id);
     return known != sums_.end() ? known->second : sums_.emplace(id, sum_of(id)).first->second;
@@ -111,7 +112,7 @@ private:
   std::vector<term> sum_of(int root);
   term product_of(int root);
 
-  /// Parameters, other symbols, general powers, functions, and at last what needs parentheses.
+  /// Parameters, other symbols, general powers, functions, and finally factors that need parentheses.
   int rank(int id) const {
     const operation op = graph_[id].op;
     if (op == operation::symbol) return graph_.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;

@@ -59,7 +59,7 @@ public:
   std::string in_parentheses(const std::string& text) const { return "\\left(" + text + "\\right)"; }
 
 private:
-  /// Whether a function is written as a word before its argument.
+  /// Whether a function is written as a name before its argument.
   bool is_named(int id) const {
     const operation op = at(id).op;
     return is_written_as_function(op) && op != operation::sqrt && op != operation::abs &&
@@ -75,7 +75,7 @@ private:
     return command.empty() ? std::string("\\operatorname{") + function_name(op) + "}" : command;
   }
 
-  /// Derivatives by the n-th operand as ∂_n in front.
+  /// Writes a derivative with respect to the n-th operand as a prefix ∂_n.
   std::string name_of(const external_function& f, const std::string& mark) const {
     std::string text;
     for (int k = 0; k < f.order; ++k) text += "\\partial_{" + std::to_string(f.by[k] + 1) + "} ";
@@ -83,7 +83,7 @@ private:
     return mark.empty() || f.order == 0 ? text + mark : in_parentheses(text) + mark;
   }
 
-  /// `ends_open`: nothing follows that a reader could take for a part of the argument.
+  /// `ends_open`: nothing follows that could be read as part of the argument.
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
     if (n.op == operation::component) return component(n);
@@ -118,7 +118,7 @@ private:
     return text + " \\end{bmatrix}";
   }
 
-  /// A side of a fraction: the bar already encloses it.
+  /// One side of a fraction; the fraction bar makes parentheses unnecessary.
   std::string alone(const side& s) const {
     const bool is_bare = !s.shows_number() && s.factors.size() == 1 && s.factors[0].exponent == 1;
     return is_bare ? write(s.factors[0].base) : product(s);

@@ -8,7 +8,7 @@
 
 namespace kanexpr::symbolic::printing {
 
-/// A sum in the making: terms joined by their signs.
+/// Builds the text of a sum: terms joined by their signs.
 class sum_text {
 public:
   void add(bool negative, const std::string& term) {
@@ -24,7 +24,7 @@ private:
   std::string text_{};
 };
 
-/// The shortest decimal text that reads back as the same number; fractions only occur as quotients of
+/// The shortest decimal text that reads back as the same number; fractions appear only as quotients of
 /// integers.
 inline std::string decimal(const number& n) {
   char buffer[32];
@@ -33,9 +33,9 @@ inline std::string decimal(const number& n) {
   return {buffer, end.ptr};
 }
 
-/// The walk that all printed forms share. A form provides `product` of a side and `quotient`
-/// of two, texts of a `function`, `name_of` a symbol and `number_of` a number, `exponent` of a node, `power`
-/// of two texts, `choice_of` a condition and two branches, `raised` for a node and an exponent's text, and
+/// The traversal shared by all printed forms. A form provides `product` of a side and `quotient` of two,
+/// texts of a `function`, `name_of` a symbol and `number_of` a number, `exponent` of a node, `power` of two
+/// texts, `choice_of` a condition and two branches, `raised` for a node and the text of an exponent, and
 /// `in_parentheses`.
 template <class Form>
 class writer {
@@ -66,7 +66,7 @@ public:
     return below.is_one() ? form().product(numerator(t)) : form().quotient(numerator(t), below);
   }
 
-  /// A factor of something larger, with the sign that it takes out of a sum of negative terms.
+  /// A factor of a larger product; the sign is extracted from a sum of negative terms.
   std::pair<bool, std::string> signed_factor(int id) const {
     std::vector<term> terms = reader_.terms_of(id);
     const bool negative = terms.front().coefficient.negative();
@@ -78,7 +78,7 @@ public:
   }
 
 protected:
-  /// The text of a node that stays whole under an exponent.
+  /// The text of a node in a form that can take an exponent.
   std::string operand(int id) const {
     const node& n = at(id);
     if (n.op == operation::symbol) return form().name_of(graph_.symbol_at(id));
@@ -102,7 +102,7 @@ protected:
     return f.exponent == 1 ? operand(f.base) : form().raised(f.base, std::to_string(f.exponent));
   }
 
-  /// The rows of a factorized matrix, or their transpose, as nodes.
+  /// The rows of a factorized matrix or of its transpose, as nodes.
   std::vector<std::vector<int>> rows_of(int factorization, bool transposed) const {
     const sequence<int> entries = entries_of(graph_, factorization);
     const int order = order_of(graph_, factorization);
@@ -117,14 +117,14 @@ protected:
     return {all.begin(), all.end()};
   }
 
-  /// With commas between them.
+  /// Joins expressions with commas.
   std::string separated(const std::vector<int>& nodes) const {
     std::string text;
     for (int id : nodes) text += (text.empty() ? "" : ", ") + write(id);
     return text;
   }
 
-  /// A selection alone: the other branch is zero.
+  /// A single selection: the other branch is zero.
   std::string choice(int id) const {
     const std::string branch = write(at(id).b);
     return choice(id, branch, "0");
@@ -134,12 +134,13 @@ protected:
   const node& at(int id) const { return graph_[id]; }
 
 private:
-  /// The node of a term that is a selection with a number in front, or -1.
+  /// The selection node of a term that consists of a selection and a coefficient, or -1.
   int selection_in(const term& t) const {
     const bool is_one = t.factors.size() == 1 && t.factors[0].exponent == 1;
     return is_one && is_selection(at(t.factors[0].base).op) ? t.factors[0].base : -1;
   }
-  /// The term behind the i-th that is the other branch of its condition; where there is none, the end.
+  /// The index of the term after the i-th that is the other branch of its condition, or the end if there is
+  /// none.
   std::size_t other_branch(const std::vector<term>& terms, std::size_t i) const {
     const int one = selection_in(terms[i]);
     std::size_t k = one < 0 ? terms.size() : i + 1;
@@ -167,7 +168,7 @@ private:
   const Form& form() const { return static_cast<const Form&>(*this); }
 
   const graph& graph_;
-  mutable term_reader reader_; // remembers
+  mutable term_reader reader_; // caches its results
 };
 
 } // namespace kanexpr::symbolic::printing

@@ -2,12 +2,13 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Where results may leave the finite numbers though all that they depend on is finite, and of a usual size.
+/// Finds results that can become infinite or NaN although everything they depend on is finite and of ordinary
+/// size.
 namespace kanexpr::symbolic {
 
-/// Which of some outputs have to be looked at to know that all are finite, where quotients, roots and
-/// functions may leave the finite numbers; divisions by `sure_divisors` do not. Sums and products do not
-/// count: they overflow only at values that nobody uses.
+/// Determines which outputs must be checked to be sure that all are finite. Quotients, roots and functions
+/// can produce infinity or NaN, except divisions by `sure_divisors`. Sums and products are ignored: they
+/// overflow only at values of no practical use.
 class finiteness {
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
@@ -23,7 +24,7 @@ public:
         if (n.op != operation::symbol) look_at(id);
         continue;
       }
-      // most nodes, and compilers interpret every call
+      // most nodes, handled inline because compilers interpret every call
       const int both = facts_of_[n.a] & facts_of_[n.b], any = facts_of_[n.a] | facts_of_[n.b];
       if ((any & may_fail) != 0) facts_of_[id] |= may_fail, any_fails_ = true;
       const bool is_square = n.op == operation::multiply && n.a == n.b;
@@ -34,7 +35,7 @@ public:
   finiteness(const finiteness&) = delete;
   finiteness& operator=(const finiteness&) = delete;
 
-  /// As few outputs as will do: where one is not finite, neither is what is a sum or product of it.
+  /// The minimal set of outputs to check: if one is not finite, neither are sums or products of it.
   constexpr sequence<int> watched() const {
     if (!any_fails_) return {};
     sequence<char> is_told(size_, 0), is_output(size_, 0);
@@ -42,7 +43,7 @@ public:
     char* const output = is_output.begin();
     for (int id : outputs_) output[id] = 1;
     sequence<int> some;
-    for (int id = size_ - 1; id >= 0; --id) { // who uses a node comes after it
+    for (int id = size_ - 1; id >= 0; --id) { // users follow their operands
       if ((facts_of_[id] & may_fail) == 0) continue;
       if (output[id] != 0 && told[id] == 0) {
         some.push(id);
@@ -53,8 +54,8 @@ public:
     return some;
   }
 
-  /// The symbols in divisors, roots and arguments that leave the finite numbers first, but for divisors that
-  /// something else looks at.
+  /// The symbols in the divisors, roots and arguments where infinity or NaN may originate, except divisors
+  /// that are checked elsewhere.
   constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
     if (!any_begins_) return {};
     sequence<char> is_known(size_, 0), is_reached(size_, 0);
@@ -75,10 +76,10 @@ public:
   }
 
 private:
-  /// What is known of a live node, as bits.
+  /// Properties of a live node, as bits.
   enum fact : int { sure = 1, never_negative = 2, begins = 4, may_fail = 8 };
 
-  constexpr void look_at(int id) { // and write down no more than is true: compilers are slow in it
+  constexpr void look_at(int id) { // writes only set bits, because compilers are slow here
     const node& n = nodes_[id];
     const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
     int found = (a | b) & may_fail;
@@ -92,7 +93,7 @@ private:
     case form::function: {
       const function_properties& f = properties_of(n.op);
       if (f.never_negative) found |= never_negative;
-      if (n.op == operation::sqrt ? (a & never_negative) == 0 : !f.stays_finite) // rounding makes less than 0
+      if (n.op == operation::sqrt ? (a & never_negative) == 0 : !f.stays_finite) // may be rounded below 0
         found |= begins;
       break;
     }
@@ -101,7 +102,7 @@ private:
     case form::selection: found |= b & never_negative; break;
     case form::symbol:
     case form::negate:
-    case form::add: // are looked at above
+    case form::add: // handled above
     case form::subtract:
     case form::multiply:
     case form::atan2:
@@ -113,12 +114,12 @@ private:
     case form::singularity_measure: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
-    if (n.op >= operation::pair) found |= may_fail; // and its status is another
+    if (n.op >= operation::pair) found |= may_fail; // has a separate status
     if ((found & may_fail) != 0) any_fails_ = true;
     if (found != 0) facts_of_[id] |= found;
   }
 
-  /// Marks the operands that, not being finite, leave the result no finite number.
+  /// Marks the operands that, if not finite, make the result not finite.
   static constexpr void pass_on(const node& n, char* is_told) {
     switch (form_of(n.op)) {
     case form::add:
@@ -140,7 +141,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // may be finite all the same
+    case form::call: break; // may still be finite
     }
   }
 
@@ -153,7 +154,7 @@ private:
   bool any_begins_ = false, any_fails_ = false;
 };
 
-/// A sum as it is written: no rule lets something cancel in it.
+/// A sum built without simplification, so that no terms cancel.
 constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
   int sum = nodes[0];
   for (int i = 1; i < nodes.size(); ++i)
@@ -162,7 +163,7 @@ constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
   return sum;
 }
 
-/// Whether nodes depend on symbols by sines and cosines only, so that no symbol makes them large.
+/// Whether nodes depend on symbols only through sines and cosines, so that no symbol can make them large.
 constexpr bool rest_on_angles_only(const graph& g, const sequence<int>& nodes) {
   sequence<char> is_reached(g.size(), 0);
   char* const reached = is_reached.begin();

@@ -6,12 +6,11 @@
 
 namespace kanexpr::symbolic {
 
-/// How large the terms are of which values are the sums, to first order in what rounding makes of them
-/// (Higham 2002, section 3.3). A value far below its own magnitude is what rounding has left of zero, in
-/// whatever units.
+/// The magnitudes of the terms that add up to each value, to first order in the rounding errors (Higham 2002,
+/// section 3.3). A value far below this magnitude is zero up to rounding, whatever its unit.
 class magnitudes {
 public:
-  /// Of what was evaluated last.
+  /// Uses the values of the last evaluation.
   constexpr magnitudes(const graph& g, const evaluation& value) : g_(g) {
     if (value.live().empty()) return;
     size_.resize(value.live().back() + 1, 0.0);
@@ -20,7 +19,7 @@ public:
 
   constexpr double operator[](int id) const { return size_[id]; }
 
-  /// Whether no digit of a value is to be relied on, that of a constant with ten of them included.
+  /// Whether a value has no reliable digit, even if its constants are accurate to only ten digits.
   constexpr bool is_nothing_of(int id, double value) const {
     return elementary::abs(value) <= negligible * size_[id];
   }
@@ -55,7 +54,7 @@ private:
     return v;
   }
 
-  /// f(x) and what its slope makes of the terms of x; that of a sine counts as 1 everywhere.
+  /// f(x) plus its derivative times the terms of x; the derivative of a sine counts as 1 everywhere.
   static constexpr double size_of_function(operation op, double terms, double x, double f) {
     const double v = elementary::abs(f);
     if (op == operation::abs) return terms;
@@ -65,7 +64,7 @@ private:
     return v + (properties_of(op).is_smooth_at(x) ? elementary::abs(slope_of(op, x, f)) * terms : 0);
   }
 
-  /// What the slopes of a call make of the terms of its operands.
+  /// The derivatives of a call times the terms of its operands.
   constexpr double slopes_times_terms(int id, const evaluation& value) const {
     const sequence<int> operands = elements_of(g_, g_[id].a);
     sequence<double> at;
@@ -80,7 +79,7 @@ private:
     return numeric::equal(b, 0.0) ? 0 : a / elementary::abs(b);
   }
 
-  /// |A⁻¹| (|A| |x| + |b|) of the solution x.
+  /// |A⁻¹| (|A| |x| + |b|) for the solution x.
   constexpr void solve(int id, const evaluation& value) {
     const node& n = g_[id];
     const int order = order_of(g_, n.a);
@@ -117,7 +116,7 @@ private:
 
   const graph& g_;
   sequence<double> size_{}, solutions_{};
-  sequence<int> solved_{}, places_{}; ///< solve nodes, and where their solutions begin
+  sequence<int> solved_{}, places_{}; ///< solve nodes and the start of their solutions
 };
 
 } // namespace kanexpr::symbolic

@@ -4,18 +4,19 @@
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/sizes/units.hpp>
 
-/// How large an expression is where nothing cancels: what it is compared with before it is called zero.
+/// The size of an expression if nothing cancels: the reference for judging whether it is zero.
 namespace kanexpr::symbolic {
 
-/// The mean square of expressions over all angles, as if no two sines or cosines had to do with each other:
-/// those have 1/2, a sum has the sum of its terms', a product the product of its factors'. So it has the
-/// square of the expression's unit, turns of axes leave it what it is, and it does not vanish where sines and
-/// cosines do or where terms cancel. Other functions, divisors and symbols count with their values.
+/// The mean square of expressions over all angles, as if all sines and cosines were independent: each of them
+/// contributes 1/2, a sum has the sum of the mean squares of its terms, and a product has the product of
+/// those of its factors. The result has the unit of the squared expression, is invariant under rotations of
+/// axes, and does not vanish where sines and cosines vanish or terms cancel. Other functions, divisors and
+/// symbols contribute the squares of their values.
 ///
-/// Coordinates outside of angles may vanish where an equation does; they count with the mean square of all
-/// such coordinates of their unit in the equations that the expressions stand in, of which usually some are
-/// left: (x² + y²)/2 for each of x and y, as if these could turn. Which have one unit, sums tell: those in
-/// the equations and `sums` that they come from.
+/// Coordinates outside of angles may vanish where an equation does; they contribute the mean square of all
+/// such coordinates with the same unit in the equations of the expressions, of which usually some are
+/// nonzero: (x² + y²)/2 for each of x and y, as if these could be rotated. Equal units are inferred from
+/// sums: those in the equations and the `sums` that they come from.
 class mean_square {
 public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
@@ -30,7 +31,7 @@ public:
       if (squares_[id] == graph::zero) squares_[id] = square(id);
   }
 
-  /// Of one of the expressions.
+  /// The mean square of one of the expressions.
   constexpr int operator[](int expression) const { return squares_[expression]; }
 
 private:
@@ -41,7 +42,7 @@ private:
   constexpr void count_with_their_like(const sequence<int>& coordinates, sequence<int> sums,
                                        const sequence<int>& more) {
     for (int id : more) sums.push(id);
-    if (coordinates.size() == 1) sums.clear(); // there is no other
+    if (coordinates.size() == 1) sums.clear(); // there is only one
     const units found(g_, sums);
     for (int one : coordinates) {
       int total = graph::zero, count = 0;
@@ -52,7 +53,7 @@ private:
     }
   }
 
-  /// The sums and products that expressions are made of, with what those are made of, in their order.
+  /// The sums and products in expressions, with their operands, in ascending order.
   constexpr sequence<int> terms_of(const sequence<int>& expressions) const {
     sequence<char> marks(g_.size(), 0);
     char* const reached = marks.begin();

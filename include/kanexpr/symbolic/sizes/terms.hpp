@@ -4,8 +4,8 @@
 
 namespace kanexpr::symbolic {
 
-/// How large the terms are of which an expression is the sum: |l cos(q1)| + |l0| of l cos(q1) - l0. By that
-/// it can be told in any units whether a sum that should vanish does.
+/// The size of the terms of a sum: |l cos(q1)| + |l0| for l cos(q1) - l0. Relative to it, a sum that should
+/// vanish can be tested in any units.
 class sizes_of_terms {
 public:
   constexpr explicit sizes_of_terms(graph& g) : g_(g), found_(g.size(), none) {}
@@ -20,7 +20,7 @@ private:
   static constexpr int none = -1;
 
   constexpr expression form(const expression& e) {
-    const node n = g_[e.node()]; // the graph grows
+    const node n = g_[e.node()]; // a copy, since the graph grows
     const expression a(g_, n.a), b(g_, is_binary(n.op) && n.op < operation::pair ? n.b : n.a);
     if (n.op == operation::negate) return of(a);
     if (n.op == operation::multiply) return product(a, b);
@@ -29,7 +29,7 @@ private:
     return n.op == operation::divide ? first / abs(b) : first + of(b);
   }
 
-  /// To first order, so that what is left of sums that nearly vanish does not grow from product to product.
+  /// To first order, so that residues of sums that nearly vanish do not grow from product to product.
   constexpr expression product(const expression& a, const expression& b) {
     const expression left = abs(a), right = abs(b);
     if (of(a).node() == left.node()) return left * of(b);
@@ -42,7 +42,7 @@ private:
   sequence<int> found_; ///< by node
 };
 
-/// Those of some sums.
+/// The sizes of the terms of several sums.
 constexpr sequence<expression> terms_of(graph& g, const sequence<expression>& sums) {
   sizes_of_terms sizes(g);
   sequence<expression> terms;

@@ -5,8 +5,9 @@
 
 namespace kanexpr::symbolic {
 
-/// How large symbols are where nobody says it: as what they are added to, or an angle's one. So a coordinate
-/// that is a length is as long as the lengths that a model has as numbers, in whatever units.
+/// Typical sizes of symbols when none are given: the size of the terms that they are added to, or 1 for an
+/// angle. A coordinate that is a length thus gets the size of the lengths that appear as numbers in the
+/// model, in any units.
 class typical_sizes {
 public:
   constexpr explicit typical_sizes(const graph& g) : g_(g) {
@@ -15,14 +16,14 @@ public:
     for (int passes = 0; passes < most_passes; ++passes) {
       found_ = false;
       for (int id = 0; id < g.size(); ++id) known_[id] = estimate(g[id], id);
-      sequence<double> wanted(g.size(), 0.0); // size of a node, as where it stands has it; 0: any
+      sequence<double> wanted(g.size(), 0.0); // size required by the users of a node; 0: any
       for (int id = g.size() - 1; id >= 0; --id)
         if (g[id].op < operation::pair) hand_down(id, wanted, passes > 0);
       if (!found_ && passes > 0) break;
     }
   }
 
-  /// Of a symbol; 1 unless that is far off.
+  /// The size of a symbol, rounded to 1 unless it differs greatly from 1.
   constexpr double operator[](int symbol) const {
     for (int i = 0; i < symbols_.size(); ++i)
       if (symbols_[i] == symbol) return is_usual(sizes_[i]) ? 1 : sizes_[i];
@@ -33,7 +34,7 @@ private:
   static constexpr int none = -1, mixed = -2;
   static constexpr int most_passes = 4;
 
-  /// As the numbers of a machine in metres and kilograms: there is nothing to find out.
+  /// Usual numbers for machines in meters and kilograms, which need no estimate.
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
     for (const number& n : g_.numbers()) {
@@ -43,7 +44,7 @@ private:
     return false;
   }
 
-  /// A factor times a power of a symbol whose size is not known.
+  /// A factor times a power of a symbol of unknown size.
   struct estimate_of {
     double factor = 1;
     int unknown = mixed;
@@ -87,7 +88,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // of these nothing is known
+    case form::call: break; // unknown
     }
     return {};
   }
@@ -109,8 +110,8 @@ private:
                : estimate_of{};
   }
 
-  /// What the operands of a node should be as large as, if something says it: first that they are in the
-  /// argument of a function, which is a number, then the terms beside them.
+  /// Propagates the expected size to the operands of a node: first from arguments of functions, which are
+  /// dimensionless, then from the other terms of sums.
   constexpr void hand_down(int id, sequence<double>& wanted, bool by_terms) {
     const node& n = g_[id];
     const estimate_of& own = known_[id];

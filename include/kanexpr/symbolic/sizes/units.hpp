@@ -6,8 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// What sums tell about units: all terms of one have the same unit, and the argument of a sine has none.
-/// Numbers may have any unit, as symbols may.
+/// Infers units from sums: all terms of a sum have the same unit, and the argument of a sine is
+/// dimensionless. Numbers and symbols may have any unit.
 class units {
 public:
   constexpr units(const graph& g, const sequence<int>& sums) : g_(g) {
@@ -21,18 +21,18 @@ public:
 
 private:
   struct factor {
-    int base = 0; ///< a symbol, or another node of which nothing is known
+    int base = 0; ///< a symbol, or another node of unknown unit
     double power = 0;
   };
   using unit = sequence<factor>; ///< sorted by base
 
-  static constexpr int time = -1; ///< a base that is no node
+  static constexpr int time = -1; ///< a base that is not a node
 
   constexpr bool is_symbol(int id, symbol_kind kind) const {
     return g_[id].op == operation::symbol && g_.symbol_at(id).kind == kind;
   }
 
-  /// A rate has the unit of its coordinate, by that of time.
+  /// A rate has the unit of its coordinate divided by that of time.
   constexpr unit unit_of_base(int id) const {
     if (is_symbol(id, symbol_kind::coordinate_rate))
       for (int of : live_)
@@ -101,7 +101,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // of these nothing is known
+    case form::call: break; // unknown
     }
     return unit_of_base(id);
   }
@@ -117,10 +117,9 @@ private:
   }
 
   const graph& g_;
-  sequence<int> live_{};  ///< in the order of their numbers
-  sequence<unit> unit_{}; ///< of these
-  sequence<unit>
-      without_unit_{}; ///< what products are plain numbers; each ends in a base that no later one has
+  sequence<int> live_{};          ///< in ascending order
+  sequence<unit> unit_{};         ///< by index in `live_`
+  sequence<unit> without_unit_{}; ///< dimensionless products; each ends in a base that no later one contains
 };
 
 } // namespace kanexpr::symbolic
