@@ -56,7 +56,7 @@ int f(realtype t, N_Vector y, N_Vector ydot, void* of) {
   kanexpr::input_values<System> r;
   Motion::give_inputs(t, x, r);
   const auto rates = kanexpr::equations_of_motion<System>::rhs(t, x, data.p, r);
-  if (!kanexpr::compiled::status_of(rates)) return 1;
+  if (!kanexpr::status_of(rates)) return 1;
   Eigen::Map<vector>(NV_DATA_S(ydot)) = rates;
   return 0;
 }
@@ -70,7 +70,7 @@ int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, 
   kanexpr::input_values<System> r;
   Motion::give_inputs(t, x, r);
   const auto [by_state, by_inputs] = kanexpr::linearization<System>::jacobian(t, x, data.p, r);
-  if (!kanexpr::compiled::status_of(by_state)) return 1;
+  if (!kanexpr::status_of(by_state)) return 1;
   Eigen::Map<Eigen::Matrix<double, size, size>>(SM_DATA_D(j)) = by_state;
   return 0;
 }

@@ -21,7 +21,7 @@ state<Motion> rates(real t, const state<Motion>& x) {
   r.setZero();
   Motion::give_inputs(static_cast<double>(t), kanexpr::state<System>(x.template cast<double>()), r);
   const auto rate = kanexpr::equations_of_motion<System>::rhs(t, x, Motion::parameters(), r);
-  if (!kanexpr::compiled::status_of(rate)) std::exit(1);
+  if (!kanexpr::status_of(rate)) std::exit(1);
   state<Motion> out;
   out = rate;
   return out;

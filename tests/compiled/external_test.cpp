@@ -141,6 +141,8 @@ TEST(external, need_not_be_constant_nor_finite) {
               1e-14);
   const auto at_pole = on_a_hill::udot(on_a_hill::state{{q, 1}, {u, 0}}, p, on_a_hill::inputs{{T, 0.2}});
   EXPECT_FALSE(at_pole.status);
+  EXPECT_EQ(kanexpr::status_of(at_pole).cause(), at_pole.status.cause());
+  EXPECT_TRUE(kanexpr::status_of(at_pole.size())); // what cannot fail has none
   EXPECT_TRUE(at_pole.status.cause().starts_with("the results are not finite at this state"))
       << at_pole.status.cause();
 }

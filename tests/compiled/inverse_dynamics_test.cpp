@@ -99,7 +99,7 @@ void inputs_bring_about_the_rates() {
     typename eom::inputs others = at.r;
     others += steps::random_numbers(source, others.size(), 5);
     const auto found = eom::required_inputs(at.t, at.x, at.p, others, rates);
-    EXPECT_TRUE(kanexpr::compiled::status_of(found));
+    EXPECT_TRUE(kanexpr::status_of(found));
     EXPECT_LE((found - at.r).norm(), 1e-10 * (1 + at.r.norm()));
   });
 }

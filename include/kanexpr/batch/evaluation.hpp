@@ -106,7 +106,7 @@ template <class Function, class Pack, class Number, class... Arguments>
   const auto keep = [&]<std::size_t place>(const auto& result) __attribute__((always_inline)) {
     put<Pack>(to[place], result, all,
               std::make_integer_sequence<int, std::tuple_element_t<place, matrices>::entries>{});
-    if (first) first = compiled::status_of(result);
+    if (first) first = status_of(result);
   };
   if constexpr (described::results == 1)
     keep.template operator()<0>(found);

@@ -23,17 +23,13 @@ struct with_status<Result> {
   operator Result() const { return value; }
 };
 
-namespace compiled {
-
+/// The status of any result; ok if its evaluation cannot fail and it therefore has none.
 template <class Result>
-constexpr kanexpr::status status_of(const with_status<Result>& result) {
-  return result.status;
+constexpr status status_of(const Result& result) {
+  if constexpr (requires { status(result.status); })
+    return result.status;
+  else
+    return {};
 }
-template <class Result>
-constexpr kanexpr::status status_of(const Result&) {
-  return {};
-}
-
-} // namespace compiled
 
 } // namespace kanexpr

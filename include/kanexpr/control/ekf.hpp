@@ -202,7 +202,7 @@ private:
     }(std::make_index_sequence<sizeof...(measured)>{});
     const auto& slopes = std::get<sizeof...(measured)>(found);
     static_cast<Eigen::Matrix<Number, measurements, states>&>(now.slopes) = slopes;
-    now.slopes.status = compiled::status_of(slopes);
+    now.slopes.status = status_of(slopes);
     if (now.values.status) now.values.status = finite(now.values);
     if (now.slopes.status) now.slopes.status = finite(now.slopes);
     if (!now.values.status)
@@ -212,7 +212,7 @@ private:
 
   template <class Found>
   static void put(with_status<measurement>& into, int& row, const Found& found) {
-    if (into.status) into.status = compiled::status_of(found);
+    if (into.status) into.status = status_of(found);
     if constexpr (requires { found.rows(); })
       for (int i = 0; i < static_cast<int>(found.size()); ++i) into(row++) = found(i);
     else

@@ -100,7 +100,7 @@ constexpr bool is_finite_gain(Number gain) {
 template <class... Result>
 constexpr status first_failure(const Result&... results) {
   status first;
-  ((first = first ? compiled::status_of(results) : first), ...);
+  ((first = first ? status_of(results) : first), ...);
   return first;
 }
 

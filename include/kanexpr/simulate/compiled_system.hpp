@@ -164,7 +164,7 @@ private:
   template <class Found>
   static status told(const Found& found, double* out) {
     std::copy_n(found.data(), found.size(), out);
-    return compiled::status_of(found);
+    return status_of(found);
   }
   template <class Found>
   static void tell(const Found& found, double* first, double* second) {
@@ -182,7 +182,7 @@ private:
       const auto r = vector_of<of.inputs>(inputs_at);
       Eigen::Map<vector<Number, n + o + m + l>> left(out);
       const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
-      s = compiled::status_of(qdot);
+      s = status_of(qdot);
       left.template head<n>() = vector<Number, n>(ydot) - qdot;
       left.template segment<o>(n) =
           out_of_line<function<System, quantity::unreduced_forces>>{}(t, x, p, r, udot);

@@ -70,7 +70,7 @@ template <class Equations, class Time, class State>
   int first = 0;
   for (int done = 0; done < newton_steps; ++done) {
     const auto change = of.template get<quantity::configuration_step>(t, x);
-    if (const status s = compiled::status_of(change); !s) return s;
+    if (const status s = status_of(change); !s) return s;
     first = static_cast<int>(change.size());
     for (int i = 0; i < first; ++i) x(of.dependent(i)) = Number(x(of.dependent(i)) + change(i));
     if (of.quaternions_are_bound())
@@ -78,7 +78,7 @@ template <class Equations, class Time, class State>
   }
   const auto u = of.template get<quantity::dependent_speeds>(t, x);
   for (int i = 0; i < static_cast<int>(u.size()); ++i) x(of.dependent(first + i)) = u(i);
-  return compiled::status_of(u);
+  return status_of(u);
 }
 
 /// Advances a state by one step of a method, without corrections.
@@ -92,7 +92,7 @@ struct method {
     for (int stage = 0; stage < of.stages; ++stage) {
       const Time when = static_cast<Time>(t + Time(of.c(stage)) * h);
       const auto rate = equations.template get<mechanics::quantity::rhs>(when, at);
-      if (const status s = compiled::status_of(rate); !s) return s;
+      if (const status s = status_of(rate); !s) return s;
       const double reach = stage + 1 < of.stages ? of.a(stage + 1) : 0;
       stepping::advance(at, 0, x, math::from(Time(reach) * h), rate);
       stepping::advance(next, 0, next, math::from(Time(of.b(stage)) * h), rate);
@@ -111,11 +111,11 @@ struct method<semi_implicit_euler> {
     const typename State::Scalar length = lower::scalar_math<typename State::Scalar>::from(h);
     const auto& held = of.held(t, x);
     const auto udot = held.template get<quantity::udot>(t, x);
-    if (const status s = compiled::status_of(udot); !s) return s;
+    if (const status s = status_of(udot); !s) return s;
     const int coordinates = static_cast<int>(x.size()) - static_cast<int>(udot.size());
     stepping::advance(next, coordinates, x, length, udot);
     const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before
-    if (const status s = compiled::status_of(qdot); !s) return s;
+    if (const status s = status_of(qdot); !s) return s;
     stepping::advance(next, 0, x, length, qdot);
     return {};
   }
@@ -128,8 +128,8 @@ template <class Equations, class Time, class State>
   using mechanics::quantity;
   const auto before = of.template get<quantity::constraint_pivots>(t, x);
   const auto behind = of.template get<quantity::constraint_pivots>(after, next);
-  if (const status s = compiled::status_of(before); !s) return s;
-  if (const status s = compiled::status_of(behind); !s) return s;
+  if (const status s = status_of(before); !s) return s;
+  if (const status s = status_of(behind); !s) return s;
   for (int i = 0; i < static_cast<int>(before.size()); ++i)
     if (const status s = of.same_side(before(i), behind(i)); !s) return s;
   return {};
