@@ -10,7 +10,7 @@
 
 namespace kanexpr {
 
-/// Puts values one behind another as bytes of this machine, for a file or another process.
+/// Serializes values to bytes in the representation of this machine, for a file or another process.
 class bytes_writer {
 public:
   template <class Value>
@@ -35,8 +35,8 @@ private:
   std::string bytes_{};
 };
 
-/// Takes them out in the same order. Where they end too early what is asked for is zero or empty, and so is
-/// all that follows.
+/// Reads the values back in the same order. If the bytes end too early, the current and all following values
+/// are zero or empty.
 class bytes_reader {
 public:
   explicit bytes_reader(std::string_view bytes) : left_(bytes) {}
@@ -64,7 +64,7 @@ public:
     return values;
   }
 
-  /// Whether nothing was missing.
+  /// True if no bytes were missing.
   explicit operator bool() const { return is_sound_; }
   bool is_at_end() const { return is_sound_ && left_.empty(); }
 

@@ -8,12 +8,12 @@
 
 namespace kanexpr::symbolic {
 
-/// A number that is another one for nearly all other contents, formed as they come.
+/// An incremental 64-bit content hash.
 class digest {
 public:
   constexpr void take(std::uint64_t content) {
     value_ = (value_ ^ content) * 0x9fb21c651e98df25u;
-    value_ ^= value_ >> 32; // else what differs in the highest bits alone would stay there
+    value_ ^= value_ >> 32; // otherwise differences in the highest bits would stay there
   }
   template <class Content>
     requires(std::signed_integral<Content> || std::is_enum_v<Content>)

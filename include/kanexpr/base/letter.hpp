@@ -4,7 +4,7 @@
 
 namespace kanexpr::numeric {
 
-/// What C++ computes with as if it were a number: '2' is 50.
+/// Character types, which C++ converts to numbers silently: '2' is 50.
 template <class Value>
 concept letter = std::same_as<Value, char> || std::same_as<Value, wchar_t> || std::same_as<Value, char8_t> ||
                  std::same_as<Value, char16_t> || std::same_as<Value, char32_t>;

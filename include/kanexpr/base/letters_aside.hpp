@@ -1,6 +1,5 @@
-// Without a guard: it stands in each header in which members are called by one letter, as in ẋ = A x + B r,
-// and takes macros of such names aside. Behind the last line of that header letters_back.hpp brings them
-// back.
+// No include guard: every header with one-letter member names, as in ẋ = A x + B r, includes this file to
+// suspend macros of the same names. letters_back.hpp, included at the end of that header, restores them.
 #pragma push_macro("A")
 #undef A
 #pragma push_macro("B")

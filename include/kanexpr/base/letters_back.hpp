@@ -1,4 +1,4 @@
-// Brings back what letters_aside.hpp took aside.
+// Restores the macros that letters_aside.hpp suspended.
 #pragma pop_macro("A")
 #pragma pop_macro("B")
 #pragma pop_macro("C")

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <string_view>
 
-/// Names that functions and variables of C had better not have, with spaces between them.
+/// Names that generated C functions and variables should avoid, separated by spaces.
 namespace kanexpr::c_library {
 
-/// Functions of math.h, in C23 and in extensions of it; each has namesakes for other numbers, such as sinf.
+/// The functions of math.h, including C23 and common extensions; each has variants for other types, such as
+/// sinf.
 inline constexpr std::string_view functions_of_mathematics = R"(
 acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp exp2 expm1 frexp ilogb ldexp log log10
 log1p log2 logb modf scalbn scalbln cbrt fabs hypot pow sqrt erf erfc lgamma tgamma ceil floor nearbyint
@@ -19,7 +20,7 @@ ddiv dfma dsqrt acospi asinpi atanpi atan2pi cospi sinpi tanpi exp10m1 exp2m1 lo
 rootn compoundn powr pown
 )";
 
-/// What else math.h has.
+/// The other names in math.h.
 inline constexpr std::string_view other_words_of_mathematics = R"(
 INFINITY NAN SNAN SNANF SNANL HUGE HUGE_VAL HUGE_VALF HUGE_VALL MAXFLOAT NULL FP_NAN FP_ZERO FP_NORMAL
 FP_INFINITE FP_SUBNORMAL FP_ILOGB0 FP_ILOGBNAN FP_LLOGB0 FP_LLOGBNAN FP_FAST_FMA FP_FAST_FMAF FP_FAST_FMAL
@@ -30,7 +31,7 @@ fpclassify isgreater isgreaterequal isless islessequal islessgreater isunordered
 issignaling issubnormal iszero double_t float_t lgamma_r lgammaf_r lgammal_r
 )";
 
-/// Macros that the other headers of C replace by values wherever they stand.
+/// Value macros of the other C headers, which are replaced wherever they appear.
 inline constexpr std::string_view macros_of_the_library = R"(
 errno stdin stdout stderr EOF WEOF NULL BUFSIZ FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_CUR SEEK_END
 SEEK_SET EXIT_FAILURE EXIT_SUCCESS RAND_MAX MB_CUR_MAX MB_LEN_MAX CLOCKS_PER_SEC TIME_UTC CHAR_BIT CHAR_MAX
@@ -42,8 +43,8 @@ LDBL_DIG DECIMAL_DIG FLT_EVAL_METHOD EDOM ERANGE EILSEQ LC_ALL LC_COLLATE LC_CTY
 LC_TIME SIGABRT SIGFPE SIGILL SIGINT SIGSEGV SIGTERM SIG_DFL SIG_ERR SIG_IGN
 )";
 
-/// What else the libraries of C and of POSIX have: a function of such a name is not what compilers take it
-/// for, or takes the place of that of the library in a program.
+/// The other names in the C and POSIX libraries. A function with such a name may be mistaken for the library
+/// function by the compiler, or may replace it in the program.
 inline constexpr std::string_view words_of_the_library = R"(
 EOF FILE I a64l abort abs accept access alarm aligned_alloc alloca alphasort asctime assert at_quick_exit
 atexit atof atoi atol atoll basename bcmp bcopy bind bsearch btowc bzero cabs cabsf cabsl cacos cacosf
@@ -103,11 +104,11 @@ wcswcs wcswidth wcsxfrm wctob wctomb wctrans wctrans_t wctype wctype_t wcwidth w
 wmemcpy wmemmove wmemset wordexp wordfree wprintf write writev wscanf
 )";
 
-/// What stands behind the namesakes of a function of math.h for other numbers.
+/// The suffixes of the variants of a math.h function for other types.
 inline constexpr std::string_view ends_of_functions[]{"",     "f",   "l",    "f16", "f32",
                                                       "f32x", "f64", "f64x", "f128"};
 
-/// The next word of a list, which is taken off it; empty at its end.
+/// Removes and returns the next word of a list; empty at the end of the list.
 constexpr std::string_view next_of(std::string_view& words) {
   constexpr std::string_view spaces = " \n";
   const std::size_t begin = words.find_first_not_of(spaces);
@@ -118,7 +119,7 @@ constexpr std::string_view next_of(std::string_view& words) {
   return word;
 }
 
-/// Whether headers of C may have the name.
+/// Whether a C header may define the name.
 constexpr bool has(std::string_view name) {
   const auto holds = [](std::string_view words, std::string_view wanted) {
     for (std::string_view word = next_of(words); !word.empty(); word = next_of(words))

@@ -2,12 +2,12 @@
 
 #include <type_traits>
 
-/// The members of an aggregate, one after another, so that what treats all alike names none.
+/// Iterates over the members of an aggregate, so that uniform operations need not name them.
 namespace kanexpr {
 
 namespace detail {
 
-/// Stands for a member of any type.
+/// Converts to a member of any type.
 struct any_member {
   template <class Member>
   constexpr operator Member() const;
@@ -23,7 +23,7 @@ consteval int member_count() {
 
 } // namespace detail
 
-/// Calls `visit` with each member of an aggregate, in their order; it has at most 14.
+/// Calls `visit` with each member of an aggregate, in declaration order. At most 14 members are supported.
 template <class Whole, class Visit>
 constexpr void for_each_member(Whole& whole, Visit&& visit) {
   constexpr int count = detail::member_count<std::remove_const_t<Whole>>();

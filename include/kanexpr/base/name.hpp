@@ -5,8 +5,8 @@
 
 namespace kanexpr::symbolic {
 
-/// A short name that is a plain value, so that a graph of names can leave a constant evaluation. Of a longer
-/// text, such as the name of a type, the middle is left out: names that differ at an end stay different.
+/// A short name that is a plain value, so that a graph of names can leave a constant evaluation. A longer
+/// text, such as the name of a type, is shortened in the middle: names that differ at one end stay different.
 struct name {
   static constexpr int capacity = 63;
   char letters[capacity + 1]{};

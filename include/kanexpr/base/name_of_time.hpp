@@ -4,8 +4,8 @@
 
 namespace kanexpr::simulated {
 
-/// What the column of the time is called beside those of a model: "t", or if the model calls something that,
-/// "time", and then "time_", as long as it takes.
+/// The name of the time column in a table: "t", or if the model uses that name, "time", then "time_" and so
+/// on until the name is free.
 template <class IsTaken>
 std::string name_of_time(const IsTaken& is_taken) {
   std::string name = "t";

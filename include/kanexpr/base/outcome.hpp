@@ -5,14 +5,14 @@
 
 namespace kanexpr {
 
-/// Whether something was done and, if not, why not.
+/// The result of an operation: success, or the cause of its failure.
 class [[nodiscard]] outcome {
 public:
   outcome() = default;
   explicit outcome(std::string cause) : cause_(std::move(cause)) {}
 
   explicit operator bool() const { return cause_.empty(); }
-  /// Why it was not done, as a sentence; empty: it was.
+  /// Why the operation failed, as a sentence; empty on success.
   std::string cause() const { return cause_; }
 
 private:

@@ -8,21 +8,21 @@
 
 namespace kanexpr::mechanics {
 
-/// One sentence in the words of mechanics that names the entity: a mistake, the cause of a status or of a
-/// failure, or a part of one. Empty: there is none.
+/// A sentence in the terms of mechanics that names the entity concerned: a mistake, the cause of a status or
+/// of a failure, or a part of one. Empty if there is nothing to report.
 struct sentence {
   static constexpr int capacity = 255;
   char letters[capacity + 1]{};
   int length = 0;
 
   constexpr sentence() = default;
-  /// Of names that are too long for a sentence the middle is left out, so that its end is there and names
-  /// stay distinct.
+  /// Names that are too long for a sentence are shortened in the middle, so that the end of the sentence is
+  /// kept and names stay distinct.
   constexpr explicit sentence(std::initializer_list<std::string_view> pieces);
 
   constexpr explicit operator bool() const { return length != 0; }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
-  /// The same, as all that may go wrong has it.
+  /// The same text; the name is common to all types that report a cause.
   constexpr std::string cause() const { return std::string(view()); }
 
 private:
@@ -38,7 +38,7 @@ namespace detail {
 
 constexpr std::string_view left_out = "...";
 
-/// How long a piece may be so that all of them fit.
+/// The maximum length of a piece such that all pieces fit.
 constexpr std::size_t longest_piece_of(std::initializer_list<std::string_view> pieces) {
   std::size_t longest = sentence::capacity;
   for (;; --longest) {
@@ -64,7 +64,7 @@ constexpr sentence::sentence(std::initializer_list<std::string_view> pieces) {
   }
 }
 
-/// Of more pieces than there is room for even so, the last are left out.
+/// If the shortened pieces still do not fit, the end is cut off.
 constexpr void sentence::append(std::string_view text) {
   for (char letter : text) {
     if (length < capacity) {
@@ -77,7 +77,7 @@ constexpr void sentence::append(std::string_view text) {
   }
 }
 
-/// A number in a sentence.
+/// Formats an integer for a sentence.
 constexpr symbolic::name counted(int n) {
   symbolic::name text;
   text.append(n);

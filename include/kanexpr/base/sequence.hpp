@@ -7,7 +7,7 @@ namespace kanexpr::symbolic {
 
 /// A growable array for constant evaluation.
 ///
-/// The compiler interprets every call, so a thin array halves the time of a derivation against
+/// The compiler interprets every call, so a thin array halves the time of a derivation compared with
 /// `std::vector`.
 template <class Element>
 class sequence {
@@ -74,7 +74,7 @@ public:
     capacity_ = capacity;
   }
   constexpr bool contains(const Element& value) const { return find(value) >= 0; }
-  /// Position of the first element equal to `value`, or -1.
+  /// The position of the first element equal to `value`, or -1.
   constexpr int find(const Element& value) const {
     for (int i = 0; i < size_; ++i)
       if (data_[i] == value) return i;
@@ -82,13 +82,13 @@ public:
   }
 
 private:
-  /// Large elements are few in most arrays, and each that there is room for is initialized.
+  /// Arrays of large elements are usually short, and the whole capacity is initialized.
   struct element {
     Element value;
   };
   static constexpr int first_capacity = sizeof(element) > 40 ? 2 : 8;
 
-  constexpr int push_and_grow(Element value) { // by value, for it may live in this very array
+  constexpr int push_and_grow(Element value) { // by value, because it may be an element of this array
     reserve(capacity_ < first_capacity ? first_capacity : 2 * capacity_);
     data_[size_] = static_cast<Element&&>(value);
     return size_++;

@@ -2,7 +2,7 @@
 
 namespace kanexpr {
 
-/// What an integration took.
+/// Counters of an integration.
 struct integration_statistics {
   long steps = 0;
   long rate_evaluations = 0; ///< of ẋ, or of the residual of the equations

@@ -7,27 +7,27 @@
 
 namespace kanexpr {
 
-/// Whether all that an evaluation had to solve could be solved at its state. Where it could not, the results
-/// beside it mean nothing.
+/// Indicates whether everything an evaluation had to solve could be solved at its state. If not, the
+/// accompanying results are meaningless.
 class status {
 public:
   constexpr status() = default;
-  /// The first of what could not be solved, as a sentence that outlives the status.
+  /// The first failure, as a sentence that outlives the status.
   constexpr explicit status(std::string_view cause) : cause_(cause) {}
 
-  /// Whether the results can be used.
+  /// True if the results can be used.
   constexpr explicit operator bool() const { return cause_.empty(); }
 
-  /// What could not be solved, as a sentence; empty: nothing.
+  /// What could not be solved, as a sentence; empty if everything was solved.
   constexpr std::string cause() const { return std::string(cause_); }
-  /// The same where there is no heap.
+  /// The same without using the heap.
   constexpr std::string_view view() const { return cause_; }
 
 private:
   std::string_view cause_{};
 };
 
-/// The cause; nothing where there is none.
+/// Prints the cause, or nothing if there is none.
 template <class Stream>
 auto operator<<(Stream& to, const status& told) -> decltype(to << told.view()) {
   return to << told.view();
@@ -35,12 +35,12 @@ auto operator<<(Stream& to, const status& told) -> decltype(to << told.view()) {
 
 namespace mechanics {
 
-/// What is left beside what it was made of, so small that rounding decides on it.
+/// A remainder this small, relative to the terms that it is computed from, is dominated by rounding.
 inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>::epsilon();
 
-/// How near to singular is too near. A solution has the rounding of its matrix divided by this as its error:
-/// of double precision one in a million, of single precision four digits are left. Of one of the compiler's
-/// vectors, of its numbers.
+/// The smallest measure that is not treated as singular. The relative error of a solution is the rounding
+/// error of its matrix divided by this bound: one in a million in double precision; in single precision four
+/// digits remain. For a compiler vector type, that of its elements.
 template <class Scalar>
 constexpr double least_singularity_measure() {
   if constexpr (std::is_same_v<Scalar, float>)

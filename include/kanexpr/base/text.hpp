@@ -15,7 +15,7 @@ struct text {
   constexpr text(const char (&literal)[size]) {
     for (std::size_t i = 0; i < size; ++i) letters[i] = literal[i];
   }
-  /// Of something that is no string literal: no letters, which who reads a name will refuse.
+  /// From something that is not a string literal: empty, which the reader of the name rejects.
   template <class Type>
     requires(!std::is_convertible_v<const Type&, std::string_view>)
   constexpr text(const Type&) {}
@@ -27,7 +27,7 @@ template <class Type>
   requires(!std::is_convertible_v<const Type&, std::string_view>)
 text(const Type&) -> text<1>;
 
-/// The name of a type with its namespaces, and where in it the name begins that its model wrote.
+/// The name of a type with its namespaces, and the position at which the unqualified name begins.
 struct whole_name {
   std::string_view whole;
   std::size_t own = 0;
@@ -48,20 +48,20 @@ constexpr whole_name whole_name_of() {
   return {whole.substr(0, end), start};
 }
 
-/// Whether every source file that writes the name of a type means one type by it: not in an unnamed
-/// namespace, which compilers write with brackets, nor in a function.
+/// Whether the name of a type denotes the same type in every source file: not in an unnamed namespace, which
+/// compilers print with brackets, and not in a function.
 template <class Type>
 inline constexpr bool is_known_to_all_files =
     whole_name_of<Type>().whole.find_first_of("({") == std::string_view::npos;
 
-/// The name of a type as its model wrote it, without namespaces: `Link<3>`.
+/// The unqualified name of a type as the model writes it: `Link<3>`.
 template <class Type>
 constexpr std::string_view type_name() {
   const whole_name name = whole_name_of<Type>();
   return name.whole.substr(name.own);
 }
 
-/// The same with its namespaces where another type has the same name without them.
+/// The same, with its namespaces if the other type has the same unqualified name.
 template <class Type, class Other>
 constexpr std::string_view type_name_beside() {
   const bool is_alike = !std::is_same_v<Type, Other> && type_name<Type>() == type_name<Other>();

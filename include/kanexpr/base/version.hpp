@@ -6,5 +6,5 @@
 #define KANEXPR_VERSION_MINOR 1
 #define KANEXPR_VERSION_PATCH 0
 
-/// The version as one number to compare, 10203 for 1.2.3: `#if KANEXPR_VERSION >= 200`.
+/// The version as one number for comparisons, 10203 for 1.2.3: `#if KANEXPR_VERSION >= 200`.
 #define KANEXPR_VERSION (KANEXPR_VERSION_MAJOR * 10000 + KANEXPR_VERSION_MINOR * 100 + KANEXPR_VERSION_PATCH)

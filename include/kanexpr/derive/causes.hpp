@@ -12,12 +12,12 @@ struct cause_sizes {
   int letters = 0;
 };
 
-/// Why results may have no value at a state: sentences one behind another; what is behind the sizes is
-/// unused.
+/// The reasons why results may have no value at a state, as consecutive sentences. The arrays are unused
+/// beyond the sizes.
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
-  /// as small as can be, for controllers
+  /// as small as possible, for controllers
   std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int>
       end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
@@ -39,7 +39,7 @@ struct cause_list {
 inline constexpr cause_sizes room_of_causes{1 << 12, 1 << 18};
 using roomy_causes = cause_list<room_of_causes>;
 
-/// The same in arrays of its own sizes, `trimmed<roomy.sizes>(roomy)`.
+/// The same list in arrays of minimal size, `trimmed<roomy.sizes>(roomy)`.
 template <cause_sizes sizes, cause_sizes room>
 constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};
@@ -50,7 +50,7 @@ constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   return out;
 }
 
-/// The sentence that a function without captures makes, alone in a list of its size.
+/// A list with the single sentence that a captureless function returns.
 template <class Make>
 constexpr auto only_cause(Make make) {
   constexpr mechanics::sentence p = make();

@@ -3,10 +3,10 @@
 #include <kanexpr/derive/read/load_wording.hpp>
 #include <kanexpr/derive/read/symbol_reader.hpp>
 
-/// Whether the words of a system are all that it needs, and nothing else.
+/// Checks that a system has all required words and no others.
 namespace kanexpr::deriving {
 
-/// `speed<u>` in place of `speeds<u>`.
+/// `speed<u>` instead of `speeds<u>`.
 constexpr sentence check_symbol_among_words(const describe::token& t, std::string_view system) {
   using symbolic::symbol_kind;
   const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
@@ -15,61 +15,60 @@ constexpr sentence check_symbol_among_words(const describe::token& t, std::strin
                                 : kind == symbol_kind::parameter ? "parameters"
                                 : kind == symbol_kind::input     ? "inputs"
                                                                  : "";
-  if (list.empty()) return sentence({"an expression stands among the words of ", system});
+  if (list.empty()) return sentence({"an expression is among the words of ", system});
   const std::string_view one = list.substr(0, list.size() - 1);
   return sentence(
-      {one, "<...> stands among the words of ", system, ", and is a symbol; the word is ", list, "<...>"});
+      {one, "<...> is among the words of ", system, ", but is a symbol; the word is ", list, "<...>"});
 }
 
-/// What stands beside the words of a system, or beside one of them: `struct System : kane_system<…>,
-/// loads<…>`.
+/// Checks for base classes next to a system or one of its words: `struct System : kane_system<…>, loads<…>`.
 template <class Told>
 constexpr sentence word_beside() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
   if constexpr (__is_base_of(describe::load_words, Told)) {
-    return sentence(
-        {"a load stands beside the words of ", type_name<Told>(), "; write it in loads<...>, among them"});
+    return sentence({"a load is a separate base of ", type_name<Told>(),
+                     "; write it in loads<...>, among the words of the system"});
   } else if constexpr (describe::has_word_beside<Told>()) {
     return sentence(
-        {type_name<Told>(), " is described as a system and as a part of one; give each a name of its own"});
+        {type_name<Told>(), " is described as a system and as a part of one; give each its own name"});
   } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
     std::string_view word = "a word";
     if constexpr (requires { Told::word; }) word = Told::word;
-    return sentence({word, word == "a word" ? "" : "<...>", " stands beside the words of ", type_name<Told>(),
-                     "; write it among them, between the < > of its system"});
+    return sentence({word, word == "a word" ? "" : "<...>", " is a separate base of ", type_name<Told>(),
+                     "; write it among the words, between the < > of the system"});
   } else {
     return {};
   }
 }
 
-/// What a system holds that is not one of its words.
+/// Checks that an argument of a system is one of its words.
 template <class Told>
 constexpr sentence check_word(std::string_view system) {
   if constexpr (describe::system_word<Told>)
     return word_beside<Told>();
   else if constexpr (requires { typename Told::extended_base; })
     return sentence({system, " extends ", type_name<typename Told::extended_base>(),
-                     ", which is not a system; extended<System, ...> takes one and what is added to it"});
+                     ", which is not a system; extended<System, ...> takes a system and the words to add"});
   else if constexpr (requires { Told::joint_told(); })
-    return sentence({"joint ", type_name<Told>(), " stands among the words of ", system, "; write joints<",
+    return sentence({"joint ", type_name<Told>(), " is among the words of ", system, "; write joints<",
                      type_name<Told>(), ">"});
   else if constexpr (requires { Told::content(); })
-    return sentence({"body ", type_name<Told>(), " stands among the words of ", system, "; write bodies<",
+    return sentence({"body ", type_name<Told>(), " is among the words of ", system, "; write bodies<",
                      type_name<Told>(), ">"});
   else if constexpr (std::derived_from<Told, scalar<1>>)
     return check_symbol_among_words(Told{}.tokens[0], system);
   else if constexpr (requires { Told::orientation(); })
-    return sentence({"frame ", type_name<Told>(), " stands among the words of ", system, "; write inertial<",
+    return sentence({"frame ", type_name<Told>(), " is among the words of ", system, "; write inertial<",
                      type_name<Told>(), ">"});
   else if constexpr (requires { Told::load.what; })
     return sentence(
-        {name_of(Told::load).view(), " stands among the words of ", system, "; write loads<...> around it"});
+        {name_of(Told::load).view(), " is among the words of ", system, "; write loads<...> around it"});
   else if constexpr (requires { Told::place(); })
-    return sentence({"point ", type_name<Told>(), " stands among the words of ", system,
-                     "; points are found by what uses them"});
+    return sentence(
+        {"point ", type_name<Told>(), " is among the words of ", system, "; points need not be listed"});
   else
     return sentence(
-        {short_name(type_name<Told>()).view(), " is not a word of a system, and ", system, " holds it"});
+        {short_name(type_name<Told>()).view(), " is not a word of a system, but ", system, " lists it"});
 }
 
 template <describe::method by, class... Words>
@@ -82,17 +81,17 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
 constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
   for (int i = 0; i < joints.size; ++i)
     if (joints[i].body != nullptr || joints[i].calls_itself.empty() || !joints[i].mistake.empty())
-      return true; // what is no joint, or a mistaken one, is told later
+      return true; // mistakes in them are reported later
   return false;
 }
 
 constexpr bool lists_joint(const describe::listing<describe::body_record>& bodies) {
   for (int i = 0; i < bodies.size; ++i)
-    if (bodies[i].instead == describe::joint_out_of_place) return true; // which is told later
+    if (bodies[i].instead == describe::joint_out_of_place) return true; // reported later
   return false;
 }
 
-/// Words of one method in a system of the other, or words that do not go together.
+/// Checks for words of one method in a system of the other, and for incompatible words.
 template <class System>
 constexpr sentence check_method(std::string_view called) {
   const bool bodies = System::times_told("bodies") != 0 || brings_body(System::record.joints),
@@ -105,29 +104,28 @@ constexpr sentence check_method(std::string_view called) {
   for (std::string_view word : {"speeds", "kinematics", "auxiliary", "reactions"})
     if (System::times_told(word) != 0)
       return sentence({"the system ", called, " has ", word,
-                       "<...>; a lagrange_system has no speeds but the rates of its coordinates"});
+                       "<...>; the only speeds of a lagrange_system are the rates of its coordinates"});
   if (bodies && whole)
     return sentence({"the system ", called,
-                     " has bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all bodies"});
+                     " has bodies<...> and lagrangian<...>; a Lagrangian contains the energy of all bodies"});
   if (!bodies && !whole)
     return sentence({"the system ", called, " has neither bodies<...> nor lagrangian<...>"});
   return {};
 }
 
-/// A word that is missing, doubled or foreign.
+/// Checks for missing, repeated and unknown words.
 template <class System>
 constexpr sentence check_words() {
   constexpr std::string_view called = type_name<System>();
   if constexpr (describe::is_unparsed<System>()) {
-    return sentence(
-        {called, " is derived from nothing; derive it from kane_system<...> or lagrange_system<...>"});
+    return sentence({called, " has no base class; derive it from kane_system<...> or lagrange_system<...>"});
   } else if constexpr (!requires { System::record; }) {
     if constexpr (!__is_base_of(describe::whole_systems, System))
       return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
     else if (describe::hides<describe::whole_systems>(static_cast<System*>(nullptr)))
-      return sentence({called, " hides what it is derived from, as a class does; write struct"});
+      return sentence({called, " inherits privately; declare it as a struct"});
     else
-      return sentence({called, " is derived from two systems; give each a name of its own"});
+      return sentence({called, " is derived from two systems; give each its own name"});
   } else {
     if (const sentence beside = word_beside<System>()) return beside;
     const sentence foreign = check_each_word(called, static_cast<const System*>(nullptr));
@@ -158,8 +156,8 @@ constexpr sentence check_words() {
   }
 }
 
-/// What a system is derived from, in the compiler as while a program runs: its words, unless one of them is a
-/// mistake, of which nothing is read.
+/// The words of a system, as used both in the compiler and at run time. If one of them is a mistake, the
+/// record is empty.
 struct checked_words {
   sentence mistake{};
   describe::system_record record{};

@@ -6,7 +6,7 @@
 
 namespace kanexpr::deriving {
 
-/// What `function<System, wanted…>::cost()` says, by the same derivation while the program runs.
+/// The same value as `function<System, wanted…>::cost()`, obtained by the same derivation at run time.
 template <class System>
 symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
   std::vector<request> all;

@@ -7,37 +7,38 @@
 
 namespace kanexpr::deriving {
 
-/// The straight-line code for some results. The measures and scales of what may be singular are behind all
-/// other results of the tape, a pair for each cause. It has room for any model, so a program must not hold
-/// it.
+/// The straight-line code for some results. The measures and scales of potential singularities follow all
+/// other results of the tape, one pair per cause. The arrays have room for any model, so programs must not
+/// store one.
 struct cut_code {
   sentence mistake{};
   roomy_causes causes{};
   lower::roomy_tape tape{};
-  bool follows_from_unparsed = false; ///< the mistake, from something that did not parse
-  bool tells_finiteness = false;      ///< the last pair
+  bool follows_from_unparsed = false; ///< the mistake comes from a type that did not parse
+  bool tells_finiteness = false;      ///< the last pair checks finiteness
 
   constexpr cut_code() = default;
   constexpr explicit cut_code(const sentence& because) : mistake(because) {}
 };
 
-/// What no room is left for.
+/// Reports code that exceeds the available room.
 constexpr sentence check_room(std::string_view system, const lower::tape_sizes& sizes) {
   if (lower::has_room_for(sizes)) return {};
-  return sentence({"what is asked of ", system, " at once takes ", mechanics::counted(sizes.steps).view(),
-                   " operations and has ", mechanics::counted(sizes.results).view(),
-                   " entries; there is room for ", mechanics::counted(lower::most_steps).view(),
-                   " of each; ask for it in parts"});
+  return sentence({"the results requested from ", system, " take ", mechanics::counted(sizes.steps).view(),
+                   " operations and have ", mechanics::counted(sizes.results).view(),
+                   " entries; the limit is ", mechanics::counted(lower::most_steps).view(),
+                   " of each; request them in parts"});
 }
 
 template <cause_sizes room>
 constexpr sentence check_room(std::string_view system, const cause_list<room>& causes, const sentence& next) {
   if (causes.has_room_for(next)) return {};
-  return sentence({"what is asked of ", system,
-                   " at once may be singular in more ways than there is room for; ask for it in parts"});
+  return sentence({"the results requested from ", system,
+                   " have more potential singularities than supported; request them in parts"});
 }
 
-/// The nodes of all entries of the results, then those of what may be singular on the way to them.
+/// The nodes of all entries of the results, followed by those of the potential singularities on which they
+/// depend.
 struct cut_nodes {
   sequence<int> nodes{};
   sequence<mechanics::singularity_check> checks{};
@@ -58,7 +59,7 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
   return found;
 }
 
-/// A symbol that an expression adds to those of the system: no vector of numbers has a place for it.
+/// Reports a symbol that an expression adds to those of the system: no argument has an entry for it.
 constexpr sentence check_symbols(std::string_view system, const survey& known, const mechanism& m) {
   struct list {
     std::string_view kind;
@@ -69,7 +70,7 @@ constexpr sentence check_symbols(std::string_view system, const survey& known, c
        {list{"parameter", m.parameters, known.parameters}, list{"input", m.inputs, known.inputs}})
     if (l.symbols.size() > l.known) {
       const std::string_view called = m.g->symbol_at(l.symbols[l.known].node()).called.view();
-      return sentence({l.kind, " ", called, ", which an expression holds, is not among those of ", system,
+      return sentence({l.kind, " ", called, ", which an expression contains, is not among those of ", system,
                        "; write used_elsewhere<", called, ">"});
     }
   return {};
@@ -100,7 +101,7 @@ constexpr stage stage_for(std::span<const request> all) {
   return furthest;
 }
 
-/// The same out of a stage that is there already.
+/// The same, starting from a stored stage.
 template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
@@ -111,7 +112,7 @@ constexpr cut_code cut(const system_record& from, const Image& aside, std::strin
   return code;
 }
 
-/// The code for what template arguments ask for.
+/// The code for the results that the template arguments request.
 template <class System, auto... wanted>
 constexpr cut_code code_for() {
   constexpr request all[]{requested<wanted>::value...};

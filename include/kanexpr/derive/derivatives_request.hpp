@@ -4,8 +4,8 @@
 
 namespace kanexpr::deriving {
 
-/// The derivatives of a result, entry by entry in the order of rows, by the state [q; u], the inputs, or the
-/// rates of the speeds where it holds them.
+/// The derivatives of a result, row by row in the order of its entries, with respect to the state [q; u], the
+/// inputs, or the rates of the speeds if it contains them.
 struct derivatives_of_result {
   quantity of;
   with_respect_to symbols;

@@ -11,10 +11,11 @@
 
 namespace kanexpr::deriving {
 
-/// A system on its way from the types of a model to equations that can be asked for results. It stays where
-/// it was made. The first mistake ends the way.
+/// A system between the types of a model and the equations that provide results. It cannot be moved. The
+/// first mistake stops the derivation.
 class derived_system {
-  // before who calls it: clang++ forms no template for a constant expression that comes later in its class
+  // before its callers: clang++ does not instantiate a template for a constant expression if it is declared
+  // later in the class
   template <class Self, class Visit>
   static constexpr void each_part(Self& self, Visit& visit) {
     visit(self.system_);
@@ -26,8 +27,8 @@ public:
   constexpr explicit derived_system(const system_record& from) : system_(graph_), reader_(from, system_) {
     reader_.read();
   }
-  /// Goes on where a derivation of the same record was set aside. A template, as `write` is, so that files
-  /// which derive nothing do not form what it needs.
+  /// Resumes a stored derivation of the same record. A template, like `write`, so that files which derive
+  /// nothing do not instantiate what it needs.
   template <std::same_as<image> Image>
   constexpr derived_system(const system_record& from, const Image& aside)
       : system_(graph_), reader_(from, system_) {
@@ -39,13 +40,14 @@ public:
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
 
-  /// Looks for mistakes in what was read.
+  /// Checks what was read for mistakes.
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
   }
 
-  /// Reads loads that speak of motion and the constraints, and forms what the equations start from.
+  /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
+  /// equations.
   constexpr void derive() {
     if (mistake()) return;
     mechanics::known_motion known(system_.mechanism);
@@ -59,7 +61,7 @@ public:
     if (!mistake()) equations_->constrain();
   }
 
-  /// Sets the derivation aside. Only without a mistake, and after `derive`.
+  /// Stores the derivation. Requires that there is no mistake and that `derive` was called.
   template <std::same_as<image> Image>
   constexpr void write(Image& into) const {
     image_writer write(into, graph_);
@@ -79,7 +81,7 @@ public:
   constexpr const mechanics::mechanism& mechanism() const { return system_.mechanism; }
   constexpr deriving::reader& reader() { return reader_; }
 
-  /// Only without a mistake, and after `derive`.
+  /// Requires that there is no mistake and that `derive` was called.
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:

@@ -6,16 +6,16 @@
 
 #include <concepts>
 
-/// Numbers by which models and code are known again in another run of a program, or in another build of it.
+/// Hashes that identify models and code across runs and builds of a program.
 namespace kanexpr::deriving {
 
-/// Functions of the program are known by their names alone, and entities by what became of them.
+/// User functions are identified only by their names, and entities by their effect on the derivation.
 template <class Holder>
 constexpr void take_externals(symbolic::digest& all, const Holder& externals, int count) {
   for (int i = 0; i < count; ++i) all.take(externals[i]->called.view());
 }
 
-/// A template, so that files which derive nothing do not form what it needs.
+/// A template, so that files which derive nothing do not instantiate what it needs.
 template <std::same_as<image> Image>
 constexpr std::uint64_t digest_of(const Image& of) {
   symbolic::digest all;

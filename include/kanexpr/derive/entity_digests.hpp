@@ -13,9 +13,9 @@
 
 namespace kanexpr::deriving {
 
-/// A number for each entity of a system, of all that describes it. Two source files may have different
-/// entities of one name, of which the linker keeps one; a program that derives a system finds out by the
-/// numbers that the compiler formed in the file that means it.
+/// One hash per entity of a system, covering everything that describes it. Two source files may have
+/// different entities of the same name, of which the linker keeps one; a program that derives a system at run
+/// time detects this by comparing with the hashes that the compiler computed in the intended file.
 class entity_digests {
   using frame_record = describe::frame_record;
   using point_record = describe::point_record;
@@ -26,9 +26,9 @@ class entity_digests {
   using sequence = symbolic::sequence<Content>;
 
 public:
-  /// The system comes first, then bodies, joints and loads, then what they mention, in the order in which it
-  /// is mentioned. So of two descriptions the first entity that differs is the one that was described
-  /// otherwise.
+  /// The order is the system, bodies, joints and loads, followed by the entities that they mention in order
+  /// of first mention. So the first difference between two descriptions identifies an entity that is itself
+  /// described differently.
   constexpr explicit entity_digests(const describe::system_record& of) {
     take_system(of);
     for (int i = 0; i < of.bodies.size; ++i) take(of.bodies[i]);
@@ -43,7 +43,7 @@ public:
   constexpr int size() const { return contents_.size(); }
   constexpr std::uint64_t operator[](int i) const { return contents_[i]; }
 
-  /// What the file that means the system has described otherwise; empty: nothing.
+  /// The first entity that the intended file describes differently, as a sentence; empty if there is none.
   constexpr sentence unlike(std::span<const std::uint64_t> meant) const {
     for (int i = 0; i < size() && static_cast<std::size_t>(i) < meant.size(); ++i)
       if (contents_[i] != meant[static_cast<std::size_t>(i)])
@@ -96,7 +96,7 @@ private:
       take(*each);
     for (int i = 0; i < r.redundant.size; ++i) now_.take(r.redundant[i]);
     for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size}) now_.take(each);
-    end("", "systems of one name");
+    end("", "systems with the same name");
   }
   constexpr void take(const describe::body_record& r) {
     begin();
@@ -120,7 +120,7 @@ private:
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
     take(r.value), take(r.angle), take(r.rest);
-    end("", "loads of one name");
+    end("", "loads with the same name");
   }
   constexpr void take(const frame_record& r) {
     begin();
@@ -149,7 +149,7 @@ private:
   sequence<std::string_view> names_{}, kinds_{};
 };
 
-/// Of a system, as this source file sees it, first one of all of them, and then each.
+/// The hashes of a system as this source file defines it: a combined one, followed by one per entity.
 template <class System>
 constexpr auto digests_in_this_file() {
   if constexpr (requires { System::record; }) {
@@ -167,11 +167,12 @@ constexpr auto digests_in_this_file() {
   }
 }
 
-/// For the compiler, which knows no other file.
+/// For use at compile time, where no other file is known.
 template <class System>
 inline constexpr auto digests_as_read = digests_in_this_file<System>();
 
-/// For the program. The first is a part of the name, so that no other file's is taken for it.
+/// For use at run time. The combined hash is a part of the name, so that the linker does not substitute that
+/// of another file.
 template <class System, std::uint64_t of_all>
 inline constexpr auto digests_as_meant = digests_as_read<System>;
 

@@ -7,11 +7,11 @@
 
 namespace kanexpr::deriving {
 
-/// A derivation that was set aside, as plain arrays that can leave a constant evaluation: the graph node by
-/// node, and all else that is known by then as a row of integers.
+/// A stored derivation, as plain arrays that can leave a constant evaluation: the graph node by node, and
+/// everything else known at that stage as a row of integers.
 ///
-/// It has room for any model that a compiler can be asked to derive, and what is behind the counts is unused.
-/// So only constant evaluations may hold one: whatever else refers to it puts it into the program.
+/// It has room for any model that a compiler can reasonably derive; entries beyond the counts are unused. So
+/// it must appear only in constant evaluations: any other reference would put it into the program.
 struct image {
   static constexpr int most_nodes = 1 << 17;
   static constexpr int most_integers = 1 << 18;
@@ -40,7 +40,7 @@ struct image {
   int externals = 0;
   const symbolic::external_function* external[most_externals]{};
 
-  /// Whether something was left out, for which there is no room.
+  /// Whether something was omitted for lack of room.
   bool is_full = false;
 };
 

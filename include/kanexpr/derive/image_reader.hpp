@@ -10,7 +10,7 @@
 namespace kanexpr::deriving {
 
 /// Reads a derivation from an image: `read(part)` for each part, in the order in which `image_writer` wrote
-/// them. Nodes keep their numbers.
+/// them. Nodes keep their indices.
 class image_reader {
 public:
   constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m);

@@ -34,7 +34,7 @@ public:
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }
-  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of what there is
+  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of the content
     write(all.size());
     if (into_.integers + all.size() > image::most_integers) {
       into_.is_full = true;
@@ -54,7 +54,7 @@ public:
   constexpr void operator()(const describe::point_record* const& r) {
     if (has_room(into_.points, image::most_entities)) into_.point[into_.points++] = r;
   }
-  constexpr void operator()(const mechanics::mechanism* const&) {} // the only one
+  constexpr void operator()(const mechanics::mechanism* const&) {} // there is only one
 
 private:
   static constexpr int none = mechanics::none;

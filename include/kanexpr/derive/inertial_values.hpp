@@ -7,34 +7,34 @@
 
 namespace kanexpr::deriving {
 
-/// Masses and inertias that are expressions of parameters, as m - 2*k, or that only numbers can tell to be
-/// those of a body: as steps on numbers, for programs that look at the parameters which they are given. As
-/// many as there is room for.
+/// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity only numbers
+/// can decide, as a sequence of operations on numbers. Programs use it to check the parameters that they are
+/// given. It covers as many bodies as there is room for.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
 
-  /// Each number is that of a step, by 1 more than its place; 0: it is not known, or need not be looked at.
+  /// Each integer is the index of a step plus 1; 0 means unknown, or that no check is needed.
   struct of_body {
-    int called = 0, about = 0; ///< which names
+    int called = 0, about = 0; ///< indices of names
     int mass = 0;
     int inertia[6]{}; ///< xx, yy, zz, xy, yz, zx
-    int way[3]{};     ///< from the mass centre to the point that the inertia is about, in the same axes
+    int way[3]{}; ///< from the mass center to the point about which the inertia is given, in the same axes
   };
 
   int steps = 0;
   symbolic::operation operation[room]{};
-  int a[room]{}; ///< of a symbol: which parameter
+  int a[room]{}; ///< of a symbol: the index of the parameter
   int b[room]{};
   double number[room]{};
   int count = 0;
   of_body bodies[room_for_bodies]{};
   int named = 0;
-  symbolic::name names[room_for_names]{}; ///< of bodies, and of points that inertias are about
+  symbolic::name names[room_for_names]{}; ///< of bodies and of reference points of inertias
 
-  /// The first mistake with some parameters: what is negative by more than rounding, or an inertia that no
-  /// body has. Of what a parameter that is not a number leaves unknown there is none.
+  /// The first mistake for given parameters: a value that is negative beyond rounding, or an inertia that no
+  /// body can have. Values that depend on a NaN parameter are skipped.
   constexpr mechanics::sentence mistake(const double* parameters) const {
-    double value[room]{}, size[room]{}; // size: of the terms that a value is the sum of
+    double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {
       const int left = is_leaf(operation[i]) ? 0 : a[i];
       value[i] = operation[i] == symbolic::operation::constant ? number[i]
@@ -92,7 +92,7 @@ private:
     for (int i = 0; i < 3; ++i) {
       way.known = way.known && body.way[i] > 0;
       way.r[i] = way.known ? value[body.way[i] - 1] : 0;
-      way.known = way.known && magnitude(way.r[i]) < 1e30; // whose square might overflow
+      way.known = way.known && magnitude(way.r[i]) < 1e30; // otherwise its square might overflow
     }
     way.known = way.known && way.mass < 1e30;
     return mechanics::detail::check_principal_values(names[body.called].view(), names[body.about].view(),
@@ -100,7 +100,7 @@ private:
   }
 };
 
-/// Finds them in a mechanism.
+/// Collects these values from a mechanism.
 class inertial_values_reader {
 public:
   constexpr inertial_values_reader(const mechanics::mechanism& m, inertial_values& into)
@@ -128,7 +128,7 @@ private:
     }
     if (b.about != mechanics::none && b.about != b.center) add_way(b, made);
   }
-  /// An inertia that is numbers alone was looked at as the model was read, and an effective one is none.
+  /// A purely numeric inertia was checked when the model was read, and an effective inertia is not checked.
   static constexpr bool has_inertia_to_ask(const mechanics::body& b) {
     if (b.inertia.parts.size() != 1 || b.effective) return false;
     const mechanics::dyadic::part& only = b.inertia.parts[0];
@@ -152,14 +152,15 @@ private:
     for (int i = 0; i < 3; ++i) made.way[i] = places[i];
   }
 
-  /// Those of a body and of a point.
+  /// For the names of a body and of a point.
   constexpr bool has_room_for_names() const { return into_.named + 2 <= inertial_values::room_for_names; }
   constexpr int place_of(const symbolic::name& called) {
     into_.names[into_.named] = called;
     return into_.named++;
   }
 
-  /// The step that has a value, from 1 on; 0: it is not of parameters alone, or there is no room.
+  /// The step that computes a value, counted from 1; 0 if the value does not depend on parameters only, or if
+  /// there is no room.
   constexpr int place_of(const expression& value) {
     const int known = nodes_.size();
     const int step = step_of(value.node());
@@ -170,7 +171,8 @@ private:
     return step + 1;
   }
 
-  /// The step that has the value of a node, or -1 where it is not of parameters alone, or is none of numbers.
+  /// The step that computes a node, or -1 if the node does not depend on parameters only or is not a plain
+  /// number.
   constexpr int step_of(int id) {
     if (const int known = nodes_.find(id); known >= 0) return known;
     const symbolic::node n = g_[id];
@@ -195,7 +197,7 @@ private:
   const mechanics::mechanism& m_;
   const symbolic::graph& g_;
   inertial_values& into_;
-  symbolic::sequence<int> nodes_{}; ///< by step
+  symbolic::sequence<int> nodes_{}; ///< of each step
 };
 
 } // namespace kanexpr::deriving

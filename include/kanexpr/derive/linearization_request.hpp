@@ -2,14 +2,14 @@
 
 #include <kanexpr/derive/request.hpp>
 
-/// What can be asked of a linearization beside its quantities.
+/// Requests for a linearization in addition to its quantities.
 namespace kanexpr::deriving {
 
-/// A quantity at rates of the speeds that the caller gives.
+/// A quantity evaluated at rates of the speeds that the caller passes.
 struct at_given_rates {
   quantity wanted;
 
-  /// The function that gives it.
+  /// The function that returns it.
   constexpr std::string_view result_name() const {
     const bool in_states = wanted == quantity::state_matrix || wanted == quantity::input_matrix;
     return in_states ? "explicit_form_at" : "implicit_form_at";
@@ -22,7 +22,7 @@ struct requested<wanted> {
       .what = request::kind::result, .wanted = wanted.wanted, .is_at_given_rates = true};
 };
 
-/// How expressions of the model answer to changes of the state, or of the inputs.
+/// The sensitivity of expressions of the model to the state or to the inputs.
 template <bool to_inputs, auto... outputs>
 struct sensitivity {
   constexpr std::string_view result_name() const { return "outputs"; }

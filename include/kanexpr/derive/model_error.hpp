@@ -5,12 +5,12 @@
 
 #include <utility>
 
-/// How a mistake in a model reaches the person who made it: as the one error of the compilation, a sentence.
+/// Reports a mistake in a model to its author: as the only error of the compilation, with a sentence.
 namespace kanexpr {
 
 namespace deriving {
 
-/// Whether there is a sentence to report, `Told::mistake`, and not left to `tell_in_code`.
+/// Whether there is a sentence to report, `Told::mistake`, that is not left to `tell_in_code`.
 template <class Told>
 constexpr bool is_told() {
   if constexpr (requires { Told::follows_from_unparsed; })
@@ -19,12 +19,12 @@ constexpr bool is_told() {
     return static_cast<bool>(Told::mistake);
 }
 
-/// Letters `begin` to `end` of a sentence as a template argument.
+/// The characters `begin` to `end` of a sentence as a template argument.
 template <class Told, int begin, int end>
 constexpr auto text_of() {
   text<static_cast<std::size_t>(end - begin + 1)> t;
   for (int i = begin; i < end; ++i) t.letters[i - begin] = Told::mistake.letters[i];
-  t.letters[end - begin] = '\0'; // clang prints letters, not numbers, where the end is written too
+  t.letters[end - begin] = '\0'; // with a terminator, clang prints characters instead of numbers
   return t;
 }
 
@@ -32,7 +32,7 @@ constexpr auto text_of() {
 
 #if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
-/// The sentence is the message.
+/// The sentence is the message of the assertion.
 template <text sentence>
 struct model_error {
   static_assert(sentence.view().empty(), sentence.view());
@@ -40,8 +40,8 @@ struct model_error {
 
 namespace deriving {
 
-/// Ends the compilation with the sentence `Told::mistake`, if there is one; only once where it is reported
-/// again.
+/// Stops the compilation with the sentence `Told::mistake`, if there is one. A repeated sentence is reported
+/// only once.
 template <class Told>
 constexpr bool tell() {
   if constexpr (is_told<Told>())
@@ -60,15 +60,16 @@ struct model_error;
 
 namespace deriving {
 
-// g++ prints character arrays in full, clang cuts them after some thirty letters: there the sentence comes in
-// pieces.
+// g++ prints character arrays in full; clang truncates them after some thirty characters, so there the
+// sentence is split into pieces.
 #ifdef __clang__
 inline constexpr int longest_piece = 30;
 #else
 inline constexpr int longest_piece = mechanics::sentence::capacity;
 #endif
 
-/// Where the piece of a sentence ends that begins at `begin`: at a space, if there is one, else in a word.
+/// The end of the piece of a sentence that starts at `begin`: at a space if possible, otherwise within a
+/// word.
 constexpr int piece_end(const mechanics::sentence& p, int begin) {
   const int most = begin + longest_piece;
   if (most >= p.length) return p.length;
@@ -77,7 +78,7 @@ constexpr int piece_end(const mechanics::sentence& p, int begin) {
   return end > begin ? end : most;
 }
 
-/// Where piece number `piece` of a sentence begins; the length of the sentence for those behind its end.
+/// The start of piece number `piece` of a sentence; the length of the sentence for pieces beyond its end.
 constexpr int piece_begin(const mechanics::sentence& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
@@ -99,15 +100,15 @@ constexpr int count_pieces(const mechanics::sentence& p) {
   return pieces;
 }
 
-// The look-up of `shown` completes its argument's class, which is the error; the call itself stays sound, so
-// that there is no second one. Nor is there where the same sentence is reported again.
+// Overload resolution for `shown` completes its argument's class, which is the error; the call itself remains
+// valid, so there is no second error. Repeating the same sentence gives no further error either.
 constexpr bool shown(const void*) { return true; }
 
 template <text... sentence>
 struct told : model_error<sentence...> {};
 
-/// Of a whole system: what cannot be made of a sentence, so that the compiler shows where the system is
-/// written.
+/// For a whole system: an initialization of the system from a sentence, which is invalid, so that the
+/// compiler shows where the system is defined.
 template <class System, text... sentence>
 struct told_of {
 #ifdef __clang__
@@ -117,8 +118,8 @@ struct told_of {
 #endif
 };
 
-/// Ends the compilation with the sentence `Told::mistake`, if there is one. It is about `Told::system`, if
-/// there is that.
+/// Stops the compilation with the sentence `Told::mistake`, if there is one. It concerns `Told::system`, if
+/// that exists.
 template <class Told>
 constexpr bool tell() {
   if constexpr (is_told<Told>())
@@ -138,18 +139,17 @@ constexpr bool tell() {
 
 namespace deriving {
 
-/// Compilers look at this attribute when they make code, which they do where there was no error before.
+/// Compilers evaluate this attribute only during code generation, which they skip after an earlier error.
 template <class System>
-[[gnu::error("this system, or an entity in it, is derived from nothing")]] void
-derived_from_nothing() noexcept;
+[[gnu::error("this system, or an entity in it, has no base class")]] void derived_from_nothing() noexcept;
 
-// One call, so that there is one error.
+// A single call, so that there is a single error.
 template <class System>
 [[gnu::noinline]] void refuse_code() noexcept {
   derived_from_nothing<System>();
 }
 
-/// Tells of a system that depends on what did not parse, unless the compiler has reported its error.
+/// Reports a system that depends on a type that did not parse, unless the compiler has reported an error.
 template <class Told>
 inline void tell_in_code() noexcept {
   if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();

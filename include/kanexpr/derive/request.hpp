@@ -13,7 +13,7 @@ namespace kanexpr::deriving {
 
 using mechanics::quantity;
 
-/// Rows and columns of a result; a scalar is not a matrix, though a matrix may be 1×1.
+/// Rows and columns of a result. A scalar is not a matrix, though a matrix may be 1×1.
 struct extent {
   int rows = 1;
   int columns = 1;
@@ -22,37 +22,37 @@ struct extent {
   constexpr int entries() const { return rows * columns; }
 };
 
-/// By which symbols results are differentiated.
+/// The symbols with respect to which results are differentiated.
 enum class with_respect_to : unsigned char { state, inputs, rates };
 
-/// Something that is asked of a system, as a value that the compiler and a program treat alike.
+/// A result requested from a system, as a value that is handled alike at compile time and at run time.
 struct request {
   enum class kind : unsigned char {
-    foreign,     ///< nothing that could be asked for
+    foreign,     ///< not a valid request
     result,      ///< a quantity of the system
-    expressions, ///< phrases of the model one below another, vectors by their components
-    jacobian,    ///< the derivatives of a phrase by symbols
-    derivatives, ///< of a quantity of the system, by symbols of the system
-    sensitivity, ///< how phrases answer to changes of the state, or of the inputs
-    parameters,  ///< how the rates of the state answer to changes of parameters, which the phrases are
+    expressions, ///< phrases of the model one below another; vectors by their components
+    jacobian,    ///< the derivatives of a phrase with respect to symbols
+    derivatives, ///< of a quantity of the system with respect to symbols of the system
+    sensitivity, ///< the sensitivity of phrases to the state or the inputs
+    parameters,  ///< the sensitivity of the rates of the state to parameters, given as phrases
   };
 
   kind what = kind::foreign;
-  quantity wanted{};                       ///< of a result, or what is differentiated
-  with_respect_to symbols{};               ///< of derivatives
+  quantity wanted{};                       ///< the result, or the quantity to be differentiated
+  with_respect_to symbols{};               ///< for derivatives
   bool is_at_given_rates = false;          ///< with the symbols u̇
-  std::span<const phrase> phrases{};       ///< of the others
-  std::string_view whom = "an expression"; ///< holds the phrases
-  std::span<const describe::token> by{};   ///< of a Jacobian: the symbols
-  bool is_to_inputs = false;               ///< of a sensitivity
+  std::span<const phrase> phrases{};       ///< for the other kinds
+  std::string_view whom = "an expression"; ///< contains the phrases
+  std::span<const describe::token> by{};   ///< for a Jacobian: the symbols
+  bool is_to_inputs = false;               ///< for a sensitivity
 
-  /// Whether a function is given weights or a direction for it.
+  /// Whether a function takes weights or a direction for it.
   constexpr bool is_weighted() const {
     return (what == kind::result || what == kind::derivatives) && mechanics::is_to_second_order(wanted);
   }
 };
 
-/// What a function is given behind the inputs.
+/// The arguments of a function that follow the inputs.
 struct given_behind {
   bool rates = false, weights = false, direction = false;
 };
@@ -96,7 +96,7 @@ constexpr extent extent_of(const request& r, const survey& s) {
   return {1, 1, true};
 }
 
-/// How far a derivation has to go before this can be formed.
+/// The stage of the derivation at which the request can be formed.
 constexpr mechanics::stage stage_for(const request& r) {
   switch (r.what) {
   case request::kind::result:
@@ -110,11 +110,11 @@ constexpr mechanics::stage stage_for(const request& r) {
   return mechanics::stage::constrained;
 }
 
-/// Reads the entities that requests mention, for what is formed of them.
+/// Reads the entities that requests mention, before the results are formed.
 constexpr void visit(std::span<const request> all, reader& r) {
   for (const request& wanted : all) {
     if (wanted.what == request::kind::foreign)
-      r.refuse("what a function is asked for is not an expression of a model");
+      r.refuse("a function requests something that is not an expression of a model");
     for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
   }
   r.take_up();
@@ -122,14 +122,14 @@ constexpr void visit(std::span<const request> all, reader& r) {
 
 namespace detail {
 
-/// The values of phrases one below another, with the symbols q̇ and u̇. A vector counts by its components in
-/// inertial axes, or in those that it was put in.
+/// The values of phrases one below another, with the symbols q̇ and u̇. A vector contributes its components
+/// in inertial axes, or in the axes selected by in_axes_of.
 constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mechanism& m) {
   symbolic::matrix column(*m.g, 0, 1);
   for (const phrase& p : wanted.phrases) {
     const value v = r.evaluate(p, wanted.whom);
     if (v.kind == shape::dyadic) {
-      r.refuse("what a function is asked for is a dyadic; it must be a scalar or a vector");
+      r.refuse("a function requests a dyadic; it must request a scalar or a vector");
       return column;
     }
     if (p.kind != shape::vector || v.kind != shape::vector) {
@@ -159,7 +159,7 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, cons
   return by_symbols;
 }
 
-/// Those of a result, with what it holds of q̇ and u̇ as the equations of motion give it.
+/// The derivatives of a result, in which q̇ and u̇ are replaced according to the equations of motion.
 constexpr symbolic::matrix derivatives_of(const request& wanted, const mechanism& m,
                                           mechanics::equations& e) {
   const symbolic::matrix result = e.get(wanted.wanted);
@@ -173,14 +173,14 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, const mechanism
   return symbolic::jacobian(*m.g, result.entries, state);
 }
 
-/// ∂[q̇; u̇]/∂p, a column for each parameter.
+/// ∂[q̇; u̇]/∂p, one column per parameter.
 constexpr symbolic::matrix sensitivity_to_parameters(const request& wanted, reader& r,
                                                      mechanics::equations& e) {
   sequence<expression> parameters;
   for (const phrase& p : wanted.phrases) {
     const bool is_symbol = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
-    sentence by(
-        {"a sensitivity is asked for by ", is_symbol ? p.tokens[0].symbol->called.view() : "an expression"});
+    sentence by({"a sensitivity is requested with respect to ",
+                 is_symbol ? p.tokens[0].symbol->called.view() : "an expression"});
     if (!is_symbol || p.tokens[0].symbol->kind != symbolic::symbol_kind::parameter) {
       r.refuse(sentence({by.view(), "; it must be a parameter"}).view());
       return {};
@@ -196,7 +196,7 @@ constexpr symbolic::matrix sensitivity_to_parameters(const request& wanted, read
 
 } // namespace detail
 
-/// The result with the symbols q̇ and u̇, where it has them, of a request that was visited.
+/// Forms the result of a visited request, with the symbols q̇ and u̇ if it contains them.
 constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mechanics::equations& e) {
   const mechanism& m = *e.skeleton_used().model;
   if (r.mistake()) return {};
@@ -218,7 +218,7 @@ constexpr symbolic::matrix form_with_rates(const request& wanted, reader& r, mec
   return {};
 }
 
-/// The result in the motion that the equations give.
+/// Forms the result with q̇ and u̇ replaced according to the equations.
 constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equations& e) {
   symbolic::matrix formed = form_with_rates(wanted, r, e);
   if (wanted.what != request::kind::result && wanted.what != request::kind::derivatives)
@@ -227,7 +227,8 @@ constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equ
   return formed;
 }
 
-/// The request that a template argument of a compiled function stands for. This one is foreign.
+/// The request that corresponds to a template argument of a compiled function. The primary template is
+/// invalid.
 template <auto wanted, class Where = describe::file_of<wanted>>
 struct requested {
   static constexpr request value{};
@@ -249,7 +250,7 @@ template <int size, int columns, jacobian_matrix<size, columns> wanted>
 struct requested<wanted> {
   static constexpr phrase words[]{{wanted.of_vector ? shape::vector : shape::scalar, wanted.tokens, size}};
   static constexpr request value{
-      .what = request::kind::jacobian, .phrases = words, .whom = "a jacobian", .by = wanted.by};
+      .what = request::kind::jacobian, .phrases = words, .whom = "a Jacobian", .by = wanted.by};
 };
 
 } // namespace kanexpr::deriving

@@ -4,13 +4,13 @@
 
 namespace kanexpr::deriving {
 
-/// How the rates of the state answer to changes of some parameters.
+/// The sensitivity of the rates of the state to some parameters.
 template <auto... parameters>
 struct sensitivity_to {
   constexpr std::string_view result_name() const { return "sensitivity"; }
 };
 
-/// Of what is no expression: one without words, which is refused.
+/// The phrase of an expression, or an empty phrase, which is rejected.
 template <auto wanted>
 constexpr phrase phrase_or_none() {
   if constexpr (requires { describe::shape_of(wanted); })

@@ -3,13 +3,13 @@
 #include <kanexpr/derive/check_words.hpp>
 #include <kanexpr/derive/take_survey.hpp>
 
-/// The derivation of a system in stages, each of which goes on where the one before it was set aside. A stage
-/// is derived when something of it is asked for, and once.
+/// Derives a system in stages, each of which resumes where the previous one was stored. A stage is derived
+/// when one of its results is first requested.
 namespace kanexpr::deriving {
 
 using mechanics::stage;
 
-/// Forms what belongs to a stage, of equations that have come through the one before it.
+/// Advances the equations, which have completed the previous stage, to a stage.
 constexpr void go_on(mechanics::equations& e, stage to) {
   switch (to) {
   case stage::constrained: e.constrain(); break;
@@ -18,17 +18,18 @@ constexpr void go_on(mechanics::equations& e, stage to) {
   }
 }
 
-/// The same of a system, whose first stage begins with what was read.
+/// The same for a system, whose first stage starts from what was read.
 constexpr void go_on(derived_system& system, stage to) {
   if (to != stage::constrained) return go_on(system.equations(), to);
   system.check_model();
   system.derive();
 }
 
-/// Where a stage ended: at a mistake, or set aside. It has room for any model, so a program must not hold it.
+/// The end of a stage: a mistake, or the stored derivation. The arrays have room for any model, so programs
+/// must not store one.
 struct staged {
   sentence mistake{};
-  bool follows_from_unparsed = false; ///< the compiler has told an error about it already
+  bool follows_from_unparsed = false; ///< the compiler has already reported an error about it
   image aside{};
 
   template <std::same_as<derived_system> System>
@@ -36,12 +37,12 @@ struct staged {
     mistake = system.mistake();
     if (mistake) return;
     system.write(aside);
-    if (aside.is_full) mistake = sentence({called, " is larger than any system that there is room for"});
+    if (aside.is_full) mistake = sentence({called, " exceeds the supported size of a system"});
   }
 };
 
-/// The first stage, and what is known of a system from then on. With a mistake, what was known before it was
-/// met.
+/// The first stage, and what is known of a system from then on. If there is a mistake, what was known before
+/// it occurred.
 struct surveyed_stage : staged {
   survey known{};
 };
@@ -62,7 +63,7 @@ constexpr surveyed_stage first_stage() {
       if (!s.mistake)
         s.mistake = sentence(
             {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
-      s.known = {}; // which has no names of them
+      s.known = {}; // without names for them
     }
   }
   s.known.mistake = s.mistake;
@@ -81,7 +82,7 @@ constexpr staged next_stage(const staged& before, stage to) {
   return s;
 }
 
-/// The stages of a system. Each constant is evaluated where it is first used.
+/// The stages of a system. Each constant is evaluated on first use.
 template <class System>
 struct stages_of {
   static constexpr surveyed_stage constrained = first_stage<System>();

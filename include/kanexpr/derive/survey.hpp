@@ -13,36 +13,38 @@ namespace kanexpr::deriving {
 
 class derived_system;
 
-/// What is known of a system before anything is derived: its symbols in order, and its first mistake.
+/// The properties of a system that are known before anything is derived: its symbols in order, and its first
+/// mistake.
 struct survey {
   static constexpr int room = 512;
 
   mechanics::sentence mistake{};
-  bool takes_rates_as_speeds = false; ///< by Lagrange's method
+  bool takes_rates_as_speeds = false; ///< as in Lagrange's method
   int coordinates = 0;
   int speeds = 0;
   int parameters = 0;
   int inputs = 0;
   int auxiliary_speeds = 0;
-  int constraints = 0; ///< on the speeds, the rates of configuration constraints among them
+  int constraints = 0; ///< on the speeds, including the rates of configuration constraints
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
-  bool dependent[room]{};       ///< by the same order
-  bool is_mass[room]{};         ///< of a body, by itself
-  bool is_moment[room]{};       ///< of inertia, by itself
+  bool dependent[room]{};       ///< in the same order
+  bool is_mass[room]{};         ///< is the mass of a body
+  bool is_moment[room]{};       ///< is a moment of inertia
   inertial_values inertial{};   ///< masses and moments that are longer expressions
-  int quaternions = 0;          ///< whose norm 1 the motion keeps
-  int quaternion_of[room]{};    ///< by coordinate: the number of its quaternion, from 1 on; 0: none
+  int quaternions = 0;          ///< unit quaternions, whose norm the motion preserves
+  int quaternion_of[room]{};    ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
+                                ///< there is none
 
-  /// Independent coordinates and speeds.
+  /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
-  /// Rates and multipliers in the equations that are linearized.
+  /// The number of rates and multipliers in the linearized equations.
   constexpr int unknowns() const { return coordinates + speeds + (takes_rates_as_speeds ? constraints : 0); }
   constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }
 
-  /// Rows or columns of a result.
+  /// The number of rows or columns of a result.
   constexpr int count(mechanics::extent_by what) const {
     using mechanics::extent_by;
     switch (what) {
@@ -68,7 +70,7 @@ struct survey {
   }
 
   constexpr void take(derived_system& system);
-  /// Of a mechanism and its equations: null where a mistake came before them.
+  /// From a mechanism and its equations; the latter are null if a mistake occurred before they were formed.
   constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
   constexpr int first_of(symbolic::symbol_kind kind) const {
@@ -77,7 +79,7 @@ struct survey {
     case symbolic::symbol_kind::parameter: return coordinates + speeds;
     case symbolic::symbol_kind::input: return coordinates + speeds + parameters;
     case symbolic::symbol_kind::coordinate:
-    case symbolic::symbol_kind::coordinate_rate: // by the names of coordinates
+    case symbolic::symbol_kind::coordinate_rate: // identified by the coordinate's name
     case symbolic::symbol_kind::time:
     case symbolic::symbol_kind::speed_rate:
     case symbolic::symbol_kind::auxiliary_speed:
@@ -103,8 +105,8 @@ struct survey {
     }
     return 0;
   }
-  /// Place of a symbol among those of its kind, or -1. Rates of coordinates are told by the coordinates'
-  /// names.
+  /// The position of a symbol among those of its kind, or -1. Rates of coordinates are identified by the
+  /// names of the coordinates.
   constexpr int place(symbolic::symbol_kind kind, const symbolic::name& called) const {
     for (int i = 0; i < count_of(kind); ++i)
       if (names[first_of(kind) + i] == called) return i;

@@ -5,10 +5,10 @@
 
 namespace kanexpr::describe {
 
-/// Whether a word has the arguments that it takes, for the sentence about one that has not.
+/// Whether a word has the right number of arguments, and the form that an error sentence suggests.
 struct arguments {
   int missing = 0;       ///< -1: too many
-  std::string_view form; ///< how the word is written: "offset<Self, From, vector>"
+  std::string_view form; ///< how to write the word: "offset<Self, From, vector>"
   constexpr explicit operator bool() const { return missing == 0; }
 };
 

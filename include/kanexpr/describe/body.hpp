@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// What takes the place of an inertia, whether it is one or not.
+/// Records the argument in the place of an inertia, whether or not it is one.
 template <class Inertia>
 constexpr void give_inertia(body_record& r) {
   if constexpr (requires { Inertia::give_to(r); })
@@ -17,9 +17,9 @@ constexpr void give_inertia(body_record& r) {
 
 } // namespace describe
 
-/// Inertia about the mass centre from its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
+/// Inertia about the mass center by its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
 ///
-/// Ixx, Iyy, Izz, and Ixy, Iyz, Izx where they are not zero.
+/// Ixx, Iyy, Izz, followed by Ixy, Iyz, Izx if they are not zero.
 template <class Frame, auto... scalars>
 struct inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
@@ -42,7 +42,7 @@ struct inertia_dyadic : describe::inertia_words {
   }
 };
 
-/// An inertia that is given about another point of the body.
+/// An inertia given about a point other than the mass center.
 template <class Point, class... Inertia>
 struct inertia_about : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
@@ -52,8 +52,8 @@ struct inertia_about : describe::inertia_words {
   }
 };
 
-/// An inertia that is not the same at all times as the body sees it, on purpose: given in axes that turn in
-/// the body, or about a point that moves in it.
+/// An inertia that intentionally changes as seen from the body: given in axes that turn in the body, or about
+/// a point that moves in it.
 template <class... Inertia>
 struct changing_inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
@@ -63,8 +63,8 @@ struct changing_inertia : describe::inertia_words {
   }
 };
 
-/// An inertia that no distribution of mass has, on purpose: identified from motions, or with what a gear adds
-/// about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
+/// An inertia that intentionally corresponds to no mass distribution: identified from motions, or increased
+/// by a gear about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
 template <class... Inertia>
 struct effective_inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
@@ -88,7 +88,7 @@ struct particle : describe::body_words {
   }
 };
 
-/// A rigid body by its mass centre, the frame fixed in it, its mass and its inertia.
+/// A rigid body, defined by its mass center, the frame fixed in it, its mass and its inertia.
 template <class Self, class Center, class Frame, auto mass, class... Inertia>
 struct rigid_body : describe::body_words {
   static constexpr describe::body_record content() {
@@ -112,12 +112,12 @@ inline constexpr body_record body_of = [] {
   body_record r;
   if constexpr (requires { Body::content(); }) {
     r = Body::content();
-  } else { // it has no name for itself
+  } else { // it does not know its name
     r.instead = what_it_is<Body>();
     r.unparsed = is_unparsed<Body>();
   }
   r.called = type_name<Body>();
-  if constexpr (requires { sizeof(Body); }) r.beside = find_misfit<Body>(); // else it is described only later
+  if constexpr (requires { sizeof(Body); }) r.beside = find_misfit<Body>(); // otherwise it is defined later
   return r;
 }();
 

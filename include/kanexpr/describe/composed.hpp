@@ -4,8 +4,8 @@
 #include <kanexpr/describe/mixed.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 
-/// Functions of several expressions that are written with others. Whether they are of scalars, and of as many
-/// as they take, is for the reader of the model to say.
+/// Functions of several expressions that are defined in terms of other functions. The reader of the model
+/// checks the number of arguments and that they are scalars.
 namespace kanexpr {
 
 namespace describe {
@@ -39,7 +39,7 @@ constexpr auto composed_with_zeros(symbolic::composition f, const Operands&... x
   return composed(f, with_zeros(x)...);
 }
 
-/// What tabulated<...> and periodic<...> are, to be called with an expression.
+/// The type of tabulated<...> and periodic<...>, callable with an expression.
 template <symbolic::composition is, auto... points>
 struct table_word {
   template <written Operand>
@@ -65,7 +65,7 @@ constexpr auto hypot(const Operands&... x) {
   return describe::composed(symbolic::composition::hypot, x...);
 }
 
-/// `if_positive(condition, a, b)`: a where the condition is positive, else b.
+/// `if_positive(condition, a, b)`: a if the condition is positive, otherwise b.
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto if_positive(const Operands&... x) {
@@ -115,7 +115,7 @@ constexpr auto smooth_step(const Operands&... x) {
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::tabulated, points...> tabulated{};
 
-/// The same of a curve that begins anew at its last point, which has the value of the first.
+/// The same for a periodic curve, whose last value equals the first.
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::periodic, points...> periodic{};
 

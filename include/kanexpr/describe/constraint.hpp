@@ -2,12 +2,12 @@
 
 #include <kanexpr/describe/system.hpp>
 
-/// The words of systems whose coordinates or speeds are not free.
+/// The words of systems whose coordinates or speeds are constrained.
 namespace kanexpr {
 
 namespace describe {
 
-/// A vector and the directions along which it is zero, one after another in postfix order.
+/// A vector followed by the directions along which it is zero, in postfix order.
 template <int size>
 struct vanishing {
   token tokens[static_cast<std::size_t>(size)];
@@ -18,7 +18,7 @@ constexpr shape shape_of(const vanishing<size>&) {
   return shape::vanishing;
 }
 
-/// What stands for a list with something in it that is not an expression.
+/// Replaces a list that contains something that is not an expression.
 struct foreign {};
 
 template <auto... expressions>
@@ -38,12 +38,12 @@ constexpr auto one_after_another() {
 
 } // namespace describe
 
-/// A constraint that says that a vector is zero along directions: `zero_along<velocity_of<C>, N::x, N::y>`.
+/// A constraint requiring a vector to vanish along directions: `zero_along<velocity_of<C>, N::x, N::y>`.
 template <auto... vector_and_directions>
 inline constexpr auto zero_along = describe::one_after_another<vector_and_directions...>();
 
-/// What the coordinates satisfy at all times, such as closed loops: equations of scalars, and vectors that
-/// are zero along directions: `configuration_constraints<zero_along<position_of<P, Q>, N::x, N::y>>`.
+/// Conditions that the coordinates satisfy at all times, such as closed loops: scalar equations, and vectors
+/// that vanish along directions: `configuration_constraints<zero_along<position_of<P, Q>, N::x, N::y>>`.
 template <auto... constraints>
 struct configuration_constraints : describe::system_words {
   static constexpr std::string_view word = "configuration_constraints";
@@ -53,8 +53,8 @@ struct configuration_constraints : describe::system_words {
   }
 };
 
-/// What the speeds satisfy at all times, such as rolling; linear in speeds or coordinate rates. The rates of
-/// the configuration constraints need not be repeated.
+/// Conditions that the speeds satisfy at all times, such as rolling; linear in speeds or coordinate rates.
+/// The rates of the configuration constraints need not be repeated.
 template <auto... constraints>
 struct velocity_constraints : describe::system_words {
   static constexpr std::string_view word = "velocity_constraints";
@@ -63,8 +63,8 @@ struct velocity_constraints : describe::system_words {
   }
 };
 
-/// What the rates of the speeds satisfy, in place of the derivatives of the velocity constraints; linear in
-/// them.
+/// Conditions on the rates of the speeds that replace the derivatives of the velocity constraints; linear in
+/// these rates.
 template <auto... constraints>
 struct acceleration_constraints : describe::system_words {
   static constexpr std::string_view word = "acceleration_constraints";
@@ -74,7 +74,7 @@ struct acceleration_constraints : describe::system_words {
   }
 };
 
-/// The coordinates and speeds that the constraints are to be solved for: `dependent<q3, u2, u3>`.
+/// The coordinates and speeds for which the constraints are solved: `dependent<q3, u2, u3>`.
 template <auto... symbols>
 struct dependent : describe::system_words {
   static constexpr std::string_view word = "dependent";
@@ -88,8 +88,9 @@ template <int number>
 inline constexpr int number_of_constraint = number;
 }
 
-/// Configuration constraints that follow from the others wherever all of them hold, by their numbers, from 1
-/// on: `redundant<6>`. Nothing is solved with them; states are held against them.
+/// Configuration constraints that follow from the others wherever all of them are satisfied, by their
+/// numbers, counted from 1: `redundant<6>`. They are not used to solve for anything, but states are checked
+/// against them.
 template <int... numbers>
 struct redundant : describe::system_words {
   static constexpr std::string_view word = "redundant";
@@ -98,8 +99,8 @@ struct redundant : describe::system_words {
   }
 };
 
-/// Speeds that are zero at all times and are in no list of speeds. Where they enter the velocity of a point
-/// or the angular velocity of a frame they bring out forces that do no work.
+/// Speeds that are identically zero and appear in no list of speeds. They bring noncontributing forces into
+/// evidence if they appear in the velocity of a point or the angular velocity of a frame.
 template <auto... symbols>
 struct auxiliary : describe::system_words {
   static constexpr std::string_view word = "auxiliary";

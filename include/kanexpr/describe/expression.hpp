@@ -12,10 +12,10 @@ namespace kanexpr {
 
 namespace describe {
 
-/// What `dot(q) = u` stands for, a mistake.
+/// The result of `dot(q) = u`, a mistake.
 template <class Left, class Right>
 constexpr auto assigned(const Left& x, const Right& y);
-/// And `q[0]`, and `q(t)`.
+/// The same for `q[0]` and `q(t)`.
 template <class Operand>
 constexpr auto with_index(const Operand& x);
 template <class Operand>
@@ -42,7 +42,7 @@ struct scalar {
   }
 };
 
-/// `left == right`, kept as left − right.
+/// `left == right`, stored as left − right.
 template <int size>
 struct equation {
   describe::token tokens[static_cast<std::size_t>(size)];
@@ -76,7 +76,7 @@ constexpr scalar<1> constant(Number value) {
   token t{};
   if constexpr (std::integral<Number>) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (std::unsigned_integral<Number> && whole < 0) // there is no such whole number with a sign
+    if (std::unsigned_integral<Number> && whole < 0) // not representable as a signed integer
       t.number = symbolic::real(static_cast<double>(value));
     else
       t.number = symbolic::exactly(whole);
@@ -104,7 +104,7 @@ constexpr token misused(misuse what) {
   return t;
 }
 
-/// To C++ 1/2 is the whole number 0, which nobody writes here on purpose.
+/// In C++ 1/2 is the integer 0, which is hardly ever written on purpose in a model.
 template <class Written>
 constexpr bool is_whole_zero(Written value) {
   if constexpr (plain_number<Written> && std::integral<Written>)
@@ -113,14 +113,14 @@ constexpr bool is_whole_zero(Written value) {
     return false;
 }
 
-/// A number where a model gives one.
+/// A number used as an expression.
 template <plain_number Number>
 constexpr scalar<1> number(Number value) {
   if (is_whole_zero(value)) return {{misused(misuse::zero)}};
   return constant(value);
 }
 
-/// The side of an equation, where 0 is what it says; a value that is given by one is not.
+/// The side of an equation, where 0 is allowed; a value bound to 0 is rejected by its reader.
 template <plain_number Number>
 constexpr scalar<1> side(Number value) {
   scalar<1> x = constant(value);
@@ -128,7 +128,7 @@ constexpr scalar<1> side(Number value) {
   return x;
 }
 
-/// What is done with a number.
+/// The operation applied to a number, or a mistake if the number is the integer 0.
 template <plain_number Number, class Step>
 constexpr token done_with(Number value, Step what, misuse of_nothing) {
   return is_whole_zero(value) ? misused(of_nothing) : with(what);
@@ -223,7 +223,7 @@ constexpr auto operator==(Number x, const scalar<size>& y) {
   return describe::side(x) == y;
 }
 
-/// An exact fraction, where a plain number would be a double: `rational<1, 3>*m`.
+/// An exact fraction, where a plain number would be rounded to double: `rational<1, 3>*m`.
 template <std::int64_t numerator, std::int64_t denominator>
 inline constexpr scalar<1> rational = [] {
   describe::token t{};

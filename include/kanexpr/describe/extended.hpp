@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Inputs behind those of a system that lists none.
+/// Inputs added after those of a system without a list of inputs.
 template <auto... symbols>
 struct added_inputs : system_words {
   static constexpr std::string_view word = "inputs";
@@ -15,7 +15,8 @@ struct added_inputs : system_words {
   }
 };
 
-/// A word that a system has not: a list of inputs would have to hold those that it mentions, too.
+/// A word that the system does not have yet. A new list of inputs would have to include the inputs that the
+/// system mentions; added inputs do not.
 template <class Word>
 struct added_word {
   using type = Word;
@@ -25,7 +26,7 @@ struct added_word<inputs<symbols...>> {
   using type = added_inputs<symbols...>;
 };
 
-/// Two words of one kind as one.
+/// Merges two words of the same kind.
 template <class Word, class Added>
 struct joined {
   static constexpr bool is_one = false;
@@ -46,7 +47,7 @@ struct joined<added_inputs<told...>, inputs<added...>> {
   using type = added_inputs<told..., added...>;
 };
 
-/// The words of a system with some more: `Before` those that are no such word.
+/// Adds words to a system. `Before` holds the words of different kinds that were already compared.
 template <method by, class Before, class After, class... Added>
 struct extended_words;
 template <class... Words>
@@ -68,7 +69,7 @@ template <method by, class... Before, class Added, class... More>
 struct extended_words<by, word_list<Before...>, word_list<>, Added, More...>
     : extended_words<by, word_list<>, word_list<Before..., typename added_word<Added>::type>, More...> {};
 
-/// What is extended and is no system.
+/// Marks the extension of something that is not a system.
 template <class Base>
 struct extends_no_system {
   using extended_base = Base;
@@ -86,9 +87,9 @@ struct extension {
 
 } // namespace describe
 
-/// A system with more loads, inputs or other words, which come behind those that it has, whether it lists its
-/// inputs or only mentions them:
-/// `struct Pushed : extended<System, inputs<F>, loads<force<P, F * N::x>>> {};`
+/// A system with additional loads, inputs or other words, which follow the existing ones, whether the system
+/// lists its inputs or only mentions them: `struct Pushed : extended<System, inputs<F>, loads<force<P, F *
+/// N::x>>> {};`
 template <class System, class... Words>
 struct extended : describe::extension<System, Words...>::type {};
 

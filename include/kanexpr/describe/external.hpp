@@ -12,30 +12,31 @@
 #include <type_traits>
 #include <utility>
 
-/// Functions of the program in models: of scalars, with derivatives that the program gives too.
+/// User functions in models: functions of scalars, whose derivatives the program provides too.
 namespace kanexpr {
 
 namespace symbolic {
-class expression; // of builders, which models do without
+class expression; // of builders, which models do not need
 }
 
 namespace describe {
 
-/// How a sentence goes on that names a function of the program.
+/// The end of a sentence about a user function.
 struct external_mistake {
   std::string_view whose = "", what = "", numbers = "";
 };
 
-/// What a model says of a function of the program.
+/// The description of a user function.
 struct external_record {
-  const symbolic::external_function* function = nullptr; ///< none: there is a mistake
+  const symbolic::external_function* function = nullptr; ///< null if there is a mistake
   std::string_view called{};
   external_mistake mistake{};
-  int operands = 0; ///< if it is called with another number of them
+  int operands = 0; ///< the number that it takes, if it is called with a different one
 };
 
-/// Which derivative of a function: the operands that it is by, in their order, so that mixed ones are the
-/// same. As a template argument it is a number with a digit for each, 13 for that by the first and the third.
+/// A derivative of a function: the operands with respect to which it is taken, in ascending order, so that
+/// mixed derivatives coincide. As a template argument it is a number with one digit per operand: 13 for the
+/// derivative with respect to the first and third.
 struct derivative_of {
   int order = 0;
   int by[symbolic::most_derivatives]{};
@@ -61,12 +62,13 @@ concept counts_as_number =
     std::convertible_to<Operand, double> && !std::same_as<std::remove_cvref_t<Operand>, bool> &&
     !std::is_pointer_v<std::remove_cvref_t<Operand>>;
 
-/// What a number is that does not hold every double: it would be cut off, or rounded, without a word.
+/// Describes a numeric type that cannot represent every double: a value would be truncated or rounded
+/// silently.
 template <class Given>
 constexpr std::string_view lesser_than_double() {
   using number = std::remove_cvref_t<Given>;
   if constexpr (std::is_integral_v<number> || std::is_enum_v<number>)
-    return "whole numbers, not double";
+    return "integers, not double";
   else if constexpr (std::is_floating_point_v<number>)
     return std::numeric_limits<number>::digits < std::numeric_limits<double>::digits ? "float, not double"
                                                                                      : "";
@@ -74,7 +76,7 @@ constexpr std::string_view lesser_than_double() {
     return "";
 }
 
-/// The same of the first of a function's arguments, where they are of one type each.
+/// The same for the first such argument of a function whose argument types are fixed.
 template <class Call>
 inline constexpr std::string_view lesser_argument{};
 template <class Function, class Result, class... Arguments, bool never_throws>
@@ -88,8 +90,8 @@ template <class Function, class Result, class... Arguments, bool never_throws>
 inline constexpr std::string_view lesser_argument<Result (Function::*)(Arguments...) noexcept(never_throws)> =
     lesser_argument<Result (Function::*)(Arguments...) const>;
 
-/// A function and its derivatives, each a class that is called with scalars: of several operands, or of order
-/// two and higher, a derivative gives numbers by [i] or [i][j].
+/// A function and its derivatives, each a class that is called with scalars. For several operands, or order
+/// two and higher, a derivative returns numbers accessed by [i] or [i][j].
 template <text called, int operands, class Function, class... Derivatives>
 struct external_family {
   static constexpr std::string_view name = called.view();
@@ -102,12 +104,12 @@ struct external_family {
     return std::is_default_constructible_v<one<order>> &&
            std::is_invocable_v<one<order>, decltype((void(index), std::declval<const Number&>()))...>;
   }
-  /// Whether the function or derivative is one of so many scalars.
+  /// Whether the function or derivative can be called with `many` scalars.
   template <int order, class Number, int many = operands>
   static constexpr bool is_called_with =
       takes<order, Number>(std::make_index_sequence<static_cast<std::size_t>(many)>{});
 
-  /// What a derivative lacks.
+  /// A missing entry of a derivative.
   struct no_entry {};
   template <class Given>
   static constexpr bool has_entry_for_each() {
@@ -119,7 +121,7 @@ struct external_family {
       return true;
   }
 
-  /// An entry of what a derivative gives; of one operand it may be the number itself.
+  /// An entry of a derivative; for a single operand the derivative may be the number itself.
   template <int digits, int level, class Given>
   static constexpr decltype(auto) entry(const Given& given) {
     constexpr derivative_of path(digits);
@@ -153,11 +155,11 @@ struct external_family {
     while (order-- > 0) digits = 10 * digits + 1;
     return digits;
   }
-  /// What is wrong with the function, or with a derivative of it.
+  /// The mistake in the function or in one of its derivatives.
   template <int order>
   static constexpr external_mistake mistake_of(std::string_view whose) {
     if constexpr (!is_called_with<order, double>) {
-      return {whose, order == 0 ? " cannot be called with numbers of double" : " does not give numbers"};
+      return {whose, order == 0 ? " cannot be called with double arguments" : " does not return numbers"};
     } else {
       using given = value_with<first_of_order(order), double>;
       if constexpr (requires { &one<order>::operator(); })
@@ -165,9 +167,9 @@ struct external_family {
             !taken.empty())
           return {whose, " takes ", taken};
       if constexpr (!counts_as_number<given>)
-        return {whose, order == 0 ? " gives no number" : " does not give numbers"};
+        return {whose, order == 0 ? " does not return a number" : " does not return numbers"};
       else if (constexpr std::string_view lesser = lesser_than_double<given>(); !lesser.empty())
-        return {whose, " gives ", lesser};
+        return {whose, " returns ", lesser};
       else
         return {};
     }
@@ -176,11 +178,11 @@ struct external_family {
   static constexpr external_mistake mistake = [] {
     external_mistake found;
     if (!symbolic::is_name(name))
-      found.whose = ", which is no name for a function";
+      found.whose = ", which is not a valid function name";
     else if (operands > symbolic::most_operands)
-      found.whose = " of more than nine scalars";
+      found.whose = " with more than nine arguments";
     else if (sizeof...(Derivatives) >= symbolic::most_derivatives)
-      found.whose = ", which is given more than three derivatives";
+      found.whose = ", which has more than three derivatives";
     constexpr std::string_view whose[]{", which", ", whose first derivative", ", whose second derivative",
                                        ", whose third derivative"};
     [&]<int... order>(std::integer_sequence<int, order...>) {
@@ -189,7 +191,7 @@ struct external_family {
     return found;
   }();
 
-  /// Of how many operands it is, where it is not of so many.
+  /// The number of operands that the function takes, if it is called with a different number.
   static constexpr int other_count = [] {
     int found = 0;
     if constexpr (!is_called_with<0, double>)
@@ -206,8 +208,8 @@ constexpr const symbolic::external_function* linked() {
   return &Member::function;
 }
 
-/// The function, or one of its derivatives, for the graph and for all types of scalars. One that is not given
-/// has no value.
+/// The function, or one of its derivatives, for the graph and for all scalar types. A derivative that is not
+/// provided has no value.
 template <class Family, int digits>
 struct external_member {
   static constexpr derivative_of path{digits};
@@ -274,11 +276,11 @@ inline constexpr external_record external_of = [] {
 
 } // namespace describe
 
-/// A function of the program, which models call like their own: `constexpr external<"tyre", F, dF> tyre;` and
-/// `tyre(slip, load)`. F is a class whose objects are called with scalars of a type T and give one; dF gives
-/// its derivatives by each, of one operand a number, of several what has them by [i]; a second derivative,
-/// which linearizations of what holds a first one need, gives numbers by [i][j], and a third one by
-/// [i][j][k]. They may be left out where nobody asks for them.
+/// A user function, which models call like built-in ones: `constexpr external<"tyre", F, dF> tyre;` and
+/// `tyre(slip, load)`. F is a class whose objects take scalars of a type T and return a T; dF returns the
+/// derivatives with respect to each operand: a number for one operand, otherwise an object indexed by [i]. A
+/// second derivative, which linearizations of an expression with a first derivative need, is indexed by
+/// [i][j], and a third one by [i][j][k]. Derivatives that are never needed may be omitted.
 template <text called, class Function, class... Derivatives>
 struct external {
   template <class... Operands>
@@ -296,16 +298,16 @@ struct external {
     return all;
   }
 
-  /// The same of expressions of a builder.
+  /// The same for the expressions of a builder.
   template <std::same_as<symbolic::expression>... Operands>
     requires(sizeof...(Operands) > 0)
   constexpr auto operator()(Operands... x) const {
     using family =
         describe::external_family<called, static_cast<int>(sizeof...(Operands)), Function, Derivatives...>;
     static_assert(family::mistake.numbers.empty(),
-                  "the function or a derivative of it takes or gives numbers that are not double");
+                  "the function or one of its derivatives takes or returns numbers that are not double");
     static_assert(!family::mistake.numbers.empty() || family::mistake.whose.empty(),
-                  "the function cannot be called with so many numbers");
+                  "the function cannot be called with this number of arguments");
     return call(*describe::external_of<family>.function, {x...});
   }
 };

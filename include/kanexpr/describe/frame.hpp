@@ -21,7 +21,7 @@ constexpr frame_record record_frame() {
   frame_record r;
   if constexpr (requires { Frame::orientation(); }) {
     r = Frame::orientation();
-  } else { // it has no name for itself
+  } else { // it does not know its name
     r.unparsed = is_unparsed<Frame>();
     if constexpr (requires { Frame::content(); }) {
       r.instead = "a body";
@@ -31,8 +31,7 @@ constexpr frame_record record_frame() {
     }
   }
   r.called = type_name<Frame>();
-  if constexpr (requires { sizeof(Frame); })
-    r.beside = find_misfit<Frame>(); // else it is described only later
+  if constexpr (requires { sizeof(Frame); }) r.beside = find_misfit<Frame>(); // otherwise it is defined later
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;
@@ -54,7 +53,7 @@ constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_fi
   return {{t}};
 }
 
-/// Stands for a frame that gives the name of another as its own.
+/// Replaces the frame if a different frame uses its name.
 template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
@@ -63,8 +62,8 @@ inline constexpr frame_record frame_under_another_name = [] {
   return r;
 }();
 
-/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. What is complete before its base is,
-/// is another frame: the axes would be that one's.
+/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. If `Frame` is complete before its base
+/// class is, it is a different frame, to which the axes would belong.
 template <class Frame, bool is_another = requires { sizeof(Frame); }>
 struct axes : orientation_words {
   static constexpr bool are_of_another = is_another;
@@ -77,8 +76,8 @@ struct axes : orientation_words {
 
 } // namespace describe
 
-/// The axes of the frame that is being described, which has no name yet:
-/// `struct B : quaternion<B, N, e0, e1, e2, e3>, angular_velocity<N, u1*own::x + u2*own::y + u3*own::z> {};`
+/// The axes of the frame that is being described, whose name is not yet available: `struct B : quaternion<B,
+/// N, e0, e1, e2, e3>, angular_velocity<N, u1*own::x + u2*own::y + u3*own::z> {};`
 struct own {
   static constexpr vector<1> x = describe::basis(nullptr, 0);
   static constexpr vector<1> y = describe::basis(nullptr, 1);
@@ -95,7 +94,7 @@ struct inertial_frame : describe::axes<Self> {
   }
 };
 
-/// A frame turned by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
+/// A frame rotated by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
 /// N::z>`.
 template <class Self, class Parent, auto... angle_and_axis>
 struct rotated : describe::axes<Self> {
@@ -134,19 +133,19 @@ struct sequence_of_turns : axes<Self> {
 
 } // namespace describe
 
-/// Three turns about the frame's own axes, as they stand after each turn: `body_fixed<B, N, "zxz", q1, q2,
-/// q3>`. All twelve sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
+/// Three successive rotations about the frame's own axes: `body_fixed<B, N, "zxz", q1, q2, q3>`. All twelve
+/// sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
 template <class Self, class Parent, text sequence, auto... angles>
 struct body_fixed
     : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed, sequence, angles...> {
 };
 
-/// Three turns about the parent's axes, one after the other.
+/// Three successive rotations about the parent's axes.
 template <class Self, class Parent, text sequence, auto... angles>
 struct space_fixed : describe::sequence_of_turns<Self, Parent, describe::orientation_word::space_fixed,
                                                  sequence, angles...> {};
 
-/// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k of its rotation from the parent.
+/// A frame defined by the unit quaternion e0 + e1 i + e2 j + e3 k of its rotation from the parent.
 template <class Self, class Parent, auto... parameters>
 struct quaternion : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
@@ -161,9 +160,9 @@ struct quaternion : describe::axes<Self> {
   }
 };
 
-/// A frame given by the modified Rodrigues parameters σ = a tan φ/4 of its rotation from the parent, by an
-/// angle φ about the unit vector a. They are those of no turn at φ = 0 and infinite after a whole one. Schaub
-/// & Junkins, Analytical Mechanics of Space Systems (2018), section 3.6.
+/// A frame defined by the modified Rodrigues parameters σ = a tan φ/4 of its rotation from the parent by an
+/// angle φ about the unit vector a. They are zero at φ = 0 and infinite after a full turn. Schaub & Junkins,
+/// Analytical Mechanics of Space Systems (2018), section 3.6.
 template <class Self, class Parent, auto... parameters>
 struct modified_rodrigues : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
@@ -178,8 +177,8 @@ struct modified_rodrigues : describe::axes<Self> {
   }
 };
 
-/// A frame given by its direction cosine matrix, by rows: v in the parent's axes = matrix · v in the frame's
-/// axes. The columns are the frame's basis vectors in the parent's axes.
+/// A frame defined by its direction cosine matrix, row by row: v in the parent's axes = matrix · v in the
+/// frame's axes. The columns are the frame's basis vectors in the parent's axes.
 template <class Self, class Parent, auto... cosines>
 struct direction_cosines : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
@@ -188,15 +187,16 @@ struct direction_cosines : describe::axes<Self> {
     r.orientation = describe::orientation_word::direction_cosines;
     r.given_as = "a direction cosine of frame ";
     r.parent = &describe::frame_of<Parent>;
-    r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines by rows>",
+    r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines row by row>",
                                     sizeof...(cosines), 9);
     for (int i = 0; i < 9; ++i) r.given[i] = describe::given_phrases_with_zeros<cosines...>[i];
     return r;
   }
 };
 
-/// Declares a frame's angular velocity in `Reference`; it is used in place of the derived one, always. It is
-/// that of the orientation, or that and the spin about an axis by an angle which the orientation leaves out.
+/// Declares a frame's angular velocity in `Reference`, which always replaces the derived one. It must be the
+/// one that follows from the orientation, possibly plus the spin about an axis by an angle that the
+/// orientation omits.
 template <class Reference, auto... value>
 struct angular_velocity : describe::angular_velocity_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
@@ -206,7 +206,7 @@ struct angular_velocity : describe::angular_velocity_words {
   static constexpr bool turns_apart = false;
 };
 
-/// The same of a frame whose orientation does not follow its angular velocity, on purpose.
+/// The same for a frame whose orientation intentionally does not follow its angular velocity.
 template <class Reference, auto... value>
 struct angular_velocity_apart_from_orientation : describe::angular_velocity_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;

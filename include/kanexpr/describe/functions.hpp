@@ -5,7 +5,7 @@
 #include <kanexpr/describe/mistaken.hpp>
 #include <kanexpr/describe/mixed.hpp>
 
-/// Functions of expressions. Of what is no scalar they mean nothing, which the reader of the model says.
+/// Functions of expressions. The reader of the model rejects arguments that are not scalars.
 namespace kanexpr {
 
 namespace describe {
@@ -186,7 +186,7 @@ constexpr auto pow(const Left& x, const Right& y) {
   return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::power));
 }
 
-// Those that C++ has and models do not, to say so.
+// Functions that C++ has but models do not; they exist for the error sentence.
 
 template <describe::expression_of_a_model Operand>
 constexpr auto asinh(const Operand& x) {

@@ -4,8 +4,8 @@
 
 namespace kanexpr {
 
-/// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, in place of
-/// bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
+/// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, which replaces
+/// the bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
 template <auto... expression>
 struct lagrangian : describe::system_words {
   static constexpr std::string_view word = "lagrangian";
@@ -17,9 +17,9 @@ struct lagrangian : describe::system_words {
   }
 };
 
-/// A system whose equations of motion Lagrange's method gives, with its words in any order:
-/// `struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};`
-/// The rates of the coordinates take the place of speeds and are in the state, [q; dq/dt].
+/// A system whose equations of motion are derived by Lagrange's method, with its words in any order: `struct
+/// System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};` The
+/// rates of the coordinates replace the speeds and are part of the state, [q; dq/dt].
 template <class... Words>
 struct lagrange_system : describe::system_told_by<describe::method::lagrange, Words...> {};
 

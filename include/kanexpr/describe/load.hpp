@@ -17,7 +17,7 @@ enum class describe::load_word : unsigned char {
   none,
 };
 
-/// A force that acts at a point: `force<P, F*N::x>`.
+/// A force acting at a point: `force<P, F*N::x>`.
 template <class Point, auto... vector>
 struct force : describe::load_words {
   static constexpr describe::load_record load{
@@ -36,8 +36,8 @@ inline constexpr phrase drag_on[]{
 
 } // namespace describe
 
-/// A force against the velocity of a point and with its square: `drag<P, c>` is −c |v| v. Of a body in a
-/// fluid c is ½ ρ C A, with the density, the drag coefficient and the frontal area.
+/// A force that opposes the velocity of a point and is quadratic in it: `drag<P, c>` is −c |v| v. For a body
+/// in a fluid c is ½ ρ C A, with the density, the drag coefficient and the frontal area.
 template <class Point, auto... coefficient>
 struct drag : describe::load_words {
   static constexpr describe::load_record load{
@@ -48,7 +48,7 @@ struct drag : describe::load_words {
       .value = describe::drag_on<Point, coefficient...>[0]};
 };
 
-/// A torque that acts on whatever is fixed in a frame: `torque<A, T*N::z>`.
+/// A torque acting on everything that is fixed in a frame: `torque<A, T*N::z>`.
 template <class Frame, auto... vector>
 struct torque : describe::load_words {
   static constexpr describe::load_record load{
@@ -59,7 +59,7 @@ struct torque : describe::load_words {
       .value = describe::given_phrases<vector...>[0]};
 };
 
-/// A force on a point, and the opposite on another: `force_between<P, Q, F*A::x>`.
+/// A force on one point and the opposite force on another: `force_between<P, Q, F*A::x>`.
 template <class Point, class Other, auto... vector>
 struct force_between : describe::load_words {
   static constexpr describe::load_record load{
@@ -71,8 +71,8 @@ struct force_between : describe::load_words {
       .value = describe::given_phrases<vector...>[0]};
 };
 
-/// A torque on whatever is fixed in a frame, and the opposite on another, as a motor between them has it:
-/// `torque_between<B, A, T*A::z>`.
+/// A torque on everything that is fixed in one frame and the opposite torque on another frame, as exerted by
+/// a motor between them: `torque_between<B, A, T*A::z>`.
 template <class Frame, class Other, auto... vector>
 struct torque_between : describe::load_words {
   static constexpr describe::load_record load{
@@ -84,7 +84,7 @@ struct torque_between : describe::load_words {
       .value = describe::given_phrases<vector...>[0]};
 };
 
-/// Uniform gravity on every body, by the acceleration of free fall: `gravity<-g*N::z>`.
+/// Uniform gravity on every body, given by the gravitational acceleration: `gravity<-g*N::z>`.
 template <auto... acceleration>
 struct gravity : describe::load_words {
   static constexpr describe::load_record load{
@@ -94,7 +94,8 @@ struct gravity : describe::load_words {
       .value = describe::given_phrases<acceleration...>[0]};
 };
 
-/// A potential energy of coordinates, parameters, time and inputs: `potential_energy<k*q1*q1/2>`.
+/// A potential energy as a function of coordinates, parameters, time and inputs:
+/// `potential_energy<k*q1*q1/2>`.
 template <auto... energy>
 struct potential_energy : describe::load_words {
   static constexpr describe::load_record load{
@@ -106,9 +107,8 @@ struct potential_energy : describe::load_words {
       .once = true};
 };
 
-/// A straight massless spring between two points, which pulls them to each other with
-/// stiffness·(distance − natural length): `spring<P, Q, k, l0>`. With a natural length the force has no
-/// direction where the distance is zero, and is not a number there.
+/// A straight massless spring that pulls two points together with stiffness·(distance − natural length):
+/// `spring<P, Q, k, l0>`. With a natural length the force has no direction at zero distance, where it is NaN.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{
@@ -122,8 +122,8 @@ struct spring : describe::load_words {
       .rest = describe::given_phrases<stiffness_and_length...>[1]};
 };
 
-/// A straight massless damper between two points, which pulls them to each other with
-/// damping·(rate of their distance): `damper<P, Q, c>`. Where the distance is zero its force is not a number.
+/// A straight massless damper that pulls two points together with damping·(rate of their distance):
+/// `damper<P, Q, c>`. The force is NaN at zero distance.
 template <class Point, class Other, auto... damping>
 struct damper : describe::load_words {
   static constexpr describe::load_record load{
@@ -135,8 +135,8 @@ struct damper : describe::load_words {
       .value = describe::given_phrases<damping...>[0]};
 };
 
-/// A spring that turns an angle back to where it is at rest, with stiffness·(angle − rest):
-/// `torsional_spring<q2, k>`, `torsional_spring<q2 - q1, k, a>`.
+/// A spring that returns an angle to its rest value with stiffness·(angle − rest): `torsional_spring<q2, k>`,
+/// `torsional_spring<q2 - q1, k, a>`.
 template <auto... angle_stiffness_and_rest>
 struct torsional_spring : describe::load_words {
   static constexpr describe::load_record load{
@@ -151,8 +151,8 @@ struct torsional_spring : describe::load_words {
       .once = true};
 };
 
-/// A torque −damping·ω on whatever is fixed in a frame that turns with ω in another, and the opposite on
-/// that: `torsional_damper<B, A, c>`.
+/// A torque −damping·ω on everything that is fixed in a frame, where ω is its angular velocity in another
+/// frame, and the opposite torque on that frame: `torsional_damper<B, A, c>`.
 template <class Frame, class Other, auto... damping>
 struct torsional_damper : describe::load_words {
   static constexpr describe::load_record load{

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Words that an entity is given twice, or that belong to something of another kind. A second word of a kind
-/// hides the first from those who look for it, so both would be lost without a word.
+/// Detects words that an entity has twice, or that belong to entities of another kind. A second word of the
+/// same kind makes lookup ambiguous, so both would be ignored silently.
 namespace kanexpr::describe {
 
-// What the words of the library are derived from, so that they can be counted.
+// Base classes of the library's words, by which they are counted.
 struct orientation_words {};
 struct place_words {};
 struct joint_words {};
@@ -43,14 +43,14 @@ enum class misfit : unsigned char {
   word_beside,
 };
 
-/// Whether a base that is there once is private, as those of a class are.
+/// Whether a base class that appears once is private, as the bases of a class are by default.
 template <class Words, class Entity>
 constexpr bool hides(Entity* e) {
   using words = Words*;
-  return requires { words(e); }; // which asks for no access
+  return requires { words(e); }; // a cast that ignores access control
 }
 
-/// Of a joint, which is a frame and a point.
+/// For a joint, which is both a frame and a point.
 template <class Joint>
 constexpr misfit find_misfit_of_joint() {
   constexpr Joint* j = nullptr;
@@ -69,8 +69,8 @@ constexpr misfit find_misfit_of_joint() {
   return misfit::none;
 }
 
-/// Of an entity or load that is described. It is asked of each, so that it makes no use of templates, which
-/// the compiler would have to keep.
+/// For an entity or load. It runs for every entity, so it avoids templates, which the compiler would have to
+/// store.
 template <class Entity>
 constexpr misfit find_misfit() {
   constexpr bool is_frame = __is_base_of(orientation_words, Entity);
@@ -85,7 +85,7 @@ constexpr misfit find_misfit() {
   if (is_frame && is_body) return misfit::frame_and_body;
   if (is_point && is_body) return misfit::point_and_body;
   if (is_load && (is_frame || is_point || is_body)) return misfit::entity_and_load;
-  // a base that is there, and that a pointer cannot be converted to, is there more than once, or private
+  // a base class to which a pointer cannot be converted is ambiguous or private
   constexpr Entity* e = nullptr;
   if constexpr (is_frame && !requires { static_cast<orientation_words*>(e); })
     return hides<orientation_words>(e) ? misfit::hidden : misfit::two_orientations;
@@ -111,8 +111,7 @@ constexpr misfit find_misfit() {
   return misfit::none;
 }
 
-/// Whether a word stands beside a system, or beside one of a system's words, that should be among those
-/// of a system.
+/// Whether a system, or a word of a system, has another base class that should be one of the system's words.
 template <class Told>
 constexpr bool has_word_beside() {
   return __is_base_of(orientation_words, Told) || __is_base_of(place_words, Told) ||

@@ -2,8 +2,8 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-/// Operators that C++ has and models do not, such as `dot(q) = u` and `q^2`. What is written
-/// with them is kept, with the mistake behind it: who reads the model knows where it stands, and says so.
+/// Operators that C++ has but models do not, such as `dot(q) = u` and `q^2`. The operands are kept, followed
+/// by the mistake, so that the reader of the model can report it with its location.
 namespace kanexpr {
 
 namespace describe {
@@ -131,8 +131,7 @@ constexpr auto operator/=(const Left& x, const Right& y) {
   return describe::misused<equation>(x, y, describe::misuse::change);
 }
 
-// To g++'s -Weffc++ each of these is a mistake by its mere existence, and no other form of them says a
-// sentence.
+// g++'s -Weffc++ warns about the mere existence of these operators, but only they allow an error sentence.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"
 template <class Left, class Right>

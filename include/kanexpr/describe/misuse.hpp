@@ -5,7 +5,7 @@
 
 namespace kanexpr::describe {
 
-/// What C++ lets a person write and a model gives no meaning.
+/// Constructs that C++ allows but that have no meaning in a model.
 enum class misuse : unsigned char {
   assignment,
   change,
@@ -51,43 +51,44 @@ enum class misuse : unsigned char {
 };
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
-  mechanics::sentence p; // written letter by letter, since each file that includes this header forms it
+  mechanics::sentence
+      p; // appended letter by letter, because every file that includes this header evaluates it
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };
-  append(" is written with a function that models do not have; those they have are ");
+  append(" uses a function that models do not have; the available functions are ");
   for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
   append("atan2, pow, hypot, min, max and clamp");
   return p;
 }();
 
-/// How a sentence about a part of a model goes on that holds it.
+/// The end of a sentence whose subject is the part of the model that contains the misuse.
 constexpr std::string_view what_is_wrong(misuse what) {
   switch (what) {
-  case misuse::assignment: return " is written with =; an equation is written with ==";
-  case misuse::change: return " is written with an operator that changes a symbol, such as +=";
-  case misuse::caret: return " is written with ^; a power is written pow(x, n)";
-  case misuse::remainder: return " is written with %; models have no remainders";
-  case misuse::denial: return " is written with !; a model holds numbers and vectors, not truth values";
-  case misuse::junction: return " is written with && or ||; equations are written one by one, between commas";
-  case misuse::comparison: return " is written with !=, <, >, <= or >=; models have equations only, with ==";
-  case misuse::index: return " is written with [ ]; what a model holds has no entries";
+  case misuse::assignment: return " uses =; write equations with ==";
+  case misuse::change: return " uses an operator that modifies a symbol, such as +=";
+  case misuse::caret: return " uses ^; write pow(x, n) for a power";
+  case misuse::remainder: return " uses %; models have no remainder operator";
+  case misuse::denial: return " uses !; a model contains numbers and vectors, not truth values";
+  case misuse::junction: return " uses && or ||; list equations separately, with commas between them";
+  case misuse::comparison: return " uses !=, <, >, <= or >=; models have only equations, written with ==";
+  case misuse::index: return " uses [ ]; the quantities of a model have no entries";
   case misuse::arguments:
-    return " is written with arguments, as in q(t); symbols are written alone, and products with *";
-  case misuse::operands: return " takes a product of more than two vectors at once";
+    return " calls an expression like a function, as in q(t); write q, and products with *";
+  case misuse::operands: return " calls dot or cross with more than two arguments";
   case misuse::coupling:
     return " couples something other than two joints that each turn about one axis or slide along one";
   case misuse::own_coupling: return " couples a joint with itself";
   case misuse::parallel:
-    return " keeps a direction parallel to something other than an axis of a frame: parallel<A::z, B::z>";
-  case misuse::negative_length: return " holds a radius or length below zero";
+    return " keeps a direction parallel to something other than an axis of a frame; write parallel<A::z, "
+           "B::z>";
+  case misuse::negative_length: return " contains a negative radius or length";
   case misuse::zero:
-    return " holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>, and 0.0 for a "
-           "zero "
-           "that is meant";
-  case misuse::no_joint: return " asks q_of or u_of for a symbol of something that is not a joint";
-  case misuse::no_such_coordinate: return " asks q_of for a coordinate that the joint does not have";
-  case misuse::no_such_speed: return " asks u_of for a speed that the joint does not have";
+    return " contains the integer 0, which is also the value of 1/2 in C++; write 0.5 or rational<1, 2>, or "
+           "0.0 if you mean zero";
+  case misuse::no_joint: return " uses q_of or u_of with something that is not a joint";
+  case misuse::no_such_coordinate: return " uses q_of for a coordinate that the joint does not have";
+  case misuse::no_such_speed: return " uses u_of for a speed that the joint does not have";
   case misuse::gear_arguments: return " has too few or too many arguments; write gear<Joint, Other, ratio>";
   case misuse::belt_arguments:
     return " has too few or too many arguments; write belt<Joint, Other, radius, other radius>";
@@ -103,28 +104,29 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " has too few or too many arguments; write rolls_on<Wheel, Ground, axis, radius>";
   case misuse::touch_arguments:
     return " has too few or too many arguments; write touches<Wheel, Ground, axis, radius>";
-  case misuse::bits: return " is written with an operator that models do not have";
-  case misuse::truth: return " holds true or false, which is not a number";
-  case misuse::letter: return " holds a letter in quotes, which is not a number";
-  case misuse::inner_equation: return " holds == inside an expression; write it once, outermost";
-  case misuse::rate: return " takes dot of something that is not a coordinate, speed or prescribed quantity";
+  case misuse::bits: return " uses an operator that models do not have";
+  case misuse::truth: return " contains true or false, which is not a number";
+  case misuse::letter: return " contains a quoted character, which is not a number";
+  case misuse::inner_equation:
+    return " contains == inside an expression; use it only once, at the outermost level";
+  case misuse::rate:
+    return " applies dot to something that is not a coordinate, speed or prescribed quantity";
   case misuse::unseen_derivative:
-    return " takes the derivative of a vector, and not as a frame sees it; write "
-           "derivative_in<frame>(vector)";
-  case misuse::seen_scalar:
-    return " takes the derivative of a scalar as a frame sees it; write derivative(scalar)";
+    return " takes the derivative of a vector without a frame; write derivative_in<frame>(vector)";
+  case misuse::seen_scalar: return " takes the derivative of a scalar in a frame; write derivative(scalar)";
   case misuse::axes:
-    return " uses in_axes_of for something other than a vector and a frame: in_axes_of<frame>(vector)";
-  case misuse::partial: return " takes a partial derivative by something that is not a symbol";
+    return " uses in_axes_of with something other than a vector and a frame; write in_axes_of<frame>(vector)";
+  case misuse::partial: return " takes a partial derivative with respect to something that is not a symbol";
   case misuse::function: return which_functions_there_are.view();
   case misuse::points:
-    return " uses position_of for something other than two points: position_of<point, from>";
+    return " uses position_of with something other than two points; write position_of<point, from>";
   case misuse::seen_motion:
-    return " names a frame or point too many: motions are those in the inertial frame, velocity_of<point>";
+    return " names an extra frame or point; motions are relative to the inertial frame: velocity_of<point>";
   case misuse::zero_factor:
-    return " holds the factor 0, which is what 1/2 is in C++; write q/2 or rational<1, 2>*q, and 0.0 for a "
-           "zero that is meant";
-  case misuse::zero_power: return " holds a power of 0, which is what 1/2 is in C++; write pow(x, 0.5)";
+    return " contains the factor 0, which is also the value of 1/2 in C++; write q/2 or rational<1, 2>*q, or "
+           "0.0 if you mean zero";
+  case misuse::zero_power:
+    return " contains the exponent 0, which is also the value of 1/2 in C++; write pow(x, 0.5)";
   }
   return "";
 }

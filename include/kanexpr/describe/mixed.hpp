@@ -2,8 +2,8 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-/// Expressions that mean nothing by the kinds of their operands, such as `u1 + N::x`. They are kept as they
-/// stand: who reads the model knows which point or frame they belong to, and says so.
+/// Expressions whose operand kinds do not fit together, such as `u1 + N::x`. They are stored as written, so
+/// that the reader of the model can report them with the point or frame to which they belong.
 namespace kanexpr {
 
 namespace describe {
@@ -11,7 +11,7 @@ namespace describe {
 template <class Left, class Right>
 inline constexpr bool equates =
     shape_of_operand<Left> == shape::equation || shape_of_operand<Right> == shape::equation;
-/// One of them is no quantity at all.
+/// True if an operand is not a quantity at all.
 template <class Left, class Right>
 inline constexpr bool strange = equates<Left, Right> || std::same_as<Left, bool> ||
                                 std::same_as<Right, bool> || numeric::letter<Left> || numeric::letter<Right>;
@@ -24,7 +24,7 @@ concept no_product =
     written<Left> && written<Right> && (strange<Left, Right> || (no_scalar<Left> && no_scalar<Right>));
 template <class Left, class Right>
 concept no_quotient = written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Right>);
-/// Of two scalars, as an equation is.
+/// Excludes pairs of scalars; an equation is treated alike.
 template <class Left, class Right>
 concept no_function =
     written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Left> || no_scalar<Right>);
@@ -32,11 +32,11 @@ template <class Left, class Right>
 concept no_dot_product = written<Left> && written<Right> &&
                          (no_vector<Right> || (shape_of_operand<Left> != shape::vector &&
                                                shape_of_operand<Left> != shape::dyadic));
-/// Of two vectors.
+/// Excludes pairs of vectors.
 template <class Left, class Right>
 concept no_vectors = written<Left> && written<Right> && (no_vector<Left> || no_vector<Right>);
 
-/// An equation has lost its sign; of other operands the reader can say what they are.
+/// An equation has lost its ==, so it gets its own mistake; the reader describes operands of other kinds.
 template <template <int> class Kind, class Operand>
 constexpr auto meaningless(const Operand& x, const token& last) {
   return followed_by<Kind>(operand(with_zeros(x)).tokens,

@@ -3,7 +3,7 @@
 #include <kanexpr/describe/point.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
-/// What a model's entities do, as expressions that `function` compiles and `derive` prints.
+/// The motion of a model's entities, as expressions that `function` compiles and `derive` prints.
 namespace kanexpr {
 
 namespace describe {
@@ -31,7 +31,7 @@ constexpr token by_symbol(token_kind what, const scalar<1>& symbol) {
 template <class Other>
 concept no_symbol = written<Other> && !std::derived_from<Other, scalar<1>>;
 
-/// Motions are those in the inertial frame; `velocity_of<P, N>` is a mistake.
+/// Motions are relative to the inertial frame; `velocity_of<P, N>` is a mistake.
 template <class... Others>
 constexpr auto in_the_inertial_frame(const vector<1>& motion) {
   if constexpr (sizeof...(Others) == 0)
@@ -42,7 +42,7 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
 
 } // namespace describe
 
-/// The position of `Point` from `From`; both must hang on one origin.
+/// The position of `Point` relative to `From`; both must descend from the same origin.
 template <class Point, class... From>
 inline constexpr auto position_of =
     describe::misused<vector>(describe::motion_of(describe::token_kind::position, &describe::point_of<Point>,
@@ -56,17 +56,18 @@ inline constexpr auto position_of<Point, From> =
     describe::motion_of(describe::token_kind::position, &describe::point_of<From>,
                         !is_known_to_all_files<From>);
 
-/// Velocity of a point in the inertial frame.
+/// The velocity of a point in the inertial frame.
 template <class Point, class... In>
 inline constexpr auto velocity_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::velocity, &describe::point_of<Point>, !is_known_to_all_files<Point>));
 
-/// Acceleration of a point in the inertial frame; it holds the rates of the speeds.
+/// The acceleration of a point in the inertial frame; it contains the rates of the speeds.
 template <class Point, class... In>
 inline constexpr auto acceleration_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::acceleration, &describe::point_of<Point>, !is_known_to_all_files<Point>));
 
-/// Angular velocity of a frame in the inertial frame; of one frame in another as the difference of two.
+/// The angular velocity of a frame in the inertial frame. The angular velocity of one frame in another is the
+/// difference of two of these.
 template <class Frame, class... In>
 inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::angular_velocity, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
@@ -75,7 +76,7 @@ template <class Frame, class... In>
 inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::angular_acceleration, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
 
-/// The time derivative of a vector as it is seen in `Frame`.
+/// The time derivative of a vector in `Frame`.
 template <class Frame, int size>
 constexpr vector<size + 1> derivative_in(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::derivative);
@@ -90,7 +91,7 @@ constexpr scalar<size + 1> derivative(const scalar<size>& s) {
   return describe::join<scalar<size + 1>>(s.tokens, describe::with(describe::token_kind::derivative));
 }
 
-/// The same vector by its components in the axes of `Frame`.
+/// The same vector, expressed by its components in the axes of `Frame`.
 template <class Frame, int size>
 constexpr vector<size + 1> in_axes_of(const vector<size>& v) {
   describe::token t = describe::with(describe::token_kind::in_axes);
@@ -99,8 +100,8 @@ constexpr vector<size + 1> in_axes_of(const vector<size>& v) {
   return describe::join<vector<size + 1>>(v.tokens, t);
 }
 
-/// The partial derivative by a symbol; of a vector, in its own axes. `partial(velocity_of<P>, u1)` is a
-/// partial velocity.
+/// The partial derivative with respect to a symbol; that of a vector is taken component by component in the
+/// vector's own axes. `partial(velocity_of<P>, u1)` is a partial velocity.
 template <int size>
 constexpr scalar<size + 1> partial(const scalar<size>& s, const scalar<1>& symbol) {
   return describe::join<scalar<size + 1>>(s.tokens,
@@ -118,7 +119,7 @@ constexpr auto partial(const Operand& x, const Symbol& by) {
   return describe::misused<vector>(x, by, describe::misuse::partial);
 }
 
-// derivatives and axes that do not fit what they are asked of
+// derivatives and axes that do not fit their arguments
 template <describe::no_scalar Operand>
 constexpr auto derivative(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::unseen_derivative);
@@ -140,7 +141,7 @@ constexpr auto in_axes_of(const Operand& x) {
   return describe::misused<vector>(x, describe::misuse::axes);
 }
 
-/// The matrix of partial derivatives, a column for each symbol; of a vector, of its components in inertial
+/// The matrix of partial derivatives, one column per symbol; for a vector, of its components in inertial
 /// axes.
 template <int size, int columns>
 struct jacobian_matrix {

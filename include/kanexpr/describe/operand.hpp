@@ -5,7 +5,7 @@
 
 #include <utility>
 
-/// What may stand beside an operator, whether it makes sense there or not.
+/// The possible operands of an operator, whether or not they make sense there.
 namespace kanexpr::describe {
 
 template <int size>
@@ -26,8 +26,9 @@ constexpr const equation<size>& operand(const equation<size>& x) {
 }
 template <class Operand>
   requires(!std::is_class_v<Operand> &&
-           std::is_arithmetic_v<Operand>) // in this order: few types of a program come to the second
-constexpr scalar<1> operand(Operand x) {
+           std::is_arithmetic_v<Operand>) // in this order, because few types of a program reach the second
+                                          // condition
+                                          constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
   else if constexpr (numeric::letter<Operand>)
@@ -36,7 +37,7 @@ constexpr scalar<1> operand(Operand x) {
     return number(x);
 }
 
-/// What is given, where a whole number 0 may stand.
+/// The argument itself where the integer 0 is allowed.
 template <class Operand>
 constexpr auto with_zeros(const Operand& x) {
   if constexpr (plain_number<Operand>)
@@ -74,7 +75,7 @@ concept no_scalar = written<Operand> && shape_of_operand<Operand> != shape::scal
 template <class Operand>
 concept no_vector = written<Operand> && shape_of_operand<Operand> != shape::vector;
 
-/// The operands and what is done with them, one after another.
+/// The operands followed by the operation.
 template <template <int> class Kind, std::size_t size>
 constexpr Kind<static_cast<int>(size + 1)> followed_by(const token (&x)[size], const token& last) {
   return join<Kind<static_cast<int>(size + 1)>>(x, last);

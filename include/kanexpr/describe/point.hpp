@@ -11,7 +11,7 @@ constexpr point_record record_point() {
   point_record r;
   if constexpr (requires { Point::place(); }) {
     r = Point::place();
-  } else { // it has no name for itself
+  } else { // it does not know its name
     r.unparsed = is_unparsed<Point>();
     if constexpr (requires { Point::content(); }) {
       r.instead = "a body";
@@ -21,8 +21,7 @@ constexpr point_record record_point() {
     }
   }
   r.called = type_name<Point>();
-  if constexpr (requires { sizeof(Point); })
-    r.beside = find_misfit<Point>(); // else it is described only later
+  if constexpr (requires { sizeof(Point); }) r.beside = find_misfit<Point>(); // otherwise it is defined later
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;
@@ -38,7 +37,7 @@ inline constexpr point_record point_of = record_point<Point>();
 
 } // namespace describe
 
-/// A point that does not move in the inertial frame: `struct O : origin<O, N> {};`
+/// A point fixed in the inertial frame: `struct O : origin<O, N> {};`
 template <class Self, class... Frame>
 struct origin : describe::place_words {
   static constexpr describe::point_record place() {
@@ -51,8 +50,8 @@ struct origin : describe::place_words {
   }
 };
 
-/// A point at a vector from another: `struct P : offset<P, O, l*A::x> {};` Its velocity follows from the
-/// vector's change in time, unless `fixed_in` or `velocity` says how it moves.
+/// A point given by its position vector from another point: `struct P : offset<P, O, l*A::x> {};` Its
+/// velocity follows from the rate of the vector unless `fixed_in` or `velocity` declares it.
 template <class Self, class From, auto... vector>
 struct offset : describe::place_words {
   static constexpr describe::point_record place() {
@@ -65,15 +64,17 @@ struct offset : describe::place_words {
   }
 };
 
-/// This point and the one it is offset from are fixed in `Frame`: v = v_from + ω × r (two-point theorem).
+/// Declares that this point and the one from which it is offset are fixed in `Frame`: v = v_from + ω × r
+/// (two-point theorem).
 template <class Frame>
 struct fixed_in : describe::fixing_words {
   static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
 };
 
-/// Declares a point's velocity in `Reference`. In the inertial frame it is used as it is; in any other frame
-/// the point that it is offset from must be fixed there: v = v_from + ω × r + value (one-point theorem). It
-/// is the rate of the point's position, unless the offset is zero: then the model leaves the position out.
+/// Declares a point's velocity in `Reference`. In the inertial frame this is the whole velocity; in any other
+/// frame the point from which it is offset must be fixed there: v = v_from + ω × r + value (one-point
+/// theorem). The velocity must be the rate of the point's position, unless the offset is zero, in which case
+/// the model omits the position.
 template <class Reference, auto... value>
 struct velocity : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
@@ -83,7 +84,7 @@ struct velocity : describe::velocity_words {
   static constexpr bool moves_apart = false;
 };
 
-/// The same of a point whose position does not follow its velocity, on purpose.
+/// The same for a point whose position intentionally does not follow its velocity.
 template <class Reference, auto... value>
 struct velocity_apart_from_position : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;

@@ -8,7 +8,8 @@
 #include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>
 
-/// What a model's entities are read from: plain constants that point at each other and at their expressions.
+/// The records from which a model's entities are read: plain constants that point to each other and to their
+/// expressions.
 namespace kanexpr::describe {
 
 /// An expression in static storage.
@@ -54,7 +55,7 @@ namespace {
 struct this_file;
 }
 
-/// Whether an expression mentions what only one source file knows.
+/// Whether an expression mentions an entity that is local to one source file.
 template <auto value>
 inline constexpr bool is_of_one_file = [] {
   if constexpr (requires { value.tokens[0].is_of_one_file; })
@@ -63,9 +64,9 @@ inline constexpr bool is_of_one_file = [] {
   return false;
 }();
 
-/// Two source files may each have entities of one name in an unnamed namespace. g++ does not look at what the
-/// values of template arguments point at, so it would let the linker take one file's expressions for the
-/// other's. A type that no other file has keeps them apart.
+/// Two source files may each have entities of the same name in an unnamed namespace. g++ does not distinguish
+/// template arguments by the objects that they point to, so the linker could confuse the expressions of the
+/// two files. A type that is local to the file keeps them apart.
 template <bool is_of_one_file>
 struct known_in {
   using type = void;
@@ -90,13 +91,13 @@ struct stored {
   }();
 };
 
-/// The phrase for any expression that a model gives as a template argument.
+/// The phrase for an expression that a model passes as a template argument.
 template <auto value, class Where = file_of<value>>
 inline constexpr phrase phrase_of = stored<value, Where>::words;
 
 inline constexpr phrase no_phrase = phrase_of<constant(0)>;
 
-/// The phrases for the expressions that a word is given, and behind them zeros for those that it is not.
+/// The phrases for the arguments of a word, followed by zeros for the omitted ones.
 template <auto... values>
 inline constexpr phrase given_phrases[sizeof...(values) + 9]{phrase_of<values>...,
                                                              no_phrase,
@@ -109,7 +110,7 @@ inline constexpr phrase given_phrases[sizeof...(values) + 9]{phrase_of<values>..
                                                              no_phrase,
                                                              no_phrase};
 
-/// The same of values among which 0 is common, and which are checked in another way.
+/// The same for values that may be 0 and are checked differently.
 template <auto... values>
 inline constexpr auto& given_phrases_with_zeros = given_phrases<with_zeros(values)...>;
 
@@ -142,9 +143,9 @@ struct frame_record {
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
-  bool turns_apart = false;   ///< from its orientation
+  bool turns_apart = false;   ///< relative to its orientation
   std::string_view instead{}; ///< what it is, if it is not a frame
-  std::string_view its_own{}; ///< the frame of that
+  std::string_view its_own{}; ///< the frame of that entity
   bool is_of_joint = false;
   misfit beside = misfit::none;
 
@@ -156,16 +157,17 @@ struct point_record {
   std::string_view calls_itself{};
   arguments fits{};
   bool unparsed = false;
-  const point_record* parent = nullptr; ///< none: an origin
+  const point_record* parent = nullptr; ///< null for an origin
   const frame_record* origin_of = nullptr;
   phrase offset{};
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
-  bool moves_apart = false;   ///< from its position
-  bool from_parent = false;   ///< the velocity, also where `reference` is the inertial frame
+  bool moves_apart = false; ///< relative to its position
+  bool from_parent =
+      false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
   std::string_view instead{}; ///< what it is, if it is not a point
-  std::string_view its_own{}; ///< the point of that
+  std::string_view its_own{}; ///< the point of that entity
   misfit beside = misfit::none;
 
   constexpr bool is_origin() const { return parent == nullptr; }
@@ -183,63 +185,63 @@ struct body_record {
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
-  std::string_view instead_of_inertia{}; ///< what takes its place and is none
+  std::string_view instead_of_inertia{}; ///< the type in its place that is not an inertia
   std::string_view instead{};            ///< what it is, if it is not a body
   bool has_whole_zeros = false;          ///< for all scalars of its inertia
   bool inertia_changes = false;
-  bool effective = false; ///< the inertia need not be that of a distribution of mass
+  bool effective = false; ///< the inertia need not correspond to a mass distribution
   misfit beside = misfit::none;
   bool unparsed = false;
 };
 
-/// What the values of a load mean; the words are in load.hpp.
+/// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
 
 struct load_record {
   load_word what{};
-  std::string_view word{}; ///< "the force": for sentences, which go on with what it acts on
+  std::string_view word{}; ///< "the force": for sentences, followed by the point or frame on which it acts
   arguments fits{};
   const point_record* point = nullptr;
-  const point_record* other_point = nullptr; ///< of two points, or none
+  const point_record* other_point = nullptr; ///< null if it does not act between two points
   const frame_record* frame = nullptr;
-  const frame_record* other_frame = nullptr; ///< of two frames, or none
+  const frame_record* other_frame = nullptr; ///< null if it does not act between two frames
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
   phrase angle{};                            ///< of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
-  phrase known_by{};                         ///< what it is known by, if not by points or frames
+  phrase known_by{};                         ///< its identification, if not by points or frames
   std::string_view called{};
   std::string_view instead{}; ///< what it is, if it is not a load
   misfit beside = misfit::none;
   bool unparsed = false;
-  bool once = false; ///< the same load again is a mistake
+  bool once = false; ///< listing the same load again is a mistake
 };
 
-/// What a joint brings to a system beside its frame and its point.
+/// What a joint contributes to a system in addition to its frame and its point.
 struct joint_record {
   std::string_view called{};
   std::string_view calls_itself{};
-  std::string_view mistake{}; ///< in its words: "is given two homes"
-  std::string_view form{};    ///< how it is written, if that is the mistake
+  std::string_view mistake{}; ///< the end of a sentence: "has two homes"
+  std::string_view form{};    ///< the correct form, if that is the mistake
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
-  const frame_record* home = nullptr; ///< the child's where all coordinates are zero
+  const frame_record* home = nullptr; ///< the child's frame when all coordinates are zero
   const frame_record* parent_frame = nullptr;
   const point_record* parent_point = nullptr;
-  listing<phrase> axes{}; ///< those that may be none
-  phrase place{};         ///< in the parent, if it is given along other axes than the parent's
+  listing<phrase> axes{}; ///< axes that need a check
+  phrase place{};         ///< in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
-  const body_record* body = nullptr; ///< none: it has no mass
+  const body_record* body = nullptr; ///< null if it has no mass
   std::string_view instead{};        ///< what it is, if it is not a joint
   misfit beside = misfit::none;
   bool unparsed = false;
 };
 
-/// A joint whose frame and point are given auxiliary speeds, which bring out what it carries.
+/// A joint whose frame and point have auxiliary speeds, which bring its reactions into evidence.
 struct reaction_record {
   const joint_record* joint = nullptr;
   const frame_record* frame = nullptr;
   const frame_record* freed_frame = nullptr;
-  const point_record* point = nullptr; ///< where the joint sits in the child
+  const point_record* point = nullptr; ///< the location of the joint in the child
   const point_record* freed_point = nullptr;
   listing<phrase> speeds{};
   std::string_view called{};

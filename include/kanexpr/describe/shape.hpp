@@ -2,7 +2,7 @@
 
 namespace kanexpr::describe {
 
-/// What an expression turns out to be.
+/// The kind of an expression.
 enum class shape : unsigned char {
   nothing,
   scalar,
@@ -12,7 +12,7 @@ enum class shape : unsigned char {
   vanishing,  ///< zero_along
   kinematics, ///< kinematics_of
   simple,     ///< the kinematic differential equations that are q̇ = u
-  foreign,    ///< it is none
+  foreign,    ///< not an expression
 };
 
 } // namespace kanexpr::describe

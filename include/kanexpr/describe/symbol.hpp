@@ -5,7 +5,7 @@
 
 namespace kanexpr {
 
-/// Stands for "no index" in `coordinate<"q">`.
+/// Denotes "no index" in `coordinate<"q">`.
 inline constexpr int unnumbered = -1;
 
 namespace describe {
@@ -17,7 +17,7 @@ struct symbol_storage {
     if (index != unnumbered) r.called.append(index);
     r.is_named = called.view().size() != 0 && symbolic::is_name(r.called.view());
     for (int i = 0; i < order; ++i) r.called.append("'");
-    if (r.called.length == symbolic::name::capacity) r.is_named = false; // it may be cut
+    if (r.called.length == symbolic::name::capacity) r.is_named = false; // it may be truncated
     return r;
   }();
 };
@@ -55,7 +55,7 @@ struct speed : scalar<1> {
   }
 };
 
-/// A constant of the system, given with each evaluation or bound in the type by `values`.
+/// A constant of the system, passed to each evaluation or bound in the type by `values`.
 template <text called, int index = unnumbered>
 struct parameter : scalar<1> {
   constexpr parameter()
@@ -67,7 +67,7 @@ struct parameter : scalar<1> {
   }
 };
 
-/// A force, torque or other quantity that is given with each evaluation and may change at will.
+/// A force, torque or other quantity that is passed to each evaluation and may vary arbitrarily.
 template <text called, int index = unnumbered>
 struct input : scalar<1> {
   constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
@@ -78,8 +78,8 @@ struct input : scalar<1> {
   }
 };
 
-/// A quantity that is known as a function of time: `constexpr prescribed<"theta"> theta;` Its value and its
-/// derivatives `dot(theta)` and `dot(dot(theta))` are given with each evaluation, as inputs.
+/// A quantity that is a known function of time: `constexpr prescribed<"theta"> theta;` Its value and its
+/// derivatives `dot(theta)` and `dot(dot(theta))` are passed to each evaluation as inputs.
 template <text called, int index = unnumbered, int order = 0>
 struct prescribed : scalar<1> {
   constexpr prescribed()
@@ -91,7 +91,7 @@ struct prescribed : scalar<1> {
   }
 };
 
-/// The time, for what depends on it explicitly.
+/// The time, for explicitly time-dependent expressions.
 struct time_variable : scalar<1> {
   constexpr time_variable()
       : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
@@ -119,7 +119,7 @@ constexpr coordinate_rate<called, index> dot(const coordinate<called, index>&) {
   return {};
 }
 
-/// The second derivative of a coordinate, where its rate takes the place of a speed.
+/// The second derivative of a coordinate, for systems in which its rate replaces a speed.
 template <text called, int index>
 constexpr scalar<1> dot(const coordinate_rate<called, index>&) {
   return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index, 1>();

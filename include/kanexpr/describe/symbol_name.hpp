@@ -7,8 +7,8 @@
 
 namespace kanexpr {
 
-/// What a value is given to while the program runs: a symbol of the model, `dot(q1)` or `dot(u1)` for rates
-/// among them, or its name as it is printed: "q1", "q1'".
+/// Identifies a quantity at run time: a symbol of the model, including rates such as `dot(q1)` or `dot(u1)`,
+/// or its name as printed: "q1", "q1'".
 class symbol_name {
 public:
   symbol_name(const scalar<1>& symbol) : symbol_(symbol.tokens[0].symbol) {
@@ -16,7 +16,7 @@ public:
     name_ = symbol_->called.view();
     if (symbol_->kind == symbolic::symbol_kind::coordinate_rate ||
         symbol_->kind == symbolic::symbol_kind::speed_rate)
-      name_ += '\''; // the record of a rate has the name of what changes
+      name_ += '\''; // the record of a rate holds the name of the symbol itself
   }
   symbol_name(std::string_view name) : name_(name) {}
   symbol_name(const char* name) : name_(name) {}
@@ -26,8 +26,8 @@ public:
   symbol_name& operator=(const symbol_name&) = default;
   symbol_name& operator=(symbol_name&&) = default;
 
-  const describe::symbol_record* symbol() const { return symbol_; } ///< null: there is the name alone
-  const std::string& name() const { return name_; }                 ///< empty: of a number
+  const describe::symbol_record* symbol() const { return symbol_; } ///< null if only the name is known
+  const std::string& name() const { return name_; }                 ///< empty for a number
   bool operator==(const symbol_name& other) const { return name_ == other.name_; }
 
 private:

@@ -19,7 +19,7 @@ struct system_record {
   method derived_by = method::kane;
   const frame_record* inertial = nullptr;
   listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
-  listing<phrase> added_inputs{}; ///< behind those that a model without a list mentions
+  listing<phrase> added_inputs{}; ///< follow the inputs that a model without a list mentions
   listing<phrase> kinematics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
@@ -33,7 +33,7 @@ struct system_record {
   listing<reaction_record> reactions{};
 };
 
-/// The words that a system must have once and only once, and those that it may have.
+/// A word of a system.
 template <class Word>
 concept system_word = requires(system_record& r) { Word::tell(r); };
 
@@ -80,7 +80,7 @@ struct speeds : describe::system_words {
   }
 };
 
-/// The order of the parameter vector; without it, the order in which the model mentions them.
+/// The order of the parameter vector; without it, the order of first mention in the model.
 template <auto... symbols>
 struct parameters : describe::system_words {
   static constexpr std::string_view word = "parameters";
@@ -89,7 +89,7 @@ struct parameters : describe::system_words {
   }
 };
 
-/// The order of the input vector; without it, the order in which the model mentions them.
+/// The order of the input vector; without it, the order of first mention in the model.
 template <auto... symbols>
 struct inputs : describe::system_words {
   static constexpr std::string_view word = "inputs";
@@ -98,8 +98,8 @@ struct inputs : describe::system_words {
   }
 };
 
-/// Parameters and inputs that only expressions hold which are asked for later, such as outputs and pictures:
-/// `used_elsewhere<k, F>`. Any other that is listed and that nothing in the system uses is a mistake.
+/// Parameters and inputs that appear only in expressions evaluated later, such as outputs and pictures:
+/// `used_elsewhere<k, F>`. Any other symbol that is listed but not used in the system is a mistake.
 template <auto... symbols>
 struct used_elsewhere : describe::system_words {
   static constexpr std::string_view word = "used_elsewhere";
@@ -117,7 +117,7 @@ struct kinematics : describe::system_words {
   }
 };
 
-/// Parameters bound to numbers, which fold into the derivation: `values<m == 2.2, r == 0.45>`.
+/// Parameters bound to numbers, which are folded into the derivation: `values<m == 2.2, r == 0.45>`.
 template <auto... equations>
 struct values : describe::system_words {
   static constexpr std::string_view word = "values";
@@ -146,7 +146,7 @@ struct loads : describe::system_words {
 
 namespace describe {
 
-/// A system of words in any order.
+/// A system, with its words in any order.
 template <method derived_by, class... Words>
 struct system_told_by : whole_systems {
   static constexpr auto words = boost::hana::tuple_t<Words...>;
@@ -169,9 +169,8 @@ struct system_told_by : whole_systems {
 
 } // namespace describe
 
-/// A system whose equations of motion Kane's method gives, with its words in any order:
-/// `struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>>
-/// {};`
+/// A system whose equations of motion are derived by Kane's method, with its words in any order: `struct
+/// System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};`
 template <class... Words>
 struct kane_system : describe::system_told_by<describe::method::kane, Words...> {};
 

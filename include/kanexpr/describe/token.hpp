@@ -4,56 +4,56 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
-/// What the words of a model are stored as: flat arrays of tokens in postfix order, which are template
-/// arguments and cost the compiler next to nothing, and records of entities that point at each other.
+/// The storage of a model's words: flat arrays of tokens in postfix order, which are template arguments and
+/// cost the compiler next to nothing, and records of entities that point to each other.
 namespace kanexpr::describe {
 
 struct frame_record;
 struct point_record;
 struct external_record;
 
-/// Stands for "not prescribed" in place of the order of a derivative.
+/// Denotes "not prescribed" as the order of a derivative.
 inline constexpr int unprescribed = -1;
 
-/// The `index` of a number that is the whole number 0.
+/// The `index` of a number that is the integer 0.
 inline constexpr int whole_zero = 1;
 
 struct symbol_record {
   symbolic::symbol_kind kind;
   symbolic::name called; ///< theta'' for the second derivative of a prescribed theta
   int order = unprescribed;
-  int given = 0;        ///< how many letters the model gave, before an index and primes
-  bool is_named = true; ///< as a symbol may be
+  int given = 0;        ///< the number of letters given in the model, without index and primes
+  bool is_named = true; ///< whether the name is valid for a symbol
 };
 
 enum class token_kind : unsigned char {
   number,
   symbol,
-  scalar_function, ///< `operation` says which
-  composed,        ///< of scalars: `index` is the symbolic::composition, `number` says of how many
-  external,        ///< `external` of scalars, `number` says of how many
-  basis,           ///< axis `index` of `frame`; no frame: of the frame that is being described
+  scalar_function, ///< given by `operation`
+  composed,        ///< of scalars: `index` is the symbolic::composition, `number` their count
+  external,        ///< `external` applied to scalars, `number` their count
+  basis,           ///< axis `index` of `frame`; null denotes the frame that is being described
   add,
   subtract,
   negate,
-  multiply, ///< a scalar with anything
-  divide,   ///< anything by a scalar
-  dot,      ///< also of a dyadic with a vector
+  multiply, ///< a scalar by any quantity
+  divide,   ///< any quantity by a scalar
+  dot,      ///< also of a dyadic and a vector
   cross,
   outer,
   magnitude,
   normalized,
-  position, ///< of `point` from its origin
+  position, ///< of `point` relative to its origin
   velocity,
   acceleration,
   angular_velocity, ///< of `frame` in the inertial frame
   angular_acceleration,
-  derivative, ///< in time; of a vector as `frame` sees it
-  partial,    ///< by `symbol`
+  derivative, ///< with respect to time; of a vector in `frame`
+  partial,    ///< with respect to `symbol`
   in_axes,    ///< of `frame`
-  length,     ///< a scalar that must not be a number below zero
+  length,     ///< a scalar that must not be a negative number
   wheel_axis, ///< a vector that must be fixed in `frame`
-  misused,    ///< means nothing in a model: `index` is the describe::misuse
+  misused,    ///< has no meaning in a model: `index` is the describe::misuse
 };
 
 struct token {
@@ -65,7 +65,7 @@ struct token {
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
   const external_record* external = nullptr;
-  bool is_of_one_file = false; ///< what it points at, which only one source file knows
+  bool is_of_one_file = false; ///< whether it points to an entity that is local to one source file
 };
 
 } // namespace kanexpr::describe

@@ -11,9 +11,9 @@ struct anything {
   operator Type() const;
 };
 
-/// Whether a class has neither bases nor members, and is not a word of the library. Nobody writes such an
-/// entity or system, but it is what a compiler leaves of one with an error in its base clause. That error is
-/// the one to read: a sentence about what follows from it would be false.
+/// Whether a class has neither bases nor members and is not a word of the library. No model contains such an
+/// entity or system on purpose, but a compiler leaves it behind after an error in the base clause. That error
+/// is the one to read; a sentence about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
   if constexpr (requires { sizeof(Type); })

@@ -4,7 +4,7 @@
 
 namespace kanexpr {
 
-/// A vector of a model: basis vectors of any frames, mixed freely, as in `u1*L::x + u2*N::y`.
+/// A vector of a model: a combination of basis vectors of any frames, as in `u1*L::x + u2*N::y`.
 template <int size>
 struct vector {
   describe::token tokens[static_cast<std::size_t>(size)];
@@ -23,7 +23,7 @@ struct vector {
   }
 };
 
-/// A sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.
+/// A dyadic, a sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.
 template <int size>
 struct dyadic {
   describe::token tokens[static_cast<std::size_t>(size)];

@@ -6,8 +6,7 @@ namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; write joints<...> around it";
 
-/// What a type is, for a sentence about one that stands where it does not belong. Empty: none of a model's
-/// words.
+/// Describes a type for a sentence about one in the wrong place. Empty if it is not one of a model's words.
 template <class Type>
 constexpr std::string_view what_it_is() {
   if constexpr (requires { Type::joint_told(); })
@@ -15,9 +14,9 @@ constexpr std::string_view what_it_is() {
   else if constexpr (requires { Type::content(); })
     return "a body; write bodies<...> around it";
   else if constexpr (requires { Type::orientation(); })
-    return "a frame; frames are found by what uses them";
+    return "a frame; frames need not be listed";
   else if constexpr (requires { Type::place(); })
-    return "a point; points are found by what uses them";
+    return "a point; points need not be listed";
   else if constexpr (requires { Type::load.what; })
     return "a load; write loads<...> around it";
   else if constexpr (requires { Type::word; })

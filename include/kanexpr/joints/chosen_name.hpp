@@ -2,10 +2,11 @@
 
 #include <kanexpr/base/text.hpp>
 
-/// Names that joints choose after the type that they make: `q_Link2`, `Link2_home`.
+/// Names that joints derive from the type that they describe: `q_Link2`, `Link2_home`.
 namespace kanexpr::describe {
 
-/// The letters of a type's name that a name may have; of others an underscore: `Link<3>` is Link_3.
+/// Appends the characters of a type's name that are allowed in a name and replaces all others by an
+/// underscore: `Link<3>` becomes Link_3.
 template <class Type>
 constexpr std::size_t append_name_of(char* to) {
   std::size_t size = 0;
@@ -30,7 +31,7 @@ inline constexpr std::size_t name_size = [] {
   return append_name_of<Type>(all);
 }();
 
-/// "q" of Link2 is q_Link2.
+/// "q" and Link2 give q_Link2.
 template <text what, class Type>
 inline constexpr auto name_before = [] {
   text<what.view().size() + name_size<Type> + 2> all;
@@ -41,7 +42,7 @@ inline constexpr auto name_before = [] {
   return all;
 }();
 
-/// The "home" of Link2 is Link2_home.
+/// Link2 and "home" give Link2_home.
 template <class Type, text what>
 inline constexpr auto name_behind = [] {
   text<what.view().size() + name_size<Type> + 2> all;

@@ -4,21 +4,21 @@
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/joints/joint.hpp>
 
-/// Constraints of machines, to be written in `configuration_constraints<…>` or `velocity_constraints<…>`.
+/// Common constraints of machines, for `configuration_constraints<…>` or `velocity_constraints<…>`.
 namespace kanexpr {
 
 namespace describe {
 
-/// In the place of an argument that was left out.
+/// The default for an omitted argument.
 struct left_out {};
 
-/// What stands for a constraint that is written with a mistake.
+/// Replaces a constraint that contains a mistake.
 template <class Named>
 constexpr equation<1> mistaken(misuse what) {
   return {{misused_with<Named>(what)}};
 }
 
-/// An equation between what two joints with one axis have turned or gone.
+/// An equation between the coordinates of two joints with one axis each.
 template <class First, class Second>
 constexpr auto coupled(const auto& of_first, const auto& of_second) {
   if constexpr (effort_of_joint<First>() == joint_effort::none ||
@@ -53,7 +53,7 @@ constexpr auto racked() {
     return mistaken<Rack>(misuse::rack_arguments);
 }
 
-/// A direction that has no part along the other two axes of a frame.
+/// Constrains a direction to have no component along the other two axes of a frame.
 template <auto direction, auto axis>
 constexpr auto kept_parallel() {
   if constexpr (requires { requires sizeof(axis.tokens) == sizeof(token); }) {
@@ -75,7 +75,7 @@ constexpr auto parallel_ones() {
     return mistaken<left_out>(misuse::parallel_arguments);
 }
 
-/// The axis of a wheel, which the reader of phrases looks at.
+/// The axis of a wheel, marked to be checked by the phrase reader.
 template <class Wheel, auto axis>
 constexpr auto axis_of_wheel() {
   if constexpr (requires { requires shape_of_operand<decltype(unit_along(axis))> == shape::vector; }) {
@@ -88,11 +88,12 @@ constexpr auto axis_of_wheel() {
   }
 }
 
-/// The way from a plane whose normal is `up` towards the middle of a wheel, in the plane of the wheel.
+/// The component of a plane's normal `up` within the plane of the wheel, which points from the contact
+/// towards the center.
 template <class Wheel, auto axis, auto up>
 inline constexpr auto up_the_wheel = up - dot(up, axis_of_wheel<Wheel, axis>()) * unit_along(axis);
 
-/// A radius or the length of a rod as an expression.
+/// A radius or the length of a rod, as an expression.
 template <auto given>
 constexpr auto length_of() {
   if constexpr (plain_number<decltype(given)>)
@@ -103,7 +104,7 @@ constexpr auto length_of() {
     return operand(given);
 }
 
-/// From the centre of a wheel to where it touches a plane.
+/// From the center of a wheel to its contact with a plane.
 template <class Wheel, auto axis, auto up, auto radius, auto... tube>
 constexpr auto to_contact() {
   if constexpr (sizeof...(tube) == 0)
@@ -135,13 +136,13 @@ constexpr auto position_between() {
          motion_of(token_kind::position, parts_of<From>::point(), !is_known_to_all_files<From>);
 }
 
-/// An axis of a frame, or of what has one.
+/// An axis of a frame, or of a type that has one.
 template <class Frame>
 constexpr vector<1> axis_of(int index) {
   return basis(parts_of<Frame>::frame(), index, !is_known_to_all_files<Frame>);
 }
 
-/// The velocity of the point of `Wheel` that touches `Ground`, as that sees it.
+/// The velocity relative to `Ground` of the material point of `Wheel` that touches it.
 template <class Wheel, class Ground, auto axis, auto... radii>
 constexpr auto slip_on() {
   constexpr auto to_ground = to_contact<Wheel, axis, axis_of<Ground>(2), radii...>();
@@ -181,7 +182,7 @@ constexpr auto held_alike() {
                       axis_of<Other>(0), axis_of<Other>(1), axis_of<Other>(2)>;
 }
 
-/// The axis of a wheel, its radius, and perhaps that of its tube.
+/// The axis of a wheel, its radius and, for a torus, the radius of its tube.
 template <auto... axis_and_radii>
 inline constexpr bool describe_wheel = sizeof...(axis_and_radii) == 2 || sizeof...(axis_and_radii) == 3;
 
@@ -205,50 +206,50 @@ constexpr auto touching() {
 
 } // namespace describe
 
-/// Two points stay at a distance, as the ends of a rod without mass: `rod_of_length<P, Q, l>`, of the
-/// configuration. Its multiplier times −2 l is the tension.
+/// Keeps two points at a fixed distance, like the ends of a massless rod: `rod_of_length<P, Q, l>`, a
+/// configuration constraint. Its multiplier times −2 l is the tension.
 template <class Point, class Other = describe::left_out, auto... length>
 inline constexpr auto rod_of_length = describe::held_apart<Point, Other, length...>();
 
-/// Two gears: the first joint has turned `ratio` times as far as the second, against it where the ratio is
-/// negative. Of the configuration.
+/// Couples two gears: the first joint turns `ratio` times as far as the second, in the opposite direction if
+/// the ratio is negative. A configuration constraint.
 template <class First, class Second = describe::left_out, auto... ratio>
 inline constexpr auto gear = describe::geared<First, Second, ratio...>();
 
-/// A belt round two pulleys: radius times angle is the same; of a crossed belt one radius is negative. Of
-/// the configuration.
+/// A belt around two pulleys: the products of radius and angle are equal; for a crossed belt, one radius is
+/// negative. A configuration constraint.
 template <class First, class Second = describe::left_out, auto... radii>
 inline constexpr auto belt = describe::coupled_by_belt<First, Second, radii...>();
 
-/// A joint that slides goes as far as the rim of one that turns: `rack_and_pinion<Rack, Pinion, r>`, of the
-/// configuration.
+/// A sliding joint moves as far as the rim of a turning one: `rack_and_pinion<Rack, Pinion, r>`, a
+/// configuration constraint.
 template <class Rack, class Pinion = describe::left_out, auto... radius>
 inline constexpr auto rack_and_pinion = describe::racked<Rack, Pinion, radius...>();
 
-/// Two points are one, which closes a loop by a ball: `coincident<P, Q, N::x, N::y, N::z>`, along two
-/// directions in a planar mechanism. Of the configuration.
+/// Makes two points coincide, which closes a loop with a ball joint: `coincident<P, Q, N::x, N::y, N::z>`; in
+/// a planar mechanism along two directions. A configuration constraint.
 template <class Point, class Other = describe::left_out, auto... directions>
 inline constexpr auto coincident = describe::held_together<Point, Other, directions...>();
 
-/// A direction stays along an axis of a frame: `parallel<A::z, B::z>`. Beside `coincident` it closes a loop
-/// by a pin about B::z. Of the configuration.
+/// Keeps a direction parallel to an axis of a frame: `parallel<A::z, B::z>`. Together with `coincident` it
+/// closes a loop with a pin about B::z. A configuration constraint.
 template <auto... direction_and_axis>
 inline constexpr auto parallel = describe::parallel_ones<direction_and_axis...>();
 
-/// The axes of two frames stay the same: `same_axes<A, B>`. Beside `coincident` it closes a loop by a weld.
-/// Of the configuration. (Half a turn about an axis and turns that exchange the axes satisfy it as well:
-/// start where the axes are the same.)
+/// Keeps the axes of two frames aligned: `same_axes<A, B>`. Together with `coincident` it closes a loop with
+/// a weld. A configuration constraint. (Half turns about an axis and rotations that permute the axes satisfy
+/// it as well: start with aligned axes.)
 template <class Frame, class Other = describe::left_out>
 inline constexpr auto same_axes = describe::held_alike<Frame, Other>();
 
-/// A wheel rolls on the plane x, y of `Ground` without slipping, which may move itself: `rolls_on<Wheel,
-/// Ground, Wheel::y, r>`, with its axis, and after the radius that of its tube, if it is a torus. Of the
-/// velocity. `Wheel` is a joint or `frame_and_point<A, P>` with its centre, and `Ground` what has a frame and
-/// a point too.
+/// A wheel rolls without slipping on the plane x, y of `Ground`, which may move itself: `rolls_on<Wheel,
+/// Ground, Wheel::y, r>`, with the axis and radius of the wheel and, if it is a torus, the radius of its
+/// tube. A velocity constraint. `Wheel` is a joint, or `frame_and_point<A, P>` with its center; `Ground` has
+/// a frame and a point too.
 template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
 inline constexpr auto rolls_on = describe::rolling<Wheel, Ground, axis_and_radii...>();
 
-/// A wheel touches the plane x, y of `Ground`: the same, of the configuration.
+/// A wheel touches the plane x, y of `Ground`; same arguments, a configuration constraint.
 template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
 inline constexpr auto touches = describe::touching<Wheel, Ground, axis_and_radii...>();
 

@@ -35,7 +35,7 @@ struct cylindrical_joint {
 
 } // namespace describe
 
-/// The child turns about an axis by q1 and goes along it by q2, each as it likes.
+/// The child rotates about an axis by q1 and slides along it by q2, independently.
 template <class Self, class Parent, class... Words>
 struct cylindrical : describe::joint<Self, Parent, describe::cylindrical_joint, Words...> {};
 

@@ -2,9 +2,10 @@
 
 #include <kanexpr/joints/joint.hpp>
 
-/// How a joint would move if it bound nothing, by auxiliary speeds. A kind of joint says what it binds of
-/// that motion, `bound_spin<Joint>` and `bound_drift<Joint>`, if not all of it. Along its free ways the child
-/// moves by the joint's own speeds, and with these whatever else the model says of them.
+/// The motion that a joint would have without constraining anything, in terms of auxiliary speeds. A kind of
+/// joint declares the part of this motion that it constrains, `bound_spin<Joint>` and `bound_drift<Joint>`,
+/// unless it constrains all of it. Along its free directions the child moves with the joint's own speeds, and
+/// so does everything else that the model expresses by them.
 namespace kanexpr::describe {
 
 /// Six auxiliary speeds, along and about the axes of the child.
@@ -18,18 +19,18 @@ struct freeing_speeds {
   static constexpr speed<name_before<"t3", Joint>> t3{};
 };
 
-/// The angular velocity of the child in its home by them.
+/// The angular velocity of the child in its home due to these speeds.
 template <class Joint>
 inline constexpr auto freed_spin = freeing_speeds<Joint>::t1 * basis(&frame_of<Joint>, 0) +
                                    freeing_speeds<Joint>::t2 * basis(&frame_of<Joint>, 1) +
                                    freeing_speeds<Joint>::t3 * basis(&frame_of<Joint>, 2);
-/// The velocity of the joint's point in the parent by them.
+/// The velocity of the joint's point in the parent due to these speeds.
 template <class Joint>
 inline constexpr auto freed_drift = freeing_speeds<Joint>::f1 * basis(&frame_of<Joint>, 0) +
                                     freeing_speeds<Joint>::f2 * basis(&frame_of<Joint>, 1) +
                                     freeing_speeds<Joint>::f3 * basis(&frame_of<Joint>, 2);
 
-/// The part of a vector along a unit vector, and the rest.
+/// The component of a vector along a unit vector, and the remainder.
 constexpr auto part_along(const auto& given, const auto& axis) { return dot(given, axis) * axis; }
 constexpr auto across(const auto& given, const auto& axis) { return given - part_along(given, axis); }
 

@@ -4,8 +4,8 @@
 
 namespace kanexpr {
 
-/// The inertial frame and a point that is fixed in it, as one type, from which joints start:
-/// `struct Ground : inertial_ground<Ground> {};`
+/// The inertial frame and a point fixed in it, as one type to which joints are attached: `struct Ground :
+/// inertial_ground<Ground> {};`
 template <class Self>
 struct inertial_ground : describe::axes<Self>, describe::place_words, describe::ground_words {
   static constexpr describe::frame_record orientation() {

@@ -4,26 +4,27 @@
 #include <kanexpr/joints/chosen_name.hpp>
 #include <kanexpr/joints/joint_mistakes.hpp>
 
-/// A joint as the frames, points, symbols and equations that it is. What one kind of joint adds is a struct:
+/// A joint, as the frames, points, symbols and equations that it consists of. A kind of joint is a struct
+/// with these members:
 ///
 ///     symbols                joint_symbols<names<"q">, names<"u">>
-///     least_axes, most_axes  how many it takes
-///     is_second_axis_of_child   if it is not fixed in the parent
-///     form                   how it is written
-///     special                the type of a word of its own, if it takes one
-///     without_special        what is wrong without that word, if it needs it
-///     moves                  whether its two points come apart
-///     turn<Joint>(frame_record&)   how the child turns in its home
-///     move<Joint>(point_record&)   where it goes from its base, if it moves
-///     spin<Joint>            its angular velocity in the frame that it is turned from, if it turns
-///     drift<Joint>           its velocity as the parent sees it, if it moves
-///     bound_spin<Joint>      of any angular velocity what it binds, if not all (freed.hpp)
-///     bound_drift<Joint>     of any velocity the same
-///     effort                 by what a motor drives it, if it has one axis
+///     least_axes, most_axes  how many axes it takes
+///     is_second_axis_of_child   if the second axis is not fixed in the parent
+///     form                   the form that error sentences suggest
+///     special                the type of its special word, if it takes one
+///     without_special        the mistake if a required special word is missing
+///     moves                  whether its two points separate
+///     turn<Joint>(frame_record&)   the rotation of the child from its home
+///     move<Joint>(point_record&)   the displacement from its base, if it moves
+///     spin<Joint>            its angular velocity in the frame from which it is rotated, if it turns
+///     drift<Joint>           its velocity in the parent, if it moves
+///     bound_spin<Joint>      the part of any angular velocity that it constrains, if not all (freed.hpp)
+///     bound_drift<Joint>     the same for any velocity
+///     effort                 whether a motor drives it by a torque or a force, if it has one axis
 ///     kinematics<Joint>()    its kinematic equations, if they are not q̇ = u
 namespace kanexpr::describe {
 
-/// What a joint with one axis can be driven by.
+/// The effort that can drive a joint with one axis.
 enum class joint_effort : unsigned char { none, torque, force };
 
 template <text... all>
@@ -34,7 +35,7 @@ struct names {
 template <class Coordinates, class Speeds>
 struct joint_symbols;
 
-/// The symbols of a joint: those that it is given, or chosen ones.
+/// The symbols of a joint: user-defined or chosen ones.
 template <text... coordinates, text... speeds>
 struct joint_symbols<names<coordinates...>, names<speeds...>> {
   static constexpr std::size_t of_position = sizeof...(coordinates), of_motion = sizeof...(speeds);
@@ -78,7 +79,7 @@ struct joint_symbols<names<coordinates...>, names<speeds...>> {
   }
 };
 
-/// A turn in the home.
+/// A rotation from the home.
 constexpr void turn_about(frame_record& r, const phrase& angle, const phrase& axis) {
   r.orientation = orientation_word::rotated;
   r.given_as = "the angle of frame ";
@@ -109,7 +110,7 @@ constexpr joint_record record_joint();
 template <class Joint>
 inline constexpr joint_record joint_of = record_joint<Joint>();
 
-/// Whether a joint is among the parents of a joint, as far as one looks.
+/// Whether `Joint` is among the nearest ancestors of a joint, up to `depth`.
 template <class Parent, class Joint, int depth>
 constexpr bool hangs_on() {
   if constexpr (std::is_same_v<Parent, Joint>)
@@ -151,7 +152,7 @@ struct joint : axes<Self>, place_words, joint_words {
   using parent = Parent;
   static constexpr bool hangs_on_itself = hangs_on<Parent, Self, 3>();
   static constexpr bool lacks_parent = word_of_a_joint<Parent>;
-  /// Whether there is a joint to speak of; where there is none, a mistake tells of it.
+  /// Whether the joint is well-formed; if not, its record contains a mistake.
   static constexpr bool is_written = !joint::are_of_another && !lacks_parent && !hangs_on_itself;
   static constexpr const frame_record* parent_frame() {
     if constexpr (hangs_on_itself)
@@ -167,7 +168,7 @@ struct joint : axes<Self>, place_words, joint_words {
   }
   static constexpr const frame_record* child_frame() { return &frame_of<Self>; }
 
-  /// The frame that the child is where all coordinates are zero.
+  /// The child's frame when all coordinates are zero.
   static constexpr const frame_record* home_frame() {
     if constexpr (has<joint_word::home>)
       return &home_of_joint<Self>;
@@ -175,7 +176,8 @@ struct joint : axes<Self>, place_words, joint_words {
       return parent_frame();
   }
 
-  /// Axes that are given in `own` ones are fixed in the home of the child, or, `seen_by` the child, in that.
+  /// An axis in terms of `own` axes is fixed both in the home of the child and in the child; `seen_by`
+  /// selects the frame that `own` denotes.
   template <std::size_t index>
   static constexpr auto axis_in(const frame_record* seen_by) {
     if constexpr (!has<joint_word::axis>)
@@ -198,14 +200,14 @@ struct joint : axes<Self>, place_words, joint_words {
       return false;
   }();
 
-  /// Where the joint sits in the parent.
+  /// The location of the joint in the parent.
   static constexpr const point_record* base_point() {
     if constexpr (is_off_parent)
       return &base_of_joint<Self>;
     else
       return parent_point();
   }
-  /// Where it sits in the child.
+  /// The location of the joint in the child.
   static constexpr const point_record* joint_point() {
     if constexpr (is_off_child)
       return &point_of_joint<Self>;
@@ -286,7 +288,7 @@ struct joint : axes<Self>, place_words, joint_words {
     if constexpr (is_written) {
       r = written();
     } else {
-      r.mistake = lacks_parent ? "lacks its parent" : "hangs on itself";
+      r.mistake = lacks_parent ? "lacks a parent" : "is attached to itself";
       if (lacks_parent) r.form = Kind::form;
     }
     r.calls_itself = type_name<Self>();
@@ -329,7 +331,8 @@ private:
     return list_of<phrase, &phrase_of<rate_is_speed<Self, index>, Self>...>::all;
   }
 
-  /// The axes that need a look: whether they have a length, are fixed, and two of them are not parallel.
+  /// The axes that need a check: for their length, for being fixed, and, if there are two, for not being
+  /// parallel.
   static constexpr listing<phrase> axes_told() {
     if constexpr (!has<joint_word::axis>) {
       return {};
@@ -345,7 +348,7 @@ private:
     }
   }
 
-  /// The child's point from where the joint sits in the child.
+  /// The child's point relative to the location of the joint in the child.
   static constexpr auto from_joint(const frame_record* seen_by) {
     if constexpr (is_off_child)
       return -by_axes_of(seen_by, word<joint_word::at>::in_child);
@@ -354,7 +357,7 @@ private:
   }
 };
 
-/// A mistake with a word, which names the joint that it is given.
+/// A mistake in a word, with the name of the joint that contains it.
 template <class Joint>
 constexpr token misused_with(misuse what) {
   token named = misused(what);

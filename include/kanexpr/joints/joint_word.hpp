@@ -6,16 +6,16 @@
 #include <cstddef>
 #include <utility>
 
-/// What a joint is given between the angle brackets behind its parent, in any order.
+/// The words of a joint, which follow its parent between the angle brackets, in any order.
 namespace kanexpr {
 
 namespace describe {
 
-/// A special word belongs to some kinds of joints alone: its type `special` is that of these kinds, `twice`
-/// and `misplaced` are what is wrong with two of them, and with one elsewhere.
+/// A special word is restricted to some kinds of joints: its type `special` equals that of these kinds;
+/// `twice` and `misplaced` are the mistakes if it is repeated or used elsewhere.
 enum class joint_word : unsigned char { at, home, axis, by, body, special };
 
-/// One of several expressions.
+/// Selects one of several expressions.
 template <std::size_t wanted, auto first, auto... rest>
 constexpr auto one_of() {
   if constexpr (wanted == 0)
@@ -24,7 +24,7 @@ constexpr auto one_of() {
     return one_of<wanted - 1, rest...>();
 }
 
-/// An expression in which `own` means the axes of a frame.
+/// The expression with `own` replaced by the axes of a frame.
 template <class Expression>
 constexpr auto by_axes_of(const frame_record* frame, const Expression& given) {
   if constexpr (requires { given.tokens; }) {
@@ -37,7 +37,7 @@ constexpr auto by_axes_of(const frame_record* frame, const Expression& given) {
   }
 }
 
-/// Whether an expression holds `own` axes.
+/// Whether an expression contains `own` axes.
 template <class Expression>
 constexpr bool holds_own(const Expression& given) {
   if constexpr (requires { given.tokens; })
@@ -46,7 +46,7 @@ constexpr bool holds_own(const Expression& given) {
   return false;
 }
 
-/// Whether an expression is an axis of a frame, or an `own` one.
+/// Whether an expression is a basis vector of a frame or of `own`.
 template <class Expression>
 constexpr bool is_basis_of(const frame_record* frame, const Expression& given) {
   if constexpr (requires { given.tokens; })
@@ -56,7 +56,7 @@ constexpr bool is_basis_of(const frame_record* frame, const Expression& given) {
     return false;
 }
 
-/// The unit vector along a direction, which a basis vector is already.
+/// The unit vector along a direction; a basis vector is returned unchanged.
 template <class Direction>
 constexpr auto unit_along(const Direction& given) {
   if constexpr (requires { requires shape_of_operand<Direction> == shape::vector; }) {
@@ -69,7 +69,7 @@ constexpr auto unit_along(const Direction& given) {
   }
 }
 
-/// The word of a kind among those of a joint; `void`: there is none.
+/// The word of a kind among the words of a joint, or `void`.
 template <joint_word wanted, class... Words>
 struct joint_word_among {
   using type = void;
@@ -87,8 +87,8 @@ concept word_of_a_joint = requires { Word::joint_word; };
 
 } // namespace describe
 
-/// Where a joint sits: in the parent, as a vector from the parent's point, and in the child, as a vector from
-/// the child's point in `own` axes. Without it, and without the second, at these points.
+/// The location of a joint: in the parent, as a vector from the parent's point, and in the child, as a vector
+/// from the child's point in `own` axes. An omitted vector is zero.
 template <auto... in_parent_and_child>
 struct at {
   static constexpr describe::joint_word joint_word = describe::joint_word::at;
@@ -97,7 +97,7 @@ struct at {
   static constexpr auto in_child = describe::one_of<1, in_parent_and_child..., 0, 0>();
 };
 
-/// The axis of a joint, or two of them: vectors of any length that are fixed in the parent, or in `own` axes,
+/// The axis of a joint, or its two axes: vectors of any length, fixed in the parent or given in `own` axes,
 /// those of the child.
 template <auto... vectors>
 struct axis {
@@ -107,8 +107,8 @@ struct axis {
   static constexpr auto second = describe::one_of<1, vectors..., own::z, own::z>();
 };
 
-/// How the child is turned from the parent where all coordinates of the joint are zero: by an angle and an
-/// axis in the parent, or by nine direction cosines, as those of `direction_cosines`.
+/// The rotation of the child from the parent when all coordinates of the joint are zero: an angle and an axis
+/// in the parent, or nine direction cosines in the order of `direction_cosines`.
 template <auto... given>
 struct home {
   static constexpr describe::joint_word joint_word = describe::joint_word::home;
@@ -127,7 +127,7 @@ struct home {
   }
 };
 
-/// The same by three turns about the axes as they stand after each turn: `home_angles<"zyx", a, b, c>`.
+/// The same by three successive rotations about the child's own axes: `home_angles<"zyx", a, b, c>`.
 template <text sequence, auto... angles>
 struct home_angles {
   static constexpr describe::joint_word joint_word = describe::joint_word::home;
@@ -139,7 +139,7 @@ struct home_angles {
   }
 };
 
-/// The symbols of a joint, in place of those that it chooses: its coordinates, and behind them its speeds.
+/// User-defined symbols of a joint instead of the chosen ones: its coordinates, followed by its speeds.
 template <auto... symbols>
 struct by {
   static constexpr describe::joint_word joint_word = describe::joint_word::by;
@@ -148,9 +148,9 @@ struct by {
   static constexpr auto symbol = describe::one_of<index, symbols...>();
 };
 
-/// The body that moves with the child: its mass, its mass centre as a vector from the child's point, and its
-/// inertia about the mass centre; without an inertia a particle, and without a centre at the child's point.
-/// `own` means the axes of the child, also in `inertia<own, Ixx, …>`.
+/// The body that moves with the child: its mass, its mass center as a vector from the child's point, and its
+/// inertia about the mass center. Without an inertia it is a particle; the default center is the child's
+/// point. `own` denotes the axes of the child, also in `inertia<own, Ixx, …>`.
 template <auto mass, auto center = 0.0 * own::x, class... Inertia>
 struct body {
   static constexpr describe::joint_word joint_word = describe::joint_word::body;
@@ -163,7 +163,7 @@ struct body {
   }
 };
 
-/// A frame and a point as the parent of a joint: `pin<Link, frame_and_point<A, P>, …>`.
+/// Combines a frame and a point into the parent of a joint: `pin<Link, frame_and_point<A, P>, …>`.
 template <class Frame, class Point>
 struct frame_and_point {};
 

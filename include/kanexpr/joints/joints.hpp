@@ -5,8 +5,8 @@
 
 namespace kanexpr {
 
-/// The joints of a system. Their coordinates, speeds and kinematic equations come behind those that the
-/// system lists itself, in the order of the joints, and their bodies behind its bodies.
+/// The joints of a system. Their coordinates, speeds and kinematic equations follow those that the system
+/// lists itself, in the order of the joints, and their bodies follow the listed bodies.
 template <class... Joints>
 struct joints : describe::system_words {
   static constexpr std::string_view word = "joints";
@@ -17,7 +17,7 @@ struct joints : describe::system_words {
 
 namespace describe {
 
-/// What stands for a symbol that a joint does not have.
+/// Replaces a symbol that a joint does not have.
 template <class Joint>
 constexpr scalar<1> no_symbol_of(misuse what) {
   return {{misused_with<Joint>(what)}};
@@ -44,11 +44,11 @@ constexpr auto speed_of() {
 
 } // namespace describe
 
-/// Coordinate i of a joint, from 1.
+/// Coordinate i of a joint, counted from 1.
 template <class Joint, std::size_t index = 1>
 inline constexpr auto q_of = describe::coordinate_of<Joint, index>();
 
-/// Speed i of a joint, from 1.
+/// Speed i of a joint, counted from 1.
 template <class Joint, std::size_t index = 1>
 inline constexpr auto u_of = describe::speed_of<Joint, index>();
 

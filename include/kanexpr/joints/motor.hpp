@@ -3,7 +3,7 @@
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/joints/joint.hpp>
 
-/// Loads along the axis of a joint, on the child, and the opposite on the parent.
+/// Loads along the axis of a joint, which act on the child and oppositely on the parent.
 namespace kanexpr {
 
 namespace describe {
@@ -16,7 +16,7 @@ inline constexpr auto chosen_effort = [] {
     return input<name_before<"T", Joint>>{};
 }();
 
-/// `value` is what acts along the axis.
+/// `value` is the torque or force along the axis.
 template <class Load, class Joint, auto value>
 constexpr load_record load_along_axis(std::string_view word) {
   load_record r;
@@ -59,7 +59,7 @@ constexpr auto friction_of_joint() {
 
 } // namespace describe
 
-/// The input that a motor without one of its own chooses: T_Link2, or F_Link2 of a joint that slides.
+/// The default input of a motor: T_Link2, or F_Link2 for a sliding joint.
 template <class Joint>
 inline constexpr auto effort_of = describe::chosen_effort<Joint>;
 
@@ -75,7 +75,7 @@ struct motor : describe::load_words {
   }();
 };
 
-/// Viscous friction in a joint with one axis: −c u about or along it, by the joint's speed u.
+/// Viscous friction in a joint with one axis: −c u about or along it, where u is the joint's speed.
 template <class Joint, auto... damping>
 struct joint_friction : describe::load_words {
   static constexpr describe::load_record load = [] {

@@ -3,22 +3,22 @@
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/joints/joint.hpp>
 
-/// How a child turns freely in its home: by a unit quaternion, or by three angles.
+/// The orientation of a freely turning child relative to its home: a unit quaternion or three angles.
 namespace kanexpr {
 
 namespace describe {
 struct turns_freely {};
 } // namespace describe
 
-/// Three angles in place of the unit quaternion of a joint that turns freely: `angles<"zxz">`, about the axes
-/// of the child as they stand after each turn. All twelve sequences.
+/// Three angles instead of the unit quaternion of a freely turning joint: `angles<"zxz">`, about the
+/// successive axes of the child. All twelve sequences.
 template <text sequence>
 struct angles {
   static constexpr describe::joint_word joint_word = describe::joint_word::special;
   using special = describe::turns_freely;
-  static constexpr std::string_view twice = "is given two sequences of angles";
+  static constexpr std::string_view twice = "has two sequences of angles";
   static constexpr std::string_view misplaced =
-      "is given angles<...>, which belongs to a joint that turns freely, spherical<...> or floating<...>";
+      "has angles<...>, which belongs to a freely turning joint, spherical<...> or floating<...>";
   static constexpr void turn_by(describe::frame_record& r) {
     r.orientation = describe::orientation_word::body_fixed;
     for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
@@ -28,8 +28,8 @@ struct angles {
 
 namespace describe {
 
-/// A child that turns freely: its coordinates of orientation begin with number `first_q`, its angular
-/// velocity relative to its home, in its own axes, with `first_u`.
+/// A freely turning child: its coordinates of orientation start at index `first_q`, the components of its
+/// angular velocity relative to its home, in its own axes, at index `first_u`.
 template <bool by_angles, std::size_t first_q, std::size_t first_u>
 struct free_orientation {
   using special = turns_freely;
@@ -48,7 +48,7 @@ struct free_orientation {
       r.given[0] = phrase_of<Joint::template q<first_q>, Joint>;
       r.given[1] = phrase_of<Joint::template q<first_q + 1>, Joint>;
       r.given[2] = phrase_of<Joint::template q<first_q + 2>, Joint>;
-    } else { // the real part comes last in the state
+    } else { // the scalar part comes last in the state
       r.orientation = orientation_word::quaternion;
       r.given_as = "the quaternion of frame ";
       r.given[0] = phrase_of<Joint::template q<first_q + 3>, Joint>;

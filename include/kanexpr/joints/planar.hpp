@@ -42,9 +42,9 @@ struct planar_joint {
 
 } // namespace describe
 
-/// The child goes by q1 along the first axis and by q2 along the second, and turns by q3 about the normal of
-/// their plane, from the first to the second: `planar<Puck, Table, axis<own::x, own::y>>`. The second is
-/// taken at right angles to the first.
+/// The child moves by q1 along the first axis and by q2 along the second, and rotates by q3 about the normal
+/// of their plane, from the first to the second: `planar<Puck, Table, axis<own::x, own::y>>`. The second axis
+/// is made perpendicular to the first.
 template <class Self, class Parent, class... Words>
 struct planar : describe::joint<Self, Parent, describe::planar_joint, Words...> {};
 

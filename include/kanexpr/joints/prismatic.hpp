@@ -30,7 +30,7 @@ struct prismatic_joint {
 
 } // namespace describe
 
-/// A slider: the child goes along an axis without turning. `prismatic<Carriage, Ground, axis<Ground::x>>`.
+/// A slider: the child moves along an axis without rotating. `prismatic<Carriage, Ground, axis<Ground::x>>`.
 template <class Self, class Parent, class... Words>
 struct prismatic : describe::joint<Self, Parent, describe::prismatic_joint, Words...> {};
 

@@ -7,7 +7,8 @@ namespace kanexpr {
 
 namespace describe {
 
-/// The frame and the point of a joint, which moves with auxiliary speeds along all ways that it binds.
+/// The frame and the point of a joint, moving with auxiliary speeds in all directions that the joint
+/// constrains.
 template <class Joint>
 struct freed_joint {
   using kind = typename Joint::kind;
@@ -35,8 +36,7 @@ struct freed_joint {
     return r;
   }();
 
-  /// It moves from where the joint sits in the parent, which has a velocity of its own where it is not fixed
-  /// there.
+  /// Its velocity is relative to the location of the joint in the parent, which may itself move there.
   static constexpr point_record point = [] {
     point_record r = *Joint::joint_point();
     if constexpr (!kind::moves) {
@@ -74,8 +74,8 @@ inline constexpr reaction_record reaction_of = [] {
 
 } // namespace describe
 
-/// Gives joints auxiliary speeds, six each: the noncontributing forces of the system are then the forces and
-/// torques that these joints carry, by their components in the axes of the child.
+/// Adds auxiliary speeds to joints, six each: the noncontributing forces of the system are then the reaction
+/// forces and torques of these joints, by their components in the axes of the child.
 template <class... Joints>
 struct reactions : describe::system_words {
   static constexpr std::string_view word = "reactions";

@@ -8,14 +8,14 @@ namespace describe {
 struct advances {};
 } // namespace describe
 
-/// How far a screw goes for each radian that it turns, in metres: of a thread that advances by p a turn,
-/// p/(2π). Negative for a left-handed one.
+/// The advance of a screw per radian, in meters: p/(2π) for a thread that advances by p per turn. Negative
+/// for a left-handed thread.
 template <auto advance>
 struct pitch {
   static constexpr describe::joint_word joint_word = describe::joint_word::special;
   using special = describe::advances;
-  static constexpr std::string_view twice = "is given two pitches";
-  static constexpr std::string_view misplaced = "is given pitch<...>, which belongs to a screw<...>";
+  static constexpr std::string_view twice = "has two pitches";
+  static constexpr std::string_view misplaced = "has pitch<...>, which belongs to a screw<...>";
   static constexpr auto value = advance;
 };
 
@@ -24,7 +24,7 @@ namespace describe {
 struct screw_joint {
   using symbols = joint_symbols<names<"q">, names<"u">>;
   static constexpr std::string_view form =
-      "screw<Self, Parent, axis<vector>, pitch<advance for each radian>, by<coordinate, speed>>";
+      "screw<Self, Parent, axis<vector>, pitch<advance per radian>, by<coordinate, speed>>";
   static constexpr std::size_t least_axes = 1, most_axes = 1;
   static constexpr bool moves = true;
   using special = advances;
@@ -64,7 +64,7 @@ struct screw_joint {
 
 } // namespace describe
 
-/// The child turns about an axis and goes along it in proportion: `screw<Nut, Ground, axis<Ground::z>,
+/// The child rotates about an axis and advances along it in proportion: `screw<Nut, Ground, axis<Ground::z>,
 /// pitch<h>>`. A motor drives it by a torque.
 template <class Self, class Parent, class... Words>
 struct screw : describe::joint<Self, Parent, describe::screw_joint, Words...> {};

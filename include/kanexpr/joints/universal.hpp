@@ -40,9 +40,10 @@ struct universal_joint {
 
 } // namespace describe
 
-/// A cross between two shafts, Hooke's joint: the cross turns in the parent by q1 about the first axis, which
-/// is fixed there, and the child on the cross by q2 about the second, which is fixed in the child:
-/// `universal<Shaft, Parent, axis<Parent::x, own::y>>`. The axes may stand at any angle to each other.
+/// A cross between two shafts, or Hooke's joint: the cross rotates in the parent by q1 about the first axis,
+/// which is fixed there, and the child rotates on the cross by q2 about the second axis, which is fixed in
+/// the child: `universal<Shaft, Parent, axis<Parent::x, own::y>>`. The angle between the axes is arbitrary
+/// except zero.
 template <class Self, class Parent, class... Words>
 struct universal : describe::joint<Self, Parent, describe::universal_joint, Words...> {};
 

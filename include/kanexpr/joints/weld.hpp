@@ -8,7 +8,7 @@ namespace describe {
 
 struct weld_joint {
   using symbols = joint_symbols<names<>, names<>>;
-  static constexpr std::string_view form = "weld<Self, Parent>, without axes and symbols";
+  static constexpr std::string_view form = "weld<Self, Parent>, without axes or symbols";
   static constexpr std::size_t least_axes = 0, most_axes = 0;
   static constexpr bool moves = false;
 
@@ -20,7 +20,7 @@ struct weld_joint {
 
 } // namespace describe
 
-/// The child is fixed in the parent: `weld<Tool, Flange, at<0.1*Flange::z>, body<…>>`.
+/// Fixes the child in the parent: `weld<Tool, Flange, at<0.1*Flange::z>, body<…>>`.
 template <class Self, class Parent, class... Words>
 struct weld : describe::joint<Self, Parent, describe::weld_joint, Words...> {};
 

@@ -6,7 +6,7 @@ namespace kanexpr::deriving {
 
 using describe::body_record;
 
-/// The particles and rigid bodies of a model.
+/// Reads the particles and rigid bodies of a model.
 class body_reader {
 public:
   constexpr body_reader(reading& all, phrase_reader& phrases, entity_reader& entities)
@@ -21,8 +21,9 @@ public:
     if (r.called != r.calls_itself) return reading_.slip("body ", r.called, r.calls_itself);
     if (!r.fits) return reading_.wrong_count("body ", r.called, r.fits);
     if (r.has_whole_zeros && r.about == nullptr && !r.inertia_changes && !r.effective)
-      return reading_.fail({"the inertia of ", r.called,
-                            " is zero, as 1/2 is in C++; a body without an inertia is a particle<...>"});
+      return reading_.fail(
+          {"the inertia of ", r.called,
+           " is zero, which is also the value of 1/2 in C++; a body without inertia is a particle<...>"});
     if (!r.instead_of_inertia.empty())
       return reading_.fail(
           {"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is not an inertia"});

@@ -7,15 +7,15 @@ namespace kanexpr::deriving {
 
 using mechanics::velocity_constraint;
 
-/// The constraints of a model. Their symbols and entities are read with all others; what they say is
-/// evaluated only when positions and velocities are known.
+/// Reads the constraints of a model. Their symbols and entities are read with all others; the constraints
+/// themselves are evaluated once positions and velocities are known.
 class constraint_reader {
 public:
   constexpr constraint_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
                               entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// After `know`.
+  /// Requires that `know` was called.
   constexpr void read_constraints() {
     if (reading_.mistake) return;
     for (const kind& k : kinds)
@@ -28,8 +28,8 @@ public:
       for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i) {
         const phrase& p = (reading_.from.*k.list)[i];
         if (p.kind != shape::equation && p.kind != shape::vanishing)
-          return reading_.fail({k.word, "<...> holds something that is not an equation",
-                                name_in(p).empty() ? "" : ", with ", name_in(p),
+          return reading_.fail({k.word, "<...> contains something that is not an equation",
+                                name_in(p).empty() ? "" : ", involving ", name_in(p),
                                 "; write an equation or zero_along<...>"});
         if (k.list == &system_record::configuration_constraints) check_speaks_of_places(p);
         entities_.visit(p.tokens, p.size, k.whom);
@@ -47,9 +47,9 @@ public:
                                            ? symbolic::symbol_kind::coordinate_rate
                                            : symbolic::symbol_kind::speed;
     if (!coordinate && (s == nullptr || s->kind != rate))
-      return reading_.fail({whom, " holds something that is neither a coordinate nor ",
+      return reading_.fail({whom, " contains something that is neither a coordinate nor ",
                             reading_.takes_rates_as_speeds() ? "the rate of one" : "a speed",
-                            p.size > 0 ? ", with " : "", name_in(p)});
+                            p.size > 0 ? ", involving " : "", name_in(p)});
     const expression e = symbols_.symbol(*s, whom);
     if (reading_.mistake) return;
     const int place = coordinate ? m_.coordinates.find(e) : m_.speeds.find(e);
@@ -90,18 +90,20 @@ private:
       into.rates_by_auxiliary.push(rate_by_auxiliary(m_, c.value));
   }
 
-  /// A configuration constraint on a velocity, such as rolling, would be told by the speeds that it holds.
+  /// A configuration constraint on a velocity, such as rolling, would otherwise be reported for the speeds
+  /// that it contains.
   constexpr void check_speaks_of_places(const phrase& p) {
     for (int i = 0; i < p.size; ++i) {
       const describe::token& t = p.tokens[i];
       const bool turns = t.what == describe::token_kind::angular_velocity;
       if (!turns && t.what != describe::token_kind::velocity) continue;
-      return reading_.fail({"a configuration constraint speaks of the ", turns ? "angular " : "",
+      return reading_.fail({"a configuration constraint contains the ", turns ? "angular " : "",
                             "velocity of ", turns ? t.frame->called : t.point->called,
                             "; write it in velocity_constraints<...>"});
     }
   }
-  /// What is zero by one constraint: an equation's difference, or a vector's part along each direction.
+  /// The expressions that one constraint sets to zero: the difference of an equation's sides, or a vector's
+  /// component along each direction.
   constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, const sequence<value>& found,
                                                        std::string_view whom) {
     sequence<velocity_constraint> all;
@@ -113,17 +115,17 @@ private:
       return all;
     }
     const auto fail_for = [&](std::string_view given) {
-      reading_.fail({"zero_along<...> of ", whom, " with ", name_in(p), " is given ", given});
+      reading_.fail({"zero_along<...> of ", whom, " with ", name_in(p), " has ", given});
     };
-    if (found[0].kind != shape::vector) fail_for("something that is not a vector");
+    if (found[0].kind != shape::vector) fail_for("a first argument that is not a vector");
     if (found.size() == 1) fail_for("no direction");
     for (int i = 1; i < found.size() && !reading_.mistake; ++i) {
       const mechanics::vector &v = found[0].vector, &direction = found[i].vector;
       if (found[i].kind != shape::vector)
         fail_for("a direction that is not a vector");
       else if (direction.is_zero())
-        fail_for("a direction of no length");
-      else if (direction.parts.size() == 1) // as `dot`, but in the same axes for all directions
+        fail_for("a direction of zero length");
+      else if (direction.parts.size() == 1) // like `dot`, but in the same axes for all directions
         all.push({along(m_, v, direction), v, direction});
       else
         all.push({dot(m_, v, direction), v, direction});

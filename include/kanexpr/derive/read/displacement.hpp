@@ -4,13 +4,13 @@
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 
-/// Where auxiliary speeds would take points and axes. What says of places that they stay together knows
-/// nothing of them, for no coordinate does; so it is read once more with each point gone along its velocity
-/// by auxiliary speeds and each axis turned by such an angular velocity. What these speeds add to its rate is
-/// linear in them.
+/// The displacement of points and axes by auxiliary speeds. Configuration constraints do not depend on
+/// auxiliary speeds, because coordinates do not. So they are read a second time, with each point displaced
+/// along its velocity due to auxiliary speeds and each axis rotated by the corresponding angular velocity.
+/// The contribution of these speeds to the rate of the constraint is linear in them.
 namespace kanexpr::deriving {
 
-/// Of a velocity, what auxiliary speeds bring to it.
+/// The contribution of auxiliary speeds to a velocity.
 constexpr mechanics::vector part_by_auxiliary(const mechanics::mechanism& m, const mechanics::vector& v) {
   mechanics::vector out;
   for (const mechanics::vector::part& p : v.parts) {
@@ -34,7 +34,8 @@ constexpr mechanics::vector displaced_axis(mechanics::motion& k, int frame, cons
   return plus(axis, cross(m, turning, axis));
 }
 
-/// What auxiliary speeds add to the rate of something, by what it is where they have taken it.
+/// The contribution of auxiliary speeds to the rate of an expression, given its value in the displaced
+/// configuration.
 constexpr expression rate_by_auxiliary(const mechanics::mechanism& m, expression displaced) {
   mechanics::without_auxiliary_speeds drop(m);
   expression rate = m.zero();

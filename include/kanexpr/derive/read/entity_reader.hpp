@@ -11,7 +11,7 @@
 
 namespace kanexpr::deriving {
 
-/// The frames and points of a model, each read when it is first mentioned, after all that it hangs on.
+/// Reads the frames and points of a model, each at its first mention, after all entities on which it depends.
 class entity_reader {
 public:
   constexpr entity_reader(reading& all, phrase_reader& phrases)
@@ -22,7 +22,7 @@ public:
     phrases_.check_written({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
     if (reading_.from.inertial != nullptr)
-      reading_.known = nullptr; // only a system of words has words for more
+      reading_.known = nullptr; // only a system given by words can name additional entities
     for (int i = 0; i < size && !reading_.mistake; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
@@ -30,8 +30,8 @@ public:
     reading_.known = known;
   }
 
-  /// Lets a system that is derived take up what phrases mentioned and it does not use itself; with a mistake,
-  /// forgets that, for the system is sound without it.
+  /// Adds the entities that phrases mention, but that the system does not use itself, to a derived system. If
+  /// there is a mistake they are discarded, because the system is valid without them.
   constexpr void take_up() {
     if (reading_.known == nullptr) return;
     const mechanics::skeleton& s = reading_.known->skeleton_used();
@@ -43,7 +43,7 @@ public:
     if (reading_.mistake) forget_after(frames, points);
   }
 
-  /// What is known of entities, where there is no mistake and nothing is being read.
+  /// The state that is kept if there is no mistake and nothing is being read.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.frames_);
@@ -51,12 +51,12 @@ public:
     visit(self.points_);
   }
 
-  /// The number of a frame that `whom` mentions; it and all that it hangs on are read if they were not yet.
+  /// The index of a frame that `whom` mentions. The frame and its ancestors are read if necessary.
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)
       if (frames_[i] == r) return places_of_frames_[i];
     if (reading_.known != nullptr)
-      reading_.fail({"frame ", r->called, " of ", whom, " is not part of the system that was derived"});
+      reading_.fail({"frame ", r->called, " of ", whom, " is not part of the derived system"});
     check_frame(*r, whom);
     if (reading_.mistake) return mechanism::inertial;
     const int describing_before = reading_.describing;
@@ -88,7 +88,7 @@ public:
     const int present = points_.find(r);
     if (present >= 0) return present;
     if (reading_.known != nullptr)
-      reading_.fail({"point ", r->called, " of ", whom, " is not part of the system that was derived"});
+      reading_.fail({"point ", r->called, " of ", whom, " is not part of the derived system"});
     check_point(*r, whom);
     if (reading_.mistake) return 0;
     const point_record& told = *freed_.told_of(r);
@@ -139,12 +139,12 @@ private:
     open_points_.clear();
   }
 
-  /// What is used as a frame or point and is none.
+  /// Reports a type that is used as a frame or point but is neither.
   constexpr void no_such(std::string_view kind, std::string_view called, std::string_view whom,
                          std::string_view instead, std::string_view its_own) {
     if (instead.empty())
-      return reading_.fail({called, ", which ", whom, " uses as a ", kind, ", is not a ", kind,
-                            ", or is described only later"});
+      return reading_.fail(
+          {called, ", which ", whom, " uses as a ", kind, ", is not a ", kind, ", or is defined later"});
     const bool has_own = !its_own.empty();
     reading_.fail({called, ", which ", whom, " uses as a ", kind, ", is ", instead, has_own ? "; its " : "",
                    has_own ? kind : "", has_own ? " is " : "", its_own});
@@ -165,7 +165,7 @@ private:
       reading_.fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
                      reading_.from.inertial->called});
     if (&r == reading_.from.inertial && r.reference != nullptr)
-      reading_.fail({"the inertial frame ", r.called, " is given an angular velocity"});
+      reading_.fail({"the inertial frame ", r.called, " has a declared angular velocity"});
     if (open_frames_.contains(&r)) reading_.fail({"frame ", r.called, " is oriented relative to itself"});
     for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
       for (const frame_record* f : *list)
@@ -180,14 +180,14 @@ private:
     if (!r.fits) return reading_.wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(
-          {"point ", r.called, " is an origin, fixed in the inertial frame, and is given a motion"});
+          {"point ", r.called, " is an origin, fixed in the inertial frame, but has a declared motion"});
     if (open_points_.contains(&r)) reading_.fail({"point ", r.called, " is offset from itself"});
     for (const sequence<const point_record*>* list : {&points_, &open_points_})
       for (const point_record* p : *list)
         if (p->called == r.called) reading_.fail({"two points are called ", r.called});
     if (r.fixed_in != nullptr && r.reference != nullptr)
-      reading_.fail({"point ", r.called, " is fixed in ", r.fixed_in->called,
-                     " and is given a velocity of its own as well"});
+      reading_.fail(
+          {"point ", r.called, " is fixed in ", r.fixed_in->called, ", but also has a declared velocity"});
   }
 
   constexpr int add_frame(const frame_record& r, int parent) {
@@ -206,18 +206,19 @@ private:
       const mechanics::vector axis = phrases_.vector_of(r.axis, {"the axis of frame ", r.called}, r.called);
       if (reading_.mistake) return mechanism::inertial;
       const components a = mechanics::express(m_, axis, parent);
-      if (a.is_zero()) reading_.fail({"frame ", r.called, " is turned about an axis of no length"});
+      if (a.is_zero()) reading_.fail({"frame ", r.called, " is rotated about an axis of zero length"});
       if (!mechanics::is_fixed(a))
         reading_.fail(
-            {"frame ", r.called, " is turned about an axis that is not fixed in ", r.parent->called});
+            {"frame ", r.called, " is rotated about an axis that is not fixed in ", r.parent->called});
       return reading_.mistake ? mechanism::inertial
                               : mechanics::add_rotated_frame(m_, called, parent, given[0], a);
     }
     case orientation_word::body_fixed:
     case orientation_word::space_fixed:
       if (!mechanics::is_sequence({r.sequence, 3})) {
-        reading_.fail({"frame ", r.called,
-                       " is turned by an invalid sequence; take three axes, no two neighbours alike: zxz"});
+        reading_.fail(
+            {"frame ", r.called,
+             " has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz"});
         return mechanism::inertial;
       }
       return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,
@@ -240,9 +241,9 @@ private:
   phrase_reader& phrases_;
   freed_joints freed_;
   sequence<const frame_record*> frames_{};
-  sequence<int> places_of_frames_{}; ///< a sequence of turns has frames of its own in between
+  sequence<int> places_of_frames_{}; ///< a sequence of rotations has intermediate frames
   sequence<const point_record*> points_{};
-  sequence<const frame_record*> open_frames_{}; ///< that are being read
+  sequence<const frame_record*> open_frames_{}; ///< currently being read
   sequence<const point_record*> open_points_{};
 };
 

@@ -4,7 +4,7 @@
 
 namespace kanexpr::deriving {
 
-/// Whether an entity is given from another one, by way of its parents, or is that.
+/// Whether an entity is given relative to another one, directly or through its ancestors, or is the same.
 template <class Record>
 constexpr bool is_given_from(const Record& given, const Record* other) {
   const Record* r = &given;
@@ -12,13 +12,13 @@ constexpr bool is_given_from(const Record& given, const Record* other) {
   return r == other;
 }
 
-/// The joints of a system whose reactions are wanted: auxiliary speeds move their frames and points, and what
-/// hangs on these.
+/// The joints of a system whose reactions are requested: auxiliary speeds move their frames and points, and
+/// everything attached to them.
 class freed_joints {
 public:
   constexpr explicit freed_joints(reading& all) : reading_(all) {}
 
-  /// A frame of such a joint moves as all frames do, and with auxiliary speeds.
+  /// The record of a frame; the frame of such a joint also moves with auxiliary speeds.
   constexpr const frame_record* told_of(const frame_record* r) const {
     for (int i = 0; i < size(); ++i)
       if (freed(i).frame == r) return freed(i).freed_frame;
@@ -30,8 +30,8 @@ public:
     return r;
   }
 
-  /// Of the joint that a point hangs on: auxiliary speeds turn this frame and all that is fixed in it, in
-  /// whatever axes it was given. Without such joints none.
+  /// The frame of the joint to which a point is attached: auxiliary speeds rotate this frame and everything
+  /// fixed in it, regardless of the axes in which it was given. Null if there are no such joints.
   constexpr const frame_record* frame_below(const point_record& r) const {
     if (size() == 0) return nullptr;
     const describe::listing<describe::joint_record>& joints = reading_.from.joints;
@@ -41,13 +41,13 @@ public:
     return nullptr;
   }
 
-  /// A motion that is measured from behind such a joint would leave out its auxiliary speeds.
+  /// A motion relative to a frame on the other side of such a joint would miss its auxiliary speeds.
   constexpr void check_is_held(const frame_record& r) const {
     for (int i = 0; i < size(); ++i)
       if (is_given_from(*r.parent, freed(i).frame) && !is_given_from(*r.reference, freed(i).frame))
         fail_past(freed(i), "the angular velocity of frame ", r.called, *r.reference);
   }
-  /// Of a velocity in the inertial frame.
+  /// The same for a velocity in the inertial frame.
   constexpr void check_is_held(const point_record& r) const {
     for (int i = 0; i < size(); ++i)
       if (is_given_from(*r.parent, freed(i).point))
@@ -60,8 +60,8 @@ private:
 
   constexpr void fail_past(const describe::reaction_record& joint, std::string_view what,
                            std::string_view called, const frame_record& reference) const {
-    reading_.fail({what, called, " is given in ", reference.called, ", past joint ", joint.called,
-                   ", whose reactions are asked for; give it in ", joint.called});
+    reading_.fail({what, called, " is declared in ", reference.called, ", across joint ", joint.called,
+                   ", whose reactions are requested; declare it in ", joint.called});
   }
 
   reading& reading_;

@@ -7,14 +7,15 @@ namespace kanexpr::deriving {
 
 using describe::joint_record;
 
-/// What the joints of a model bring to it beside their symbols, which stand behind those of its lists.
+/// Reads the contributions of joints to a model, except for their symbols, which follow those of the model's
+/// lists.
 class joint_reader {
 public:
   constexpr joint_reader(reading& all, entity_reader& entities, body_reader& bodies,
                          kinematics_reader& kinematics, phrase_reader& phrases)
       : reading_(all), phrases_(phrases), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
 
-  /// Before anything of them is read.
+  /// Called before anything of the joints is read.
   constexpr void check_all() {
     for (int i = 0; i < reading_.from.joints.size && !reading_.mistake; ++i) {
       const joint_record& r = reading_.from.joints[i];
@@ -29,9 +30,9 @@ public:
       check_reaction(reading_.from.reactions[i]);
   }
 
-  /// A joint is part of the system, and its body, whether anything else mentions it or not: but for one that
-  /// brings nothing that moves or has mass, whose point would be one more to choose where others are measured
-  /// from.
+  /// A joint and its body are part of the system whether or not anything else mentions them. An exception is
+  /// a joint that contributes neither motion nor mass: its point would be one more candidate where a point is
+  /// chosen as a reference.
   constexpr void read(const joint_record& r) {
     check_axes(r);
     if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
@@ -66,9 +67,9 @@ private:
 
   constexpr void check_parent(const joint_record& r, std::string_view parent, std::string_view instead) {
     if (instead.empty())
-      return reading_.fail({"joint ", r.called, " hangs on ", short_name(parent).view(),
-                            ", which is not a joint, or is described only later"});
-    reading_.fail({"joint ", r.called, " hangs on ", parent, ", which is ", instead,
+      return reading_.fail({"joint ", r.called, " is attached to ", short_name(parent).view(),
+                            ", which is not a joint, or is defined later"});
+    reading_.fail({"joint ", r.called, " is attached to ", parent, ", which is ", instead,
                    "; write frame_and_point<frame, point>"});
   }
 
@@ -80,31 +81,32 @@ private:
       const int home = entities_.frame(r.home, r.called);
       if (reading_.mistake) return;
       axes.push(mechanics::express(reading_.into.mechanism, given, home));
-      if (axes.back().is_zero()) return reading_.fail({"joint ", r.called, " is given an axis of no length"});
+      if (axes.back().is_zero()) return reading_.fail({"joint ", r.called, " has an axis of zero length"});
       if (!mechanics::is_fixed(axes.back()))
         return reading_.fail(
-            {"joint ", r.called, " is given an axis that is not fixed in ", r.parent_frame->called});
+            {"joint ", r.called, " has an axis that is not fixed in ", r.parent_frame->called});
     }
     if (axes.size() == 2 && cross(axes[0], axes[1]).is_zero())
-      reading_.fail({"joint ", r.called, " is given two axes that are parallel"});
+      reading_.fail({"joint ", r.called, " has two parallel axes"});
   }
 
-  /// A joint may go along its parent, but not stay behind where that turns.
+  /// A joint may move along with its parent, but must not stay behind when the parent turns.
   constexpr void check_place(const joint_record& r) {
-    const mechanics::vector given = phrases_.vector_of(r.place, {"the place of joint ", r.called}, r.called);
+    const mechanics::vector given =
+        phrases_.vector_of(r.place, {"the position of joint ", r.called}, r.called);
     const int parent = entities_.frame(r.parent_frame, r.called);
     if (!reading_.mistake && !mechanics::is_along_still_axes(reading_.into.mechanism, given, parent))
-      reading_.fail({"joint ", r.called, " is given a place along axes that are not fixed in ",
-                     r.parent_frame->called});
+      reading_.fail(
+          {"joint ", r.called, " is placed along axes that are not fixed in ", r.parent_frame->called});
   }
 
   constexpr void check_reaction(const describe::reaction_record& r) {
     if (r.joint == nullptr)
       return reading_.fail(
-          {"reactions are asked for of ", short_name(r.called).view(), ", which is not a joint"});
+          {"reactions are requested for ", short_name(r.called).view(), ", which is not a joint"});
     for (int i = 0; i < reading_.from.joints.size; ++i)
       if (&reading_.from.joints[i] == r.joint) return;
-    reading_.fail({"reactions are asked for of joint ", r.called, ", which is not listed in joints<...>"});
+    reading_.fail({"reactions are requested for joint ", r.called, ", which is not listed in joints<...>"});
   }
 
   reading& reading_;

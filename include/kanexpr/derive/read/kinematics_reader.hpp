@@ -8,7 +8,7 @@
 
 namespace kanexpr::deriving {
 
-/// The kinematic differential equations of a model.
+/// Reads the kinematic differential equations of a model.
 class kinematics_reader {
 public:
   constexpr kinematics_reader(reading& all, phrase_reader& phrases, entity_reader& entities)
@@ -19,8 +19,8 @@ public:
     if (p.kind == shape::simple) return note_simple();
     if (p.kind == shape::kinematics) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)
-      return reading_.fail({"kinematics<...> holds something that is not an equation",
-                            p.size > 0 ? ", with " : "", name_in(p), "; write dot(q) == u"});
+      return reading_.fail({"kinematics<...> contains something that is not an equation",
+                            p.size > 0 ? ", involving " : "", name_in(p), "; write dot(q) == u"});
     const value left_minus_right = phrases_.evaluate(p, whom);
     if (!reading_.mistake && left_minus_right.kind != shape::scalar)
       reading_.fail(
@@ -28,7 +28,7 @@ public:
     m_.kinematics.push(left_minus_right.scalar);
   }
 
-  /// After all others: those that `simple` stands for.
+  /// Adds the equations that `simple` represents; called after all others were read.
   constexpr void add_simple() {
     if (!has_simple_ || reading_.mistake) return;
     const sequence<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));
@@ -40,26 +40,27 @@ public:
     };
     const sequence<int> coordinates = left_out(m_.coordinate_rates), speeds = left_out(m_.speeds);
     if (coordinates.size() != speeds.size())
-      return reading_.fail({"kinematics<simple> has ", mechanics::counted(coordinates.size()).view(),
+      return reading_.fail({"kinematics<simple> finds ", mechanics::counted(coordinates.size()).view(),
                             coordinates.size() == 1 ? " coordinate and " : " coordinates and ",
                             mechanics::counted(speeds.size()).view(),
                             speeds.size() == 1 ? " speed" : " speeds",
-                            " in no other kinematic differential equation; there must be as many"});
+                            " in no other kinematic differential equation; the numbers must be equal"});
     if (coordinates.size() == 0)
-      return reading_.fail({"kinematics<simple> has no coordinate left; all have other equations"});
+      return reading_.fail(
+          {"kinematics<simple> has no coordinate left; all coordinates have other equations"});
     for (int i = 0; i < coordinates.size(); ++i)
       m_.kinematics.push(m_.coordinate_rates[coordinates[i]] - m_.speeds[speeds[i]]);
   }
 
 private:
   constexpr void note_simple() {
-    if (has_simple_) return reading_.fail({"kinematics<...> holds simple twice"});
+    if (has_simple_) return reading_.fail({"kinematics<...> contains simple twice"});
     has_simple_ = true;
   }
 
   constexpr void read_kinematics_of(const frame_record* of, const frame_record* in) {
     if (in == nullptr)
-      return reading_.fail({"kinematics_of takes two frames, and does not have them for ", of->called,
+      return reading_.fail({"kinematics_of is used with the wrong number of frames for ", of->called,
                             "; write kinematics_of<Frame, Reference>"});
     const int place = entities_.frame(of, "kinematics_of"), reference = entities_.frame(in, "kinematics_of");
     if (!reading_.mistake) reading_.mistake = mechanics::check_orientation_kinematics(m_, place, reference);

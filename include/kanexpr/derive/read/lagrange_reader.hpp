@@ -5,22 +5,23 @@
 
 namespace kanexpr::deriving {
 
-/// What only Lagrange's method needs: the rates of the coordinates as speeds, and the Lagrangian where the
-/// model gives it. It is read with its symbols, and evaluated when velocities are known.
+/// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
+/// Lagrangian if the model specifies it. The Lagrangian is read with its symbols and evaluated once
+/// velocities are known.
 class lagrange_reader {
 public:
   constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
                             entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// After `know`.
+  /// Requires that `know` was called.
   constexpr void read_lagrangian() {
     if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
     reading_.into.loads.lagrangian =
         phrases_.scalar_of(reading_.from.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
   }
 
-  /// After the list of coordinates.
+  /// Requires that the list of coordinates was read.
   constexpr void read_rates() {
     if (!reading_.takes_rates_as_speeds()) return;
     m_.derived_by = mechanics::method::lagrange;

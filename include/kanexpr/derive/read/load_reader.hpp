@@ -8,14 +8,14 @@
 
 namespace kanexpr::deriving {
 
-/// The loads of a model. Those that speak of motion are read with their symbols and entities like all others,
-/// and evaluated when velocities are known.
+/// Reads the loads of a model. Those that depend on motion are read with their symbols and entities like all
+/// others, and evaluated once velocities are known.
 class load_reader {
 public:
   constexpr load_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases, entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// After `know`. Whether there were any.
+  /// Requires that `know` was called. Returns whether there were any.
   constexpr bool read_moving_loads() {
     bool any = false;
     for (int i = 0; i < reading_.from.loads.size && !reading_.mistake; ++i) {
@@ -35,7 +35,7 @@ public:
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
         r.what == load_word::torsional_spring)
       return reading_.fail(
-          {name_of(r).view(), " holds a velocity or derivative; it may hold coordinates only"});
+          {name_of(r).view(), " contains a velocity or derivative; it may contain only coordinates"});
     const sentence whom = name_of(r);
     for (const point_record* p : {r.point, r.other_point})
       if (p != nullptr) entities_.point(p, whom.view());
@@ -47,7 +47,7 @@ public:
 private:
   using load_word = describe::load_word;
 
-  /// Whether a load speaks of motion that is not known while the model is read.
+  /// Whether a load depends on a motion that is not known while the model is read.
   constexpr bool moves(const load_record& r) const {
     return moves(r.value) || moves(r.angle) || moves(r.rest);
   }
@@ -138,7 +138,7 @@ private:
   }
 
   constexpr void evaluate_gravity(const load_record& r) {
-    if (reading_.into.loads.has_gravity) reading_.fail({"gravity is given twice"});
+    if (reading_.into.loads.has_gravity) reading_.fail({"gravity is listed twice"});
     const mechanics::vector v = phrases_.vector_of(r.value, {"", "gravity"}, "gravity");
     if (!reading_.mistake) reading_.into.loads.has_gravity = true, reading_.into.loads.gravity = v;
   }

@@ -14,8 +14,7 @@ namespace kanexpr::deriving {
 
 class entity_reader;
 
-/// Where phrases find the numbers of frames and points: with the reader of entities, which reads phrases
-/// itself.
+/// Looks up the indices of frames and points for phrases: in the entity reader, which reads phrases itself.
 struct entity_lookup {
   entity_reader& with;
   int (*frame)(entity_reader&, const frame_record*, std::string_view whom);
@@ -28,7 +27,7 @@ public:
   constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), entities_(entities) {}
 
-  /// What a phrase of `whom` stands for. Motions are not known yet while a model is read: they fail here.
+  /// The value of a phrase of `whom`. Motions are not yet known while a model is read, and fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
     if (p.kind == shape::vanishing || p.kind == shape::kinematics || p.kind == shape::simple)
       reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
@@ -37,10 +36,10 @@ public:
     return found.back();
   }
 
-  /// What a phrase of several expressions, one after another, stands for.
+  /// The values of a phrase that consists of several expressions.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
-    const phrase* const before = phrase_; // which mentions what this one belongs to
+    const phrase* const before = phrase_; // the phrase that mentions the owner of this one
     phrase_ = &p;
     for (int i = 0; i < p.size && !reading_.mistake; ++i) {
       const int known = m_.g->size();
@@ -52,7 +51,8 @@ public:
     return stack;
   }
 
-  /// The same where auxiliary speeds have taken points and axes (displacement.hpp). After `know`.
+  /// The same with points and axes displaced by auxiliary speeds (displacement.hpp). Requires that `know` was
+  /// called.
   constexpr sequence<value> evaluate_each_displaced(const phrase& p, std::string_view whom) {
     is_displaced_ = true;
     const sequence<value> found = evaluate_each(p, whom);
@@ -60,7 +60,7 @@ public:
     return found;
   }
 
-  /// A phrase that is the part `what` of an entity: "the offset of point ".
+  /// Evaluates a phrase that is the part `what` of an entity: "the offset of point ".
   constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
     const std::string_view before = reading_.part;
     reading_.part = what;
@@ -71,7 +71,7 @@ public:
 
   using text_pieces = std::initializer_list<std::string_view>;
 
-  /// A phrase that has to be a scalar. `what`: "the mass of ", "B".
+  /// Evaluates a phrase that must be a scalar. `what`: "the mass of ", "B".
   constexpr expression scalar_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
     if (reading_.mistake) return m_.zero();
@@ -87,7 +87,7 @@ public:
     return {};
   }
 
-  /// Words that C++ has and models do not.
+  /// Checks for constructs that C++ has but models do not.
   constexpr void check_written(const phrase& p, std::string_view whom) {
     for (int i = 0; i < p.size && !reading_.mistake; ++i) {
       if (p.tokens[i].what != describe::token_kind::misused) continue;
@@ -95,7 +95,7 @@ public:
     }
   }
 
-  /// Whether a word is known while a model is read: of velocities, only those are that it declares in the
+  /// Whether a quantity is known while a model is read; a velocity is known only if it is declared in the
   /// inertial frame.
   constexpr bool is_declared(const describe::token& t) const {
     using describe::token_kind;
@@ -113,12 +113,12 @@ private:
     reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held, describe::what_is_wrong(what)});
   }
 
-  /// In whose axes to write what is written in those of a frame that is not there yet.
+  /// The frame that a hint suggests in place of the axes of a frame that is not yet available.
   constexpr std::string_view axes_instead() const {
     return reading_.parent != nullptr ? reading_.parent->called : reading_.from.inertial->called;
   }
 
-  /// Whether a step means nothing for its operands.
+  /// Whether the operands of a step have the wrong kind; reports it if so.
   constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
     if (makes_sense(t, a.kind)) return false;
     if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, reading_.part, whom);
@@ -131,23 +131,23 @@ private:
     return true;
   }
 
-  /// What a step adds to the graph must be numbers where it holds no symbols.
+  /// Reports constants without a value that a step added to the graph.
   constexpr void look_for_no_number(int known, const describe::token& t, std::string_view whom) {
     using describe::token_kind;
     for (int id = known; id < m_.g->size() && !reading_.mistake; ++id) {
       if (!mechanics::has_no_value(*m_.g, id)) continue;
       if (t.what == token_kind::normalized)
-        reading_.fail({reading_.part, whom, " holds normalized of a vector of no length"});
+        reading_.fail({reading_.part, whom, " normalizes a vector of zero length"});
       else if (t.what == describe::token_kind::composed)
         reading_.fail(
-            {reading_.part, whom, " holds ", word_of(t).name, " of numbers for which it has no value"});
+            {reading_.part, whom, " contains ", word_of(t).name, " of numbers for which it is undefined"});
       else if (t.what != token_kind::scalar_function)
-        reading_.fail({reading_.part, whom, " holds a number that is not finite"});
+        reading_.fail({reading_.part, whom, " contains a number that is not finite"});
       else if (t.operation == symbolic::operation::power)
-        reading_.fail({reading_.part, whom, " holds pow of numbers for which it has no value"});
+        reading_.fail({reading_.part, whom, " contains pow of numbers for which it is undefined"});
       else
-        reading_.fail({reading_.part, whom, " holds ", symbolic::function_name(t.operation),
-                       " of a number for which it has no value"});
+        reading_.fail({reading_.part, whom, " contains ", symbolic::function_name(t.operation),
+                       " of a number for which it is undefined"});
     }
   }
 
@@ -166,8 +166,8 @@ private:
       const int f = t.frame != nullptr ? frame(t.frame, whom) : reading_.describing;
       if (f == none)
         return reading_.fail({reading_.part, whom,
-                              " holds own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
-                              ", which stands for a frame while its angular velocity is declared; write ",
+                              " contains own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
+                              ", which is valid only in the declared angular velocity of a frame; write ",
                               axes_instead(), "::", axis_names.substr(static_cast<std::size_t>(t.index), 1)});
       v.add(f, mechanics::unit(*m_.g, t.index));
       if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
@@ -210,7 +210,7 @@ private:
     case token_kind::divide: {
       const value b = pop(), a = pop();
       if (is_senseless(t, a, b, whom)) return;
-      if (b.scalar.is_zero()) return reading_.fail({reading_.part, whom, " is divided by zero"});
+      if (b.scalar.is_zero()) return reading_.fail({reading_.part, whom, " contains a division by zero"});
       if (a.kind == shape::scalar)
         stack.push(value::of(a.scalar / b.scalar));
       else
@@ -280,14 +280,13 @@ private:
     }
   }
 
-  /// What rolls turns about an axis that turns with it.
+  /// A rolling body turns about an axis that is fixed in it.
   constexpr void check_wheel_axis(const describe::token& t, const mechanics::vector& axis,
                                   std::string_view whom) {
     if (is_displaced_) return;
     const int wheel = frame(t.frame, whom);
     if (!reading_.mistake && !mechanics::is_fixed(mechanics::express(m_, axis, wheel)))
-      reading_.fail(
-          {reading_.part, whom, " is given the axis of a wheel that is not fixed in ", t.frame->called});
+      reading_.fail({reading_.part, whom, " has a wheel axis that is not fixed in ", t.frame->called});
   }
 
   static constexpr const symbolic::composition_word& word_of(const describe::token& t) {
@@ -300,70 +299,70 @@ private:
     sequence<expression> operands;
     for (int i = stack.size() - given; i < stack.size(); ++i) {
       if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " takes ", f.name, " of ", a_kind(stack[i].kind)});
+        return reading_.fail({reading_.part, whom, " applies ", f.name, " to ", a_kind(stack[i].kind)});
       operands.push(stack[i].scalar);
     }
     if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
     if (given != f.operands && f.operands != symbolic::any_number)
-      return reading_.fail({reading_.part, whom, " takes ", f.name, " of ", mechanics::counted(given).view(),
-                            given == 1 ? " scalar" : " scalars", "; it is of ",
-                            mechanics::counted(f.operands).view()});
+      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ",
+                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
+                            "; it takes ", mechanics::counted(f.operands).view()});
     if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
       return reading_.fail(
-          {reading_.part, whom, " holds clamp with limits out of order; write clamp(x, least, most)"});
+          {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
     for (int i = 0; i < given; ++i) stack.pop();
     stack.push(value::of(symbolic::compose(f.is, operands)));
   }
 
-  /// A function of the program.
+  /// Calls a user function.
   constexpr void call(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     const describe::external_record& f = *t.external;
     const int given = static_cast<int>(t.number.numerator);
     sequence<expression> operands;
     for (int i = stack.size() - given; i < stack.size(); ++i) {
       if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " takes ", f.called, " of ", a_kind(stack[i].kind)});
+        return reading_.fail({reading_.part, whom, " applies ", f.called, " to ", a_kind(stack[i].kind)});
       operands.push(stack[i].scalar);
     }
     if (f.operands != 0)
-      return reading_.fail({reading_.part, whom, " takes ", f.called, " of ",
-                            mechanics::counted(given).view(), given == 1 ? " scalar" : " scalars",
-                            "; it is of ", mechanics::counted(f.operands).view()});
+      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ",
+                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
+                            "; it takes ", mechanics::counted(f.operands).view()});
     if (f.function == nullptr)
       return reading_.fail(
-          {reading_.part, whom, " takes ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
+          {reading_.part, whom, " calls ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
     for (const symbolic::external_function* other : m_.g->externals())
       if (other != f.function && other->called == f.function->called)
-        return reading_.fail(
-            {reading_.part, whom, " takes ", f.called, ", and another function of the model has this name"});
+        return reading_.fail({reading_.part, whom, " calls ", f.called,
+                              ", but a different function of the model has the same name"});
     for (int i = 0; i < given; ++i) stack.pop();
     stack.push(value::of(symbolic::call(*f.function, operands)));
   }
 
-  /// Of the argument and then the points of a table: whether it has two or more, in their order, and ends as
-  /// it begins if it is periodic.
+  /// Checks the points of a table, which follow its argument: there must be at least two, in increasing
+  /// order, and the last value of a periodic table must equal the first.
   constexpr bool check_table(const symbolic::composition_word& f, const sequence<expression>& x,
                              std::string_view whom) {
     const int points = (x.size() - 1) / 2;
     const auto say = [&](std::initializer_list<std::string_view> what) {
       const mechanics::sentence rest(what);
-      reading_.fail({reading_.part, whom, " holds ", f.name, "<...> ", rest.view()});
+      reading_.fail({reading_.part, whom, " contains ", f.name, "<...> ", rest.view()});
     };
     if (x.size() % 2 == 0 || points < 2)
-      say({"of ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
-           "; it takes points, two or more, each an argument and a value"});
+      say({"with ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
+           "; it takes two or more points, each an argument and a value"});
     for (int i = 0; i + 1 < points && !reading_.mistake; ++i) {
       const expression from = x[2 * i + 1], to = x[2 * i + 3];
       if (from.is_constant() && to.is_constant() && !(number_at(from) < number_at(to)))
-        say({"with arguments that do not grow, at point ", mechanics::counted(i + 2).view()});
+        say({"whose arguments do not increase at point ", mechanics::counted(i + 2).view()});
     }
     if (!reading_.mistake && f.is == symbolic::composition::periodic && !(x[2] == x.back()))
-      say({"that does not end with the value with which it begins"});
+      say({"whose last value differs from the first"});
     return !reading_.mistake;
   }
   constexpr double number_at(const expression& e) const { return m_.g->number_at(e.node()).value(); }
 
-  /// What a point or frame does, which only a model that has been read knows.
+  /// Evaluates the motion of a point or frame, which is known only after the model was read.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     if (t.what == token_kind::position) {
@@ -395,8 +394,9 @@ private:
 
   constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     if (!is_declared(t))
-      return reading_.fail({reading_.part, whom,
-                            " holds a velocity or derivative, which is not known yet while a model is read"});
+      return reading_.fail(
+          {reading_.part, whom,
+           " contains a velocity or derivative, which is not yet known while the model is read"});
     if (t.point != nullptr) {
       const int at = point(t.point, whom);
       if (!reading_.mistake) stack.push(value::of(m_.points[at].velocity));

@@ -8,16 +8,16 @@
 
 namespace kanexpr::deriving {
 
-/// Reads the records of a model into a system: once, by following them from bodies and loads to all that they
-/// use. The first mistake stops the reading and is kept as a sentence. Each part of a model has a reader of
-/// its own; they share a `reading`.
+/// Reads the records of a model into a system, following them from bodies and loads to everything that they
+/// use. The first mistake stops the reading and is kept as a sentence. Each part of a model has its own
+/// reader; the readers share a `reading`.
 class reader {
 public:
   constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
   reader(const reader&) = delete;
   reader& operator=(const reader&) = delete;
 
-  /// What is known of symbols and entities, where there is no mistake.
+  /// The known symbols and entities, if there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.symbols_);
@@ -25,20 +25,20 @@ public:
   }
 
   constexpr const sentence& mistake() const { return reading_.mistake; }
-  /// Whether the mistake is that of a type of which the compiler has reported one already.
+  /// Whether the mistake concerns a type about which the compiler has already reported an error.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
-  /// Of an expression that was asked for; what was read before is sound.
+  /// Discards the mistake of a requested expression; what was read before remains valid.
   constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
-  /// And the symbols that it brought.
+  /// Also discards the symbols that it added.
   constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }
   constexpr void forget_mistake(const symbol_reader::count& known) {
     forget_mistake();
     symbols_.forget_all_but(known);
   }
-  /// Makes this sentence the mistake, if it is the first.
+  /// Records this sentence as the mistake, if it is the first.
   constexpr void refuse(std::string_view because) { reading_.fail({because}); }
 
-  /// What moves, and what is said of loads and constraints without velocities.
+  /// Reads the moving parts, and the loads and constraints as far as they do not depend on velocities.
   constexpr void read() {
     const system_record& from = reading_.from;
     if (from.inertial == nullptr) return reading_.fail({"inertial<...> takes one frame"});
@@ -59,25 +59,25 @@ public:
     symbols_.check_values_are_used();
   }
 
-  /// After `read`: whether anything mentions what is listed.
+  /// Checks that every listed symbol is used. Requires that `read` was called.
   constexpr void check_listed_are_used() { symbols_.check_listed_are_used(); }
 
-  /// From here on phrases may speak of positions, velocities and derivatives.
+  /// Allows phrases to use positions, velocities and derivatives from now on.
   constexpr void know(mechanics::known_motion& of) { reading_.known = &of; }
   constexpr void read_lagrangian() { lagrange_.read_lagrangian(); }
-  /// Whether there were any.
+  /// Returns whether there were any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
-  /// Reads the entities that a phrase mentions, for `take_up` to make known to a system that is derived.
+  /// Reads the entities that a phrase mentions; `take_up` adds them to a derived system.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
   constexpr void take_up() { entities_.take_up(); }
-  /// What a phrase of `whom` stands for.
+  /// The value of a phrase of `whom`.
   constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     return symbols_.symbol(r, whom);
   }
-  /// Takes a parameter that the model itself does not speak of, behind all others.
+  /// Adds a parameter that the model itself does not mention, after all others.
   constexpr void admit_parameter(const symbol_record& r) { symbols_.admit_parameter(r); }
 
 private:

@@ -17,22 +17,23 @@ using mechanics::sentence;
 using symbolic::expression;
 using symbolic::sequence;
 
-/// What all readers of one model share: its records, the system that they become, where the reading is, and
-/// its first mistake.
+/// The state shared by all readers of a model: its records, the system that is built, the current position
+/// and the first mistake.
 struct reading {
   const system_record& from;
   mechanics::multibody_system& into;
   mechanics::known_motion* known = nullptr; ///< null while frames and points are read
-  std::string_view part{};                  ///< of an entity, that is being read: "the offset of point "
-  const describe::frame_record* parent = nullptr; ///< of the frame whose orientation is read
-  int describing = none;                          ///< the frame whose own axes `own` means
+  std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
+  const describe::frame_record* parent = nullptr; ///< of the frame whose orientation is being read
+  int describing = none;                          ///< the frame that `own` denotes
   sentence mistake{};
-  bool follows_from_unparsed = false; ///< the mistake, of which the compiler has reported one already
+  bool follows_from_unparsed =
+      false; ///< the mistake concerns a type about which the compiler has already reported an error
 
   constexpr reading(const system_record& records, mechanics::multibody_system& system)
       : from(records), into(system) {}
 
-  /// Of Lagrange's method.
+  /// True for Lagrange's method.
   constexpr bool takes_rates_as_speeds() const { return from.derived_by == describe::method::lagrange; }
 
   constexpr void fail(std::initializer_list<std::string_view> pieces) {
@@ -41,23 +42,23 @@ struct reading {
 
   constexpr void fail_by_unparsed(std::string_view called, std::string_view whom) {
     if (!mistake) follows_from_unparsed = true;
-    fail({called, ", which ", whom, " uses, is derived from nothing"});
+    fail({called, ", which ", whom, " uses, has no base class"});
   }
 
-  /// Whether an entity has no word twice, and only words that belong to it.
+  /// Checks that an entity has no word twice and only words that belong to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
     if (beside == describe::misfit::none) return true;
     fail({misfit_of(beside, called).view()});
     return false;
   }
 
-  /// `struct B : rotated<A, ...>` would be a second A.
+  /// `struct B : rotated<A, ...>` would define A a second time.
   constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
-    fail({kind, called, " calls itself ", other, "; the first argument of what it is derived from must be ",
+    fail({kind, called, " names itself ", other, "; the first template argument of its base must be ",
           called});
   }
   constexpr void wrong_count(std::string_view kind, std::string_view called, const describe::arguments& has) {
-    fail({kind, called, has.missing > 0 ? " lacks an argument" : " has an argument too many", "; write ",
+    fail({kind, called, has.missing > 0 ? " lacks an argument" : " has too many arguments", "; write ",
           has.form});
   }
 };

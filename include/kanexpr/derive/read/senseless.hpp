@@ -3,19 +3,19 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
-/// Steps of an expression that the kinds of their operands do not allow, such as the sine of a vector.
+/// Steps of an expression whose operands have the wrong kind, such as the sine of a vector.
 namespace kanexpr::deriving {
 
 using describe::shape;
 
-/// Whether a step may be taken with one operand.
+/// Whether a step accepts this operand.
 constexpr bool makes_sense(const describe::token& t, shape a) {
   const bool of_vectors =
       t.what == describe::token_kind::magnitude || t.what == describe::token_kind::normalized;
   return a == (of_vectors ? shape::vector : shape::scalar);
 }
 
-/// Whether a step may be taken with two operands.
+/// Whether a step accepts these two operands.
 constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   using describe::token_kind;
   switch (t.what) {
@@ -45,7 +45,7 @@ constexpr bool makes_sense(const describe::token& t, shape a, shape b) {
   case token_kind::in_axes:
   case token_kind::length:
   case token_kind::wheel_axis:
-  case token_kind::misused: break; // do not have two operands
+  case token_kind::misused: break; // not binary
   }
   return false;
 }
@@ -62,7 +62,7 @@ constexpr mechanics::sentence senseless(const describe::token& t, shape a, std::
         {part, whom, " takes the magnitude of ", a_kind(a), a == shape::scalar ? "; write abs" : ""});
   if (t.what == token_kind::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
   return mechanics::sentence(
-      {part, whom, " takes ", symbolic::function_name(t.operation), " of ", a_kind(a)});
+      {part, whom, " applies ", symbolic::function_name(t.operation), " to ", a_kind(a)});
 }
 
 constexpr mechanics::sentence senseless(const describe::token& t, shape a, shape b, std::string_view part,
@@ -80,7 +80,7 @@ constexpr mechanics::sentence senseless(const describe::token& t, shape a, shape
                a == shape::scalar && b == shape::scalar ? "; write *" : "");
   if (t.what == token_kind::cross) return say(" takes the cross product of ", " and ");
   if (t.what == token_kind::outer) return say(" takes the outer product of ", " and ");
-  if (t.operation == symbolic::operation::atan2) return say(" takes atan2 of ", " and ");
+  if (t.operation == symbolic::operation::atan2) return say(" applies atan2 to ", " and ");
   return say(" raises ", " to the power of ",
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
 }

@@ -4,7 +4,7 @@
 
 namespace kanexpr::deriving {
 
-/// What takes the names of a model, each of which means one thing.
+/// The uses of a model's names, each of which has a single meaning.
 enum class symbol_list : unsigned char {
   coordinates,
   rates_of_coordinates,
@@ -16,7 +16,7 @@ enum class symbol_list : unsigned char {
   times,
 };
 
-/// What it is called in a sentence.
+/// Its name in a sentence.
 constexpr std::string_view called(symbol_list list) {
   switch (list) {
   case symbol_list::coordinates: return "coordinates";

@@ -6,7 +6,8 @@
 
 namespace kanexpr::deriving {
 
-/// The symbols of a model: listed ones in the order of the lists, the others as the model mentions them.
+/// Reads the symbols of a model: listed ones in the order of the lists, all others in the order in which the
+/// model mentions them.
 class symbol_reader {
 public:
   constexpr explicit symbol_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}
@@ -21,8 +22,8 @@ public:
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
     case symbol_kind::speed:
       if (reading_.takes_rates_as_speeds())
-        reading_.fail({reading_.part, whom, " holds the speed ", r.called.view(),
-                       "; a lagrange_system has no speeds but the rates of its coordinates"});
+        reading_.fail({reading_.part, whom, " contains the speed ", r.called.view(),
+                       "; the only speeds of a lagrange_system are the rates of its coordinates"});
       if (const expression found = find(m_.auxiliary_speeds, r.called); !found.is_zero()) {
         used_auxiliary_.mark(m_.auxiliary_speeds.find(found));
         return is_the_same(r, "auxiliary speed"), found;
@@ -31,13 +32,13 @@ public:
     case symbol_kind::speed_rate:
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
       if (has(m_.auxiliary_speeds, r.called))
-        reading_.fail({reading_.part, whom, " holds the rate of auxiliary speed ", r.called.view(),
+        reading_.fail({reading_.part, whom, " contains the rate of auxiliary speed ", r.called.view(),
                        ", which is zero at all times"});
       return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier:
     case symbol_kind::weight:
-    case symbol_kind::direction: break; // no model has these
+    case symbol_kind::direction: break; // not available in models
     case symbol_kind::parameter:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) {
@@ -54,7 +55,7 @@ public:
     return m_.zero();
   }
 
-  /// How many symbols of a kind that phrases bring are there.
+  /// The number of symbols of each kind that phrases may add.
   struct count {
     int parameters;
     int inputs;
@@ -71,7 +72,7 @@ public:
     while (claimed_.size() > known.claimed) claimed_.pop();
   }
 
-  /// What is known of symbols, where there is no mistake.
+  /// The known symbols, if there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.bound_);
@@ -81,7 +82,7 @@ public:
     visit(self.is_time_claimed_);
   }
 
-  /// Takes a parameter that the model itself does not speak of, behind all others.
+  /// Adds a parameter that the model itself does not mention, after all others.
   constexpr void admit_parameter(const symbol_record& r) {
     if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
   }
@@ -89,8 +90,8 @@ public:
   constexpr const symbol_record* listed_symbol(const phrase& p, symbolic::symbol_kind kind,
                                                symbol_list list) {
     if (p.size != 1 || p.tokens[0].what != describe::token_kind::symbol) {
-      reading_.fail({"the list of ", deriving::called(list), " holds something that is not a symbol",
-                     p.size > 1 ? ", with " : "", name_in(p)});
+      reading_.fail({"the list of ", deriving::called(list), " contains something that is not a symbol",
+                     p.size > 1 ? ", involving " : "", name_in(p)});
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
@@ -102,23 +103,23 @@ public:
     return s;
   }
 
-  /// A parameter of the list.
+  /// Adds a listed parameter.
   constexpr void place_parameter(const symbol_record& r) {
     used_parameters_.expect(m_.parameters.size());
     m_.parameter(r.called);
   }
-  /// An auxiliary speed of the list.
+  /// Adds a listed auxiliary speed.
   constexpr void place_auxiliary_speed(const symbol_record& r) {
     used_auxiliary_.expect(m_.auxiliary_speeds.size());
     m_.auxiliary_speed(r.called);
   }
-  /// An input of the list.
+  /// Adds a listed input.
   constexpr void place_listed_input(const symbol_record& r) {
     used_inputs_.expect(m_.inputs.size());
     place_input(r);
   }
 
-  /// An input. A prescribed quantity and its rate know each other, in whatever order they come.
+  /// Adds an input. Links a prescribed quantity and its rate, whichever comes first.
   constexpr void place_input(const symbol_record& r) {
     const expression placed = m_.input(r.called);
     if (r.order == describe::unprescribed) return;
@@ -129,7 +130,7 @@ public:
     if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
   }
 
-  /// The inputs that were added to a system without a list, all at once, if they are not there yet.
+  /// Places the inputs added to a system without a list, in one step, unless they are already there.
   constexpr void place_added_inputs() {
     const auto& added = reading_.from.added_inputs;
     if (added.size == 0 || are_added_inputs_placed()) return;
@@ -139,7 +140,8 @@ public:
     for (int i = 0; i < added.size && !reading_.mistake; ++i) check_derivative(*added[i].tokens[0].symbol);
   }
 
-  /// After the list of inputs: a derivative alone would be taken for the rate of nothing.
+  /// A derivative that is listed without the quantity would be the rate of nothing. Requires that the list of
+  /// inputs was read.
   constexpr void check_derivative(const symbol_record& r) {
     if (r.order <= 0) return;
     const symbolic::name below = derivative(r, r.order - 1);
@@ -148,19 +150,19 @@ public:
                      ", a derivative of a prescribed quantity, without ", below.view()});
   }
 
-  /// Takes the name of a symbol, which has to be one.
+  /// Claims the name of a symbol, which must be valid.
   constexpr void claim(const symbol_record& r, symbol_list list) {
     if (r.is_named) return claim_name(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
     if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
       return reading_.fail(
-          {"a name that begins with ", called.substr(0, 20), " is longer than a name can be, 60 letters"});
+          {"a name that begins with ", called.substr(0, 20), " exceeds the maximum length of 60 characters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
     reading_.fail({mechanics::check_name(called, deriving::called(list)).view()});
   }
 
-  /// A name means one thing in a system.
+  /// A name has a single meaning in a system.
   constexpr void claim_name(const symbolic::name& called, symbol_list list, int mark = 0) {
     for (const claimed& other : claimed_)
       if (other.called == called) {
@@ -169,7 +171,8 @@ public:
         else if (other.list == list)
           reading_.fail({called.view(), " is listed twice among the ", deriving::called(list)});
         else if (other.list == symbol_list::values)
-          reading_.fail({"parameter ", called.view(), " has a value and is in the list of parameters too"});
+          reading_.fail(
+              {"parameter ", called.view(), " is bound to a value, but is also in the list of parameters"});
         else
           reading_.fail({"the name ", called.view(), " is used twice: among the ",
                          deriving::called(other.list), " and among the ", deriving::called(list)});
@@ -190,26 +193,26 @@ public:
       if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
     return false;
   }
-  /// A parameter or an input that a model needs for what is asked for later.
+  /// Mentions a parameter or an input that is needed only for results requested later.
   constexpr void mention_elsewhere(const phrase& p) {
     using symbolic::symbol_kind;
     constexpr std::string_view whom = "used_elsewhere<...>";
     const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     if (s == nullptr || (s->kind != symbol_kind::parameter && s->kind != symbol_kind::input))
-      return reading_.fail({whom, " holds something that is neither a parameter nor an input",
-                            name_in(p).empty() ? "" : ", with ", name_in(p)});
+      return reading_.fail({whom, " contains something that is neither a parameter nor an input",
+                            name_in(p).empty() ? "" : ", involving ", name_in(p)});
     symbol(*s, whom);
   }
 
-  /// After all that the model says was read.
+  /// Requires that the whole model was read.
   constexpr void check_values_are_used() {
     for (int i = 0; i < bound_.size(); ++i)
       if (bound_is_used_[i] == 0)
-        reading_.fail({"values<...> gives a value to parameter ", bound_[i].view(),
-                       ", which nothing in the system holds"});
+        reading_.fail(
+            {"values<...> binds parameter ", bound_[i].view(), ", which nothing in the system uses"});
   }
-  /// The same of what is listed.
+  /// The same for listed symbols.
   constexpr void check_listed_are_used() {
     for (int i = 0; i < used_parameters_.size(); ++i)
       if (!used_parameters_[i]) fail_by_unused("parameter", m_.parameters[i]);
@@ -218,16 +221,16 @@ public:
     for (int i = 0; i < used_auxiliary_.size(); ++i)
       if (!used_auxiliary_[i])
         reading_.fail({"auxiliary speed ", m_.g->symbol_at(m_.auxiliary_speeds[i].node()).called.view(),
-                       " is listed and nothing in the system uses it"});
+                       " is listed, but nothing in the system uses it"});
   }
 
 private:
-  /// Which symbols of a list were mentioned, by their places.
+  /// Records which symbols of a list were mentioned, by position.
   class uses {
   public:
     constexpr int size() const { return mentioned_.size(); }
     constexpr bool operator[](int place) const { return mentioned_[place] != 0; }
-    /// A symbol that is listed, behind others that may be in no list.
+    /// Registers a listed symbol, which may follow unlisted ones.
     constexpr void expect(int place) {
       while (mentioned_.size() < place) mentioned_.push(1);
       mentioned_.push(0);
@@ -243,7 +246,7 @@ private:
   constexpr void fail_by_unused(std::string_view kind, const expression& symbol) {
     const std::string_view called = m_.g->symbol_at(symbol.node()).called.view();
     reading_.fail({kind, " ", called,
-                   " is listed and nothing in the system uses it; if that is meant, write ",
+                   " is listed, but nothing in the system uses it; if this is intended, write ",
                    "used_elsewhere<", called, ">"});
   }
 
@@ -271,8 +274,8 @@ private:
     return first != nullptr && has(m_.inputs, first->called);
   }
 
-  /// Before an input is looked for: one that was added brings all of them; what comes after them is in no
-  /// list.
+  /// Called before an input is looked up: the first mention of an added input places all of them; an input
+  /// mentioned after them would be in no list.
   constexpr void place_added_inputs(const symbol_record& r, std::string_view whom) {
     const auto& added = reading_.from.added_inputs;
     if (added.size == 0 || has(m_.inputs, r.called)) return;
@@ -282,31 +285,31 @@ private:
         return place_added_inputs();
     if (are_added_inputs_placed())
       reading_.fail({"input ", r.called.view(), ", which ", reading_.part, whom,
-                     " holds, comes behind those that extended<...> adds; let inputs<...> list it"});
+                     " contains, comes after those that extended<...> adds; list it in inputs<...>"});
   }
 
   constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
     return !find(symbols, called).is_zero();
   }
-  /// The symbol of a name, or zero.
+  /// The symbol with a name, or zero.
   constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
     for (const expression& e : symbols)
       if (m_.g->symbol_at(e.node()).called == called) return e;
     return m_.zero();
   }
 
-  /// Of a coordinate: the rate of its rate, which must be a speed.
+  /// The second derivative of a coordinate, which exists only if its rate is a speed.
   constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
     if (reading_.takes_rates_as_speeds())
       return listed(m_.coordinates, m_.speed_rates,
                     {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate",
                     whom);
-    reading_.fail({reading_.part, whom, " holds the second derivative of coordinate ",
-                   derivative(r, 0).view(), "; write it by the rates of the speeds"});
+    reading_.fail({reading_.part, whom, " contains the second derivative of coordinate ",
+                   derivative(r, 0).view(), "; write it in terms of the rates of the speeds"});
     return m_.zero();
   }
 
-  /// theta, theta', theta'' by their order.
+  /// theta, theta', theta'' by order.
   static constexpr symbolic::name derivative(const symbol_record& r, int order) {
     const std::string_view own = r.called.view();
     symbolic::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
@@ -314,7 +317,8 @@ private:
     return called;
   }
 
-  /// Without a list of inputs a prescribed quantity takes three places in a row: what an acceleration needs.
+  /// Without a list of inputs a prescribed quantity takes three consecutive places, as many as an
+  /// acceleration needs.
   constexpr void place_with_derivatives(const symbol_record& r) {
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
       const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};
@@ -329,7 +333,7 @@ private:
     for (int i = 0; i < own.size(); ++i)
       if (m_.g->symbol_at(own[i].node()).called == r.called) return is_the_same(r, kind), wanted[i];
     reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
-                   " holds, is not in the list of ", kind, "s"});
+                   " contains, is not in the list of ", kind, "s"});
     return m_.zero();
   }
 
@@ -342,28 +346,28 @@ private:
       }
     if (complete) {
       reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
-                     " holds, is not in the list of ", kind, "s"});
+                     " contains, is not in the list of ", kind, "s"});
       return m_.zero();
     }
     claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
   }
 
-  /// A name that is taken.
+  /// A name in use.
   struct claimed {
     symbolic::name called{};
     symbol_list list{};
-    int mark = 0; ///< which symbol of that name it is
+    int mark = 0; ///< identifies the symbol with that name
   };
 
-  /// What tells apart symbols of one kind and name: `parameter<"k", 1>` and `parameter<"k1">`, an input and a
-  /// prescribed quantity.
+  /// Distinguishes symbols of the same kind and name: `parameter<"k", 1>` and `parameter<"k1">`, or an input
+  /// and a prescribed quantity.
   static constexpr int mark_of(const symbol_record& r) {
     const bool is_prescribed = r.kind == symbolic::symbol_kind::input && r.order != describe::unprescribed;
     return 2 * r.given + (is_prescribed ? 1 : 0);
   }
 
-  /// A symbol that was found by its name must be the one that took it.
+  /// A symbol found by its name must be the one that claimed the name.
   constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
     const int mark = mark_of(r);
     for (const claimed& c : claimed_)
@@ -382,7 +386,7 @@ private:
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};
-  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< until a model is read
+  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model was read
   bool is_time_claimed_ = false;
 };
 

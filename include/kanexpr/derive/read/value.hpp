@@ -11,7 +11,7 @@ using symbolic::expression;
 using symbolic::graph;
 using symbolic::sequence;
 
-/// What a phrase of a model stands for, once read.
+/// The value of a phrase of a model.
 struct value {
   describe::shape kind = describe::shape::nothing;
   expression scalar{};
@@ -66,7 +66,7 @@ constexpr value scaled(expression s, const value& a) {
   return value::of(s * a.scalar);
 }
 
-/// Both vectors in the axes of one frame, the one deeper in the tree if they have several.
+/// Two vectors in the axes of one frame: the deepest in the tree among the frames that they use.
 struct together {
   int frame = mechanics::mechanism::inertial;
   components a{}, b{};
@@ -86,7 +86,8 @@ constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics
   return t;
 }
 
-/// The part of a vector along a direction, which is mostly a basis vector: in its axes one number is left.
+/// The component of a vector along a direction, which is usually a basis vector: in its axes only one
+/// component is needed.
 constexpr expression along(const mechanics::mechanism& m, const mechanics::vector& v,
                            const mechanics::vector& direction) {
   const mechanics::vector::part& d = direction.parts[0];
@@ -101,7 +102,7 @@ constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector&
   return mechanics::dot(t.a, t.b);
 }
 
-/// In the axes of one frame, so that parts which cancel do so before they are divided.
+/// Evaluated in the axes of one frame, so that canceling terms cancel before the division.
 constexpr mechanics::vector normalized(const mechanics::mechanism& m, const mechanics::vector& v) {
   const together t = in_common_axes(m, v, v);
   mechanics::vector unit;

@@ -4,7 +4,7 @@
 
 namespace kanexpr::deriving {
 
-/// The numbers that a model gives to parameters.
+/// Reads the values that a model binds to parameters.
 class value_reader {
 public:
   constexpr value_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases)
@@ -22,16 +22,17 @@ public:
     if (s == nullptr || !is_whole(right)) {
       const std::string_view held = name_in(p);
       return reading_.fail(
-          {"values<...> takes equations such as m == 2.5 for parameters, and holds another expression",
+          {"values<...> takes equations such as m == 2.5 for parameters, but contains a different expression",
            held.empty() ? "" : " with ", held});
     }
     if (s->kind != symbolic::symbol_kind::parameter)
-      return reading_.fail({kind_of(*s), s->called.view(), " is given a value; only parameters have one"});
+      return reading_.fail(
+          {kind_of(*s), s->called.view(), " is bound to a value; only parameters can be bound"});
     if (symbols_.is_bound(s->called))
-      return reading_.fail({"parameter ", s->called.view(), " is given two values"});
+      return reading_.fail({"parameter ", s->called.view(), " is bound to two values"});
     for (int i = 0; i < right.size; ++i)
       if (right.tokens[i].symbol != nullptr)
-        return reading_.fail({"the value of parameter ", s->called.view(), " is not a number: it holds ",
+        return reading_.fail({"the value of parameter ", s->called.view(), " is not a number: it contains ",
                               right.tokens[i].symbol->called.view()});
     for (int i = 0; i < right.size; ++i)
       if (right.tokens[i].what == describe::token_kind::number &&

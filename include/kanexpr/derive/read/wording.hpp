@@ -3,7 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
-/// The words for parts of a model, for sentences about them.
+/// Names for the parts of a model, for use in sentences.
 namespace kanexpr::deriving {
 
 using describe::frame_record;
@@ -29,7 +29,7 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   return "";
 }
 
-/// A symbol, point or frame of a phrase, to say which one is meant.
+/// A symbol, point or frame in a phrase, to identify the phrase.
 constexpr std::string_view name_in(const phrase& p) {
   for (int i = 0; i < p.size; ++i)
     if (p.tokens[i].symbol != nullptr) return p.tokens[i].symbol->called.view();
@@ -47,7 +47,7 @@ constexpr mechanics::sentence short_name(std::string_view called) {
   return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});
 }
 
-/// Whether tokens in postfix order are one expression.
+/// Whether tokens in postfix order form a single expression.
 constexpr bool is_whole(const phrase& p) {
   using describe::token_kind;
   int depth = 0;
