@@ -50,10 +50,10 @@ TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
   kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
   EXPECT_FALSE(kanexpr::deriving::check_room("Chain", sizes));
   ++sizes.steps;
-  EXPECT_EQ(
-      kanexpr::deriving::check_room("Chain", sizes).view(),
-      "what is asked of Chain at once takes 65537 operations and has 9 entries; there is room for 65536 of "
-      "each; ask for it in parts");
+  EXPECT_EQ(kanexpr::deriving::check_room("Chain", sizes).view(),
+            "the results requested from Chain take 65537 operations and have 9 entries; the limit is 65536 "
+            "of each; "
+            "request them in parts");
 }
 
 TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
@@ -62,8 +62,8 @@ TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
     for (int i = 0; i < count; ++i) causes.push(cause);
     return std::string(kanexpr::deriving::check_room("Chain", causes, cause).view());
   };
-  const char* const told = "what is asked of Chain at once may be singular in more ways than there is room "
-                           "for; ask for it in parts";
+  const char* const told = "the results requested from Chain have more potential singularities than "
+                           "supported; request them in parts";
   const kanexpr::deriving::cause_list<{2, 100}> few{};
   EXPECT_EQ(filled(few, 1), "");
   EXPECT_EQ(filled(few, 2), told);

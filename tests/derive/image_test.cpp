@@ -154,7 +154,7 @@ TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
   go_on(system, stage::constrained);
   ended->take(system, "System");
   EXPECT_TRUE(ended->aside.is_full);
-  EXPECT_EQ(ended->mistake.view(), "System is larger than any system that there is room for");
+  EXPECT_EQ(ended->mistake.view(), "System exceeds the supported size of a system");
 }
 
 } // namespace

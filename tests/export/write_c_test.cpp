@@ -154,7 +154,7 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<s
 
 TEST(WriteC, RefusesAnInputThatTheSystemDoesNotHave) {
   const c_options pushed = with({exporting::expression<simple_pendulum::q * input<"F">{}>("pushed")});
-  EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression holds, is not in the list of inputs");
+  EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression contains, is not in the list of inputs");
   EXPECT_EQ(write_c<without_list::System>("nowhere", "arm", pushed).cause(),
             "function pushed holds an input that the system does not have");
   EXPECT_FALSE(std::filesystem::exists("nowhere"));

@@ -1,4 +1,4 @@
-// expect: input F is listed and nothing in the system uses it; if that is meant, write used_elsewhere<F>
+// expect: input F is listed, but nothing in the system uses it; if this is intended, write used_elsewhere<F>
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

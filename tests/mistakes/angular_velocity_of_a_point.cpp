@@ -1,4 +1,4 @@
-// expect: angular_velocity<...> stands beside Q, which is not a frame
+// expect: angular_velocity<...> is a base class of Q, which is not a frame
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, angular_velocity<N, u * N::z> {};

@@ -1,5 +1,5 @@
-// expect: the axis of frame C holds own::z, which stands for a frame while its angular velocity is declared;
-// expect: write A::z
+// expect: the axis of frame C contains own::z, which is valid only in the declared angular velocity of a
+// expect: frame; write A::z
 #include "pendulum.hpp"
 
 struct C : rotated<C, A, q, own::z> {};

@@ -1,4 +1,4 @@
-// expect: frame B is turned about an axis that is not fixed in N
+// expect: frame B is rotated about an axis that is not fixed in N
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, A::x> {};

@@ -1,4 +1,4 @@
-// expect: B, which Rod uses as a frame, is not a frame, or is described only later
+// expect: B, which Rod uses as a frame, is not a frame, or is defined later
 #include "pendulum.hpp"
 
 struct B;

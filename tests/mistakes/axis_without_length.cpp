@@ -1,4 +1,4 @@
-// expect: frame B is turned about an axis of no length
+// expect: frame B is rotated about an axis of zero length
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z - N::z> {};

@@ -1,4 +1,4 @@
-// expect: body Bob stands among the words of System; write bodies<Bob>
+// expect: body Bob is among the words of System; write bodies<Bob>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, Bob> {};

@@ -1,4 +1,4 @@
-// expect: body Ball calls itself Bob; the first argument of what it is derived from must be Ball
+// expect: body Ball names itself Bob; the first template argument of its base must be Ball
 #include "pendulum.hpp"
 
 struct Ball : particle<Bob, P, m> {};

@@ -1,5 +1,5 @@
-// expect: velocity_constraints<...> holds something that is not an equation, with u; write an equation or
-// expect: zero_along<...>
+// expect: velocity_constraints<...> contains something that is not an equation, involving u; write an
+// expect: equation or zero_along<...>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

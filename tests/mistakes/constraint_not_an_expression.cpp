@@ -1,4 +1,4 @@
-// expect: configuration_constraints<...> holds something that is not an equation; write an equation or
+// expect: configuration_constraints<...> contains something that is not an equation; write an equation or
 // expect: zero_along<...>
 #include "pendulum.hpp"
 

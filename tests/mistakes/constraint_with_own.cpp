@@ -1,5 +1,5 @@
-// expect: an acceleration constraint holds own::x, which stands for a frame while its angular velocity is
-// expect: declared; write N::x
+// expect: an acceleration constraint contains own::x, which is valid only in the declared angular velocity of
+// expect: a frame; write N::x
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: coordinate s, which the offset of point Q holds, is not in the list of coordinates
+// expect: coordinate s, which the offset of point Q contains, is not in the list of coordinates
 #include "pendulum.hpp"
 
 struct Q : offset<Q, P, s * A::y> {};

@@ -1,4 +1,4 @@
-// expect: dependent<...> holds something that is neither a coordinate nor a speed, with m
+// expect: dependent<...> contains something that is neither a coordinate nor a speed, involving m
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

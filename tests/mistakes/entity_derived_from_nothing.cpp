@@ -1,4 +1,4 @@
-// expect: this system, or an entity in it, is derived from nothing
+// expect: this system, or an entity in it, has no base class
 #include "pendulum.hpp"
 
 struct B {};

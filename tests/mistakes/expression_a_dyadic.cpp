@@ -1,4 +1,4 @@
-// expect: what a function is asked for is a dyadic; it must be a scalar or a vector
+// expect: a function requests a dyadic; it must request a scalar or a vector
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

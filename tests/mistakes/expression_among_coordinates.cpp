@@ -1,4 +1,4 @@
-// expect: the list of coordinates holds something that is not a symbol, with s
+// expect: the list of coordinates contains something that is not a symbol, involving s
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: an expression holds a number that is not finite
+// expect: an expression contains a number that is not finite
 #include "pendulum.hpp"
 
 #include <limits>

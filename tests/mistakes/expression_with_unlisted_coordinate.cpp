@@ -1,4 +1,4 @@
-// expect: coordinate s, which an expression holds, is not in the list of coordinates
+// expect: coordinate s, which an expression contains, is not in the list of coordinates
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: input F, which an expression holds, is not among those of System; write used_elsewhere<F>
+// expect: input F, which an expression contains, is not among those of System; write used_elsewhere<F>
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

@@ -1,4 +1,4 @@
-// expect: parameter c, which an expression holds, is not among those of System; write
+// expect: parameter c, which an expression contains, is not among those of System; write
 // used_elsewhere<c>
 #include "pendulum.hpp"
 

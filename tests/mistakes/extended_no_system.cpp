@@ -1,4 +1,5 @@
-// expect: System extends Bob, which is not a system; extended<System, ...> takes one and what is added to it
+// expect: System extends Bob, which is not a system; extended<System, ...> takes a system and the words to
+// expect: add
 #include "pendulum.hpp"
 
 struct System : extended<Bob, loads<weight>> {};

@@ -1,4 +1,4 @@
-// expect: input G, which the force at P holds, comes behind those that extended<...> adds; let inputs<...>
+// expect: input G, which the force at P contains, comes after those that extended<...> adds; list it
 // list it
 #include "pendulum.hpp"
 

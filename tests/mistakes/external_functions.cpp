@@ -20,32 +20,32 @@ struct lift_slopes {
 constexpr external<"wind", wind, wind_slope> air;
 constexpr external<"lift", lift, lift_slopes> wing;
 
-// expect: the force at P takes lift of 1 scalar; it is of 2
+// expect: the force at P calls lift with 1 argument; it takes 2
 namespace n1 {
 struct System : loaded<force<P, wing(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: the torque on A takes wind of 2 scalars; it is of 1
+// expect: the torque on A calls wind with 2 arguments; it takes 1
 namespace n2 {
 struct System : loaded<torque<A, air(u, q) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: the force at O takes lift of a vector
+// expect: the force at O applies lift to a vector
 namespace n3 {
 struct System : loaded<force<O, wing(u, N::x) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: the force at Q takes wind, and another function of the model has this name
+// expect: the force at Q calls wind, but a different function of the model has the same name
 namespace n4 {
 constexpr external<"wind", wind> other;
 struct System : loaded<force<P, air(u) * N::x>, force<Q, other(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the stiffness of the spring between P and O takes texts, which cannot be called with numbers of
+// expect: the stiffness of the spring between P and O calls texts, which cannot be called with
 // double
 namespace n5 {
 struct texts {
@@ -56,7 +56,7 @@ struct System : loaded<spring<P, O, written(q), 1>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: the force between P and O takes named, which gives no number
+// expect: the force between P and O calls named, which does not return a number
 namespace n6 {
 struct named {
   std::string operator()(double) const { return {}; }
@@ -66,21 +66,21 @@ struct System : loaded<force_between<P, O, written(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: the force at P takes lift, whose first derivative does not give numbers
+// expect: the force at P calls lift, whose first derivative does not return numbers
 namespace n7 {
 constexpr external<"lift", lift, wind_slope> half;
 struct System : loaded<force<P, half(u, q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the force at O takes lift, whose second derivative does not give numbers
+// expect: the force at O calls lift, whose second derivative does not return numbers
 namespace n8 {
 constexpr external<"lift", lift, lift_slopes, std::string> bent;
 struct System : loaded<force<O, bent(u, q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: the torque on A takes 2nd, which is no name for a function
+// expect: the torque on A calls 2nd, which is not a valid function name
 namespace n9 {
 constexpr external<"2nd", wind> second;
 struct System : loaded<torque<A, second(u) * N::z>> {};
@@ -102,13 +102,13 @@ struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<
 auto f() { return linearization<System>::explicit_form(state<System>(), parameter_values<System>()); }
 } // namespace n11
 
-// expect: the force at P holds == inside an expression; write it once, outermost
+// expect: the force at P contains == inside an expression; use it only once, at the outermost level
 namespace n14 {
 struct System : loaded<force<P, air(q == 1) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the force at O takes sum of more than nine scalars
+// expect: the force at O calls sum with more than nine arguments
 namespace n16 {
 struct sum {
   double operator()(auto... x) const { return (x + ...); }
@@ -118,14 +118,14 @@ struct System : loaded<force<O, all(q, q, q, q, q, u, u, u, u, u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the force at Q takes wind, which is given more than three derivatives
+// expect: the force at Q calls wind, which has more than three derivatives
 namespace n15 {
 constexpr external<"wind", wind, wind_slope, wind_slope, wind_slope, wind_slope> often;
 struct System : loaded<force<Q, often(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the force at Q takes both, whose first derivative does not give numbers
+// expect: the force at Q calls both, whose first derivative does not return numbers
 namespace n17 {
 struct product {
   double operator()(double x, double y) const { return x * x * y; }
@@ -138,7 +138,7 @@ struct System : loaded<force<Q, both(u, q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: the force at P takes rounded, which gives whole numbers, not double
+// expect: the force at P calls rounded, which returns integers, not double
 namespace n18 {
 struct to_whole {
   int operator()(double x) const { return static_cast<int>(x); }
@@ -148,7 +148,7 @@ struct System : loaded<force<P, rounded(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the force at P takes rounded, which gives float, not double
+// expect: the force at P calls rounded, which returns float, not double
 namespace n19 {
 struct to_short {
   float operator()(auto x) const { return static_cast<float>(x); }
@@ -158,7 +158,7 @@ struct System : loaded<force<P, rounded(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: the torque on A takes steps, which takes whole numbers, not double
+// expect: the torque on A calls steps, which takes integers, not double
 namespace n20 {
 struct of_whole {
   double operator()(double x, int n) const { return x * n; }
@@ -168,7 +168,7 @@ struct System : loaded<torque<A, steps(u, q) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: the force at O takes wind, whose first derivative gives whole numbers, not double
+// expect: the force at O calls wind, whose first derivative returns integers, not double
 namespace n21 {
 constexpr auto slope = [](double) { return 2; };
 constexpr external<"wind", wind, decltype(slope)> air_of_whole;
@@ -176,7 +176,7 @@ struct System : loaded<force<O, air_of_whole(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: the force at O takes lift, whose first derivative takes float, not double
+// expect: the force at O calls lift, whose first derivative takes float, not double
 namespace n22 {
 struct slopes {
   std::array<double, 2> operator()(float speed, const float& angle) const noexcept { return {angle, speed}; }
@@ -186,7 +186,7 @@ struct System : loaded<force<O, wing_of_float(u, q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: the force at Q takes both, whose second derivative gives float, not double
+// expect: the force at Q calls both, whose second derivative returns float, not double
 namespace n23 {
 struct curvatures {
   std::array<std::array<float, 2>, 2> operator()(double, double) const { return {{{0, 1}, {1, 0}}}; }

@@ -1,4 +1,4 @@
-// expect: fixed_in<...> stands beside Bead, which is not a point
+// expect: fixed_in<...> is a base class of Bead, which is not a point
 #include "pendulum.hpp"
 
 struct Bead : particle<Bead, P, m>, fixed_in<A> {};

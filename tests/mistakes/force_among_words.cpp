@@ -1,4 +1,4 @@
-// expect: the force at P stands among the words of System; write loads<...> around it
+// expect: the force at P is among the words of System; write loads<...> around it
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: Wind is not a word of a system, and System holds it
+// expect: Wind is not a word of a system, but System lists it
 #include "pendulum.hpp"
 
 struct Wind {};

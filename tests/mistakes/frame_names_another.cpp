@@ -1,4 +1,4 @@
-// expect: frame B calls itself A; the first argument of what it is derived from must be B
+// expect: frame B names itself A; the first template argument of its base must be B
 #include "pendulum.hpp"
 
 struct B : rotated<A, N, q, N::z> {};

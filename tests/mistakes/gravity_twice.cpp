@@ -1,4 +1,4 @@
-// expect: gravity is given twice
+// expect: gravity is listed twice
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

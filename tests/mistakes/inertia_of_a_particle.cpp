@@ -1,4 +1,4 @@
-// expect: an inertia stands beside Bead; it belongs in rigid_body<...>
+// expect: an inertia is a base class of Bead; it belongs in rigid_body<...>
 #include "pendulum.hpp"
 
 struct Bead : particle<Bead, P, m>, inertia<A, 0, 1, 1> {};

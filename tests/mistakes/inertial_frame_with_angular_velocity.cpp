@@ -1,4 +1,4 @@
-// expect: the inertial frame G is given an angular velocity
+// expect: the inertial frame G has a declared angular velocity
 #include "pendulum.hpp"
 
 struct G : inertial_frame<G>, angular_velocity<G, u * own::z> {};

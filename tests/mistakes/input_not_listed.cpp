@@ -1,4 +1,4 @@
-// expect: input T, which the torque on A holds, is not in the list of inputs
+// expect: input T, which the torque on A contains, is not in the list of inputs
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

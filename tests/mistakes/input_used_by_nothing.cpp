@@ -1,4 +1,4 @@
-// expect: input T is listed and nothing in the system uses it; if that is meant, write used_elsewhere<T>
+// expect: input T is listed, but nothing in the system uses it; if this is intended, write used_elsewhere<T>
 #include "pendulum.hpp"
 
 constexpr prescribed<"r"> r; // listed with its rates, of which one is used

@@ -1,4 +1,4 @@
-// expect: speed v, which a jacobian holds, is not in the list of speeds
+// expect: speed v, which a Jacobian contains, is not in the list of speeds
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

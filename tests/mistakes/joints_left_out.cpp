@@ -11,21 +11,21 @@ using placed = jointed<joints<Arm, Fore, Wheel>, configuration_constraints<const
 template <auto... constraints>
 using moving = jointed<joints<Arm, Fore, Wheel>, velocity_constraints<constraints...>>;
 
-// expect: joint Link calls itself Ground; the first argument of what it is derived from must be Link
+// expect: joint Link names itself Ground; the first template argument of its base must be Link
 namespace n1 {
 struct Link : pin<Ground, up, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: joint Link calls itself Ground; the first argument of what it is derived from must be Link
+// expect: joint Link names itself Ground; the first template argument of its base must be Link
 namespace n2 {
 struct Link : weld<Ground, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: joint Link calls itself Ground; the first argument of what it is derived from must be Link
+// expect: joint Link names itself Ground; the first template argument of its base must be Link
 namespace n3 {
 struct Link : pin<Ground, up, home<1, Ground::x>, at<l * Ground::x, l * own::x>, mass> {};
 struct Next : floating<Next, Link, mass> {};
@@ -34,14 +34,14 @@ struct System : jointed<joints<Link, Next>, loads<motor<Link>, joint_friction<Li
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: joint Link lacks its parent; write pin<Self, Parent, axis<vector>, by<coordinate, speed>>
+// expect: joint Link lacks a parent; write pin<Self, Parent, axis<vector>, by<coordinate, speed>>
 namespace n4 {
 struct Link : pin<Link, up, home<1, Ground::x>, at<l * Ground::x, l * own::x>, mass> {};
 struct System : jointed<joints<Link>, loads<motor<Link>>, reactions<Link>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: joint Link lacks its parent; write weld<Self, Parent>, without axes and symbols
+// expect: joint Link lacks a parent; write weld<Self, Parent>, without axes or symbols
 namespace n5 {
 struct Link : weld<Link, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -60,25 +60,25 @@ struct System : jointed<joints<left::Link, right::Link>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a configuration constraint with Arm asks q_of for a coordinate that the joint does not have
+// expect: a configuration constraint with Arm uses q_of for a coordinate that the joint does not have
 namespace n7 {
 struct System : placed<q_of<Arm, 2> == 0> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: a velocity constraint with Arm asks u_of for a speed that the joint does not have
+// expect: a velocity constraint with Arm uses u_of for a speed that the joint does not have
 namespace n8 {
 struct System : moving<u_of<Arm, 2> == 0> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: a configuration constraint asks q_of or u_of for a symbol of something that is not a joint
+// expect: a configuration constraint uses q_of or u_of with something that is not a joint
 namespace n9 {
 struct System : placed<q_of<Ground> == 0> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: a velocity constraint asks q_of or u_of for a symbol of something that is not a joint
+// expect: a velocity constraint uses q_of or u_of with something that is not a joint
 namespace n10 {
 struct System : moving<u_of<P> == 0> {};
 void f() { use<System>(); }

@@ -15,7 +15,7 @@ struct System : jointed<joints<Arm>, loads<motor<Arm, T * Arm::z>>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: the motor between Arm and Ground has an argument too many; write motor<Joint, torque or force>
+// expect: the motor between Arm and Ground has too many arguments; write motor<Joint, torque or force>
 namespace n3 {
 struct System : jointed<joints<Arm>, loads<motor<Arm, T, T>>> {};
 void f() { use<System>(); }
@@ -49,27 +49,27 @@ struct System : jointed<joints<Arm>, configuration_constraints<rack_and_pinion<G
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: zero_along<...> of a configuration constraint with Arm is given no direction
+// expect: zero_along<...> of a configuration constraint with Arm has no direction
 namespace n8 {
 struct System : jointed<joints<Arm>, configuration_constraints<coincident<Arm, Ground>>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: reactions are asked for of Ground, which is not a joint
+// expect: reactions are requested for Ground, which is not a joint
 namespace n9 {
 struct System : jointed<joints<Arm>, reactions<Ground>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: reactions are asked for of joint Link, which is not listed in joints<...>
+// expect: reactions are requested for joint Link, which is not listed in joints<...>
 namespace n10 {
 struct Link : pin<Link, Ground, up, mass> {};
 struct System : jointed<joints<Arm>, reactions<Link>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: kinematics<simple> has 1 coordinate and 2 speeds in no other kinematic differential
-// expect: equation; there must be as many
+// expect: kinematics<simple> finds 1 coordinate and 2 speeds in no other kinematic differential equation; the
+// expect: numbers must be equal
 namespace n11 {
 struct P : offset<P, Ground, s * Ground::x> {};
 struct Bob : particle<Bob, P, m> {};
@@ -77,13 +77,13 @@ struct System : jointed<coordinates<s>, speeds<v, u>, kinematics<simple>, bodies
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: kinematics<simple> has no coordinate left; all have other equations
+// expect: kinematics<simple> has no coordinate left; all coordinates have other equations
 namespace n12 {
 struct System : jointed<joints<Arm>, kinematics<simple>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: kinematics<...> holds simple twice
+// expect: kinematics<...> contains simple twice
 namespace n13 {
 struct P : offset<P, Ground, s * Ground::x> {};
 struct Bob : particle<Bob, P, m> {};
@@ -91,22 +91,22 @@ struct System : jointed<coordinates<s>, speeds<v>, kinematics<simple, simple>, b
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: velocity_constraints<...> holds something that is not an equation; write an equation or
+// expect: velocity_constraints<...> contains something that is not an equation; write an equation or
 // expect: zero_along<...>
 namespace n14 {
 struct System : jointed<joints<Arm>, velocity_constraints<simple>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the system System has reactions<...>; a lagrange_system has no speeds but the rates of its
+// expect: the system System has reactions<...>; the only speeds of a lagrange_system are the rates of its
 // expect: coordinates
 namespace n15 {
 struct System : lagrange_system<inertial<Ground>, joints<Arm>, reactions<Arm>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the friction between Arm and Ground holds the speed u_Arm; a lagrange_system has no speeds but
-// expect: the rates of its coordinates
+// expect: the friction between Arm and Ground contains the speed u_Arm; the only speeds of a lagrange_system
+// expect: are the rates of its coordinates
 namespace n16 {
 struct System : lagrange_system<inertial<Ground>, joints<Arm>, loads<joint_friction<Arm, l>>> {};
 void f() { use<System>(); }
@@ -118,8 +118,7 @@ struct System : jointed<joints<Arm>, configuration_constraints<gear<Arm, Arm, 2>
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: a configuration constraint speaks of the velocity of Wheel; write it in
-// expect: velocity_constraints<...>
+// expect: a configuration constraint contains the velocity of Wheel; write it in velocity_constraints<...>
 namespace n18 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, configuration_constraints<rolls_on<Wheel, Ground, Wheel::y, l>>> {};
@@ -132,30 +131,30 @@ struct System : jointed<joints<Arm>, loads<motor<Arm, T>, motor<Arm, T>>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: a configuration constraint keeps a direction parallel to something other than an axis of a frame:
-// expect: parallel<A::z, B::z>
+// expect: a configuration constraint keeps a direction parallel to something other than an axis of a frame;
+// expect: write parallel<A::z, B::z>
 namespace n20 {
 struct System : jointed<joints<Arm>, configuration_constraints<parallel<Arm::x, l * Ground::x>>> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: a velocity constraint with Wheel holds a radius or length below zero
+// expect: a velocity constraint with Wheel contains a negative radius or length
 namespace n21 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, -0.3>>> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: a velocity constraint with Wheel holds the number 0, which is what 1/2 is in C++; write 0.5
-// expect: or rational<1, 2>, and 0.0 for a zero that is meant
+// expect: a velocity constraint with Wheel contains the integer 0, which is also the value of 1/2 in C++;
+// expect: write 0.5 or rational<1, 2>, or 0.0 if you mean zero
 namespace n22 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, velocity_constraints<rolls_on<Wheel, Ground, Wheel::y, 1 / 2>>> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: the velocity of point P is given in Ground, past joint Cart, whose reactions are asked for; give it
-// expect: in Cart
+// expect: the velocity of point P is declared in Ground, across joint Cart, whose reactions are requested;
+// expect: declare it in Cart
 namespace n23 {
 struct Cart : prismatic<Cart, Ground, axis<own::x>, mass> {};
 struct P : offset<P, Cart, s * Ground::y>, velocity<Ground, u_of<Cart> * Ground::x + v * Ground::y> {};
@@ -165,8 +164,8 @@ struct System : jointed<joints<Cart>, coordinates<s>, speeds<v>, kinematics<dot(
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: the angular velocity of frame A is given in Ground, past joint Arm, whose reactions are asked for;
-// expect: give it in Arm
+// expect: the angular velocity of frame A is declared in Ground, across joint Arm, whose reactions are
+// expect: requested; declare it in Arm
 namespace n24 {
 struct A : rotated<A, Arm, q, Arm::z>, angular_velocity<Ground, (u + u_of<Arm>)*Arm::z> {};
 struct Rotor : rigid_body<Rotor, Ground, A, m, inertia<A, 1, 1, 1>> {};
@@ -188,7 +187,7 @@ struct System : jointed<joints<Sled>, loads<motor<Sled, T>, force<Sled, T * Grou
 void f() { use<System>(); }
 } // namespace n26
 
-// expect: a velocity constraint with Wheel holds a radius or length below zero
+// expect: a velocity constraint with Wheel contains a negative radius or length
 namespace n27 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System
@@ -196,7 +195,7 @@ struct System
 void f() { use<System>(); }
 } // namespace n27
 
-// expect: a configuration constraint with l holds a radius or length below zero
+// expect: a configuration constraint with l contains a negative radius or length
 namespace n28 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, configuration_constraints<touches<Wheel, Ground, Wheel::y, l>>,
@@ -204,7 +203,7 @@ struct System : jointed<joints<Wheel>, configuration_constraints<touches<Wheel, 
 void f() { use<System>(); }
 } // namespace n28
 
-// expect: a configuration constraint with P holds a radius or length below zero
+// expect: a configuration constraint with P contains a negative radius or length
 namespace n29 {
 struct P : offset<P, Arm, 0.4 * Arm::x> {};
 struct Sled : prismatic<Sled, Ground, axis<Ground::x>, mass> {};

@@ -8,74 +8,73 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: joint Link is given an axis too many; write pin<Self, Parent, axis<vector>, by<coordinate,
-// expect: speed>>
+// expect: joint Link has too many axes; write pin<Self, Parent, axis<vector>, by<coordinate, speed>>
 namespace n2 {
 struct Link : pin<Link, Ground, axis<own::x, own::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: joint Link is given too few or too many symbols; write pin<Self, Parent, axis<vector>,
-// expect: by<coordinate, speed>>
+// expect: joint Link has too few or too many symbols; write pin<Self, Parent, axis<vector>, by<coordinate,
+// expect: speed>>
 namespace n3 {
 struct Link : pin<Link, Ground, up, by<q>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: joint Link is given too few or too many symbols; write cylindrical<Self, Parent, axis<vector>,
-// expect: by<angle, displacement, their two speeds>>
+// expect: joint Link has too few or too many symbols; write cylindrical<Self, Parent, axis<vector>, by<angle,
+// expect: displacement, their two speeds>>
 namespace n4 {
 struct Link : cylindrical<Link, Ground, up, by<q, u>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: joint Link is given two places; write at<vector in the parent, vector in own axes>
+// expect: joint Link has two positions; write at<vector in the parent, vector in own axes>
 namespace n5 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x>, at<l * own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: joint Link is given two homes
+// expect: joint Link has two homes
 namespace n6 {
 struct Link : pin<Link, Ground, up, home<1, Ground::x>, home<2, Ground::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: joint Link is given axis<...> twice; write one list
+// expect: joint Link has axis<...> twice; write one list
 namespace n7 {
 struct Link : pin<Link, Ground, up, up, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: joint Link is given by<...> twice; write one list
+// expect: joint Link has by<...> twice; write one list
 namespace n8 {
 struct Link : pin<Link, Ground, up, by<q, u>, by<s, v>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: joint Link is given two bodies; weld<...> another one to it
+// expect: joint Link has two bodies; attach the second one with weld<...>
 namespace n9 {
 struct Link : pin<Link, Ground, up, mass, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: joint Link is given at<...> of no vector or of more than two; write at<vector in the parent,
-// expect: vector in own axes>
+// expect: joint Link has at<...> with no vector or more than two; write at<vector in the parent, vector in
+// expect: own axes>
 namespace n10 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * own::x, l * own::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: joint Link is given a home of neither an angle and an axis nor nine direction cosines nor three
+// expect: joint Link has a home that is neither an angle and an axis, nor nine direction cosines, nor three
 // expect: angles
 namespace n11 {
 struct Link : pin<Link, Ground, up, home<1, 2, 3>, mass> {};
@@ -83,14 +82,14 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: joint Link is given a body with two inertias
+// expect: joint Link has a body with two inertias
 namespace n12 {
 struct Link : pin<Link, Ground, up, body<2, l * own::x, inertia<own, 1, 1, 1>, inertia<own, 1, 1, 1>>> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: joint Link is given angles<...>, which belongs to a joint that turns freely, spherical<...> or
+// expect: joint Link has angles<...>, which belongs to a freely turning joint, spherical<...> or
 // expect: floating<...>
 namespace n13 {
 struct Link : pin<Link, Ground, up, angles<"zxz">, mass> {};
@@ -98,22 +97,22 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: joint Link is given two sequences of angles
+// expect: joint Link has two sequences of angles
 namespace n14 {
 struct Link : spherical<Link, Ground, angles<"zxz">, angles<"xyz">, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: joint Link is given an axis too many; write spherical<Self, Parent, by<e1, e2, e3, e0, three
-// expect: speeds>>, without an axis
+// expect: joint Link has too many axes; write spherical<Self, Parent, by<e1, e2, e3, e0, three speeds>>,
+// expect: without an axis
 namespace n15 {
 struct Link : spherical<Link, Ground, up, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: joint Link is given something that is no word of a joint; they are at<...>, axis<...>,
+// expect: joint Link has an argument that is not a word of a joint; the words are at<...>, axis<...>,
 // expect: home<...>, by<...> and body<...>
 namespace n16 {
 struct Link : pin<Link, Ground, up, inertia<own, 1, 1, 1>, mass> {};
@@ -121,38 +120,37 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: joint Link is given an axis that is not a vector; write pin<Self, Parent, axis<vector>,
-// expect: by<coordinate, speed>>
+// expect: joint Link has an axis that is not a vector; write pin<Self, Parent, axis<vector>, by<coordinate,
+// expect: speed>>
 namespace n17 {
 struct Link : pin<Link, Ground, axis<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: joint Link is given an axis of no length
+// expect: joint Link has an axis of zero length
 namespace n18 {
 struct Link : pin<Link, Ground, axis<0.0 * own::z>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: joint Link is given a place that is not a vector; write at<vector in the parent, vector in own
-// expect: axes>
+// expect: joint Link has a position that is not a vector; write at<vector in the parent, vector in own axes>
 namespace n19 {
 struct Link : pin<Link, Ground, up, at<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: joint Link is given a mass centre that is not a vector; write body<mass, vector in own axes,
-// expect: inertia>
+// expect: joint Link has a mass center that is not a vector; write body<mass, vector in own axes, inertia>
 namespace n20 {
 struct Link : pin<Link, Ground, up, body<2, l>> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: frame Link_home is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+// expect: frame Link_home has an invalid rotation sequence; use three axes, no two consecutive ones equal:
+// expect: zxz
 namespace n21 {
 struct Link : pin<Link, Ground, up, home_angles<"zz", 1, 2, 3>, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -173,49 +171,49 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: Link is two joints; give each a name of its own
+// expect: Link is two joints; give each its own name
 namespace n24 {
 struct Link : pin<Link, Ground, up, mass>, weld<Link, Ground> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n24
 
-// expect: a motion stands beside joint Link, which moves as a joint of its kind does
+// expect: a motion is declared for joint Link, whose kind determines how it moves
 namespace n25 {
 struct Link : pin<Link, Ground, up, mass>, angular_velocity<Ground, u * own::z> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n25
 
-// expect: frame Link is given two orientations
+// expect: frame Link has two orientations
 namespace n26 {
 struct Link : pin<Link, Ground, up, mass>, rotated<Link, Ground, q, Ground::z> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n26
 
-// expect: point Link is given two places
+// expect: point Link has two positions
 namespace n27 {
 struct Link : pin<Link, Ground, up, mass>, offset<Link, Ground, l * Ground::x> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n27
 
-// expect: Link hides what it is derived from, as a class does; write struct
+// expect: Link inherits privately; declare it as a struct
 namespace n28 {
 class Link : pin<Link, Ground, up, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n28
 
-// expect: joint Link calls itself Arm; the first argument of what it is derived from must be Link
+// expect: joint Link names itself Arm; the first template argument of its base must be Link
 namespace n29 {
 struct Link : pin<Arm, Ground, up, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n29
 
-// expect: joint Link hangs on itself
+// expect: joint Link is attached to itself
 namespace n30 {
 struct Link : pin<Link, Link, up, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -229,7 +227,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n31
 
-// expect: joint Link is given an axis that is not fixed in Ground
+// expect: joint Link has an axis that is not fixed in Ground
 namespace n32 {
 struct Link : pin<Link, Ground, axis<Arm::x>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};
@@ -250,14 +248,14 @@ struct System : jointed<joints<Arm, Bob>> {};
 void f() { use<System>(); }
 } // namespace n34
 
-// expect: joints<...> lists A, which is a frame; frames are found by what uses them
+// expect: joints<...> lists A, which is a frame; frames need not be listed
 namespace n35 {
 struct A : rotated<A, Ground, 1, Ground::x> {};
 struct System : jointed<joints<Arm, A>> {};
 void f() { use<System>(); }
 } // namespace n35
 
-// expect: joint Arm stands among the words of System; write joints<Arm>
+// expect: joint Arm is among the words of System; write joints<Arm>
 namespace n36 {
 struct System : jointed<joints<Arm>, Arm> {};
 void f() { use<System>(); }
@@ -282,7 +280,7 @@ struct System : jointed<joints<Arm>, joints<Arm>> {};
 void f() { use<System>(); }
 } // namespace n39
 
-// expect: joint Link hangs on A, which is a frame; write frame_and_point<frame, point>
+// expect: joint Link is attached to A, which is a frame; write frame_and_point<frame, point>
 namespace n40 {
 struct A : rotated<A, Ground, 1, Ground::x> {};
 struct Link : pin<Link, A, up, mass> {};
@@ -306,7 +304,7 @@ struct System : jointed<joints<Link, Next>> {};
 void f() { use<System>(); }
 } // namespace n42
 
-// expect: joint Link lacks a pitch; write screw<Self, Parent, axis<vector>, pitch<advance for each radian>,
+// expect: joint Link lacks a pitch; write screw<Self, Parent, axis<vector>, pitch<advance per radian>,
 // expect: by<coordinate, speed>>
 namespace n43 {
 struct Link : screw<Link, Ground, up, mass> {};
@@ -314,44 +312,44 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n43
 
-// expect: joint Link is given pitch<...>, which belongs to a screw<...>
+// expect: joint Link has pitch<...>, which belongs to a screw<...>
 namespace n44 {
 struct Link : pin<Link, Ground, up, pitch<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n44
 
-// expect: joint Link is given two pitches
+// expect: joint Link has two pitches
 namespace n45 {
 struct Link : screw<Link, Ground, up, pitch<l>, pitch<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n45
 
-// expect: joint Link is given its place in the parent in own axes; write at<vector in axes of the parent,
-// expect: vector in own axes>
+// expect: joint Link has a position in the parent in own axes; write at<vector in axes of the parent, vector
+// expect: in own axes>
 namespace n46 {
 struct Link : pin<Link, Ground, up, at<l * own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n46
 
-// expect: joint Link is given its home in own axes, which turn with it; write home<angle, axis of the parent>
+// expect: joint Link has a home in own axes, which turn with it; write home<angle, axis of the parent>
 namespace n47 {
 struct Link : pin<Link, Ground, up, home<1, own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n47
 
-// expect: joint Link is given its place in the child in axes of another frame; write at<vector in the
-// expect: parent, vector in own axes>
+// expect: joint Link has a position in the child in axes of a different frame; write at<vector in the parent,
+// expect: vector in own axes>
 namespace n48 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * Ground::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n48
 
-// expect: joint Link is given a mass centre in axes of another frame; write body<mass, vector in own axes,
+// expect: joint Link has a mass center in axes of a different frame; write body<mass, vector in own axes,
 // expect: inertia>
 namespace n49 {
 struct Link : pin<Link, Ground, up, body<2, l * Ground::x>> {};
@@ -359,7 +357,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n49
 
-// expect: joint Link is given a second parent; it has one, and a loop is closed by a constraint such as
+// expect: joint Link has a second parent; a joint has one, and a loop is closed by a constraint such as
 // expect: coincident<...>
 namespace n50 {
 struct Link : pin<Link, Ground, Arm, up, mass> {};
@@ -367,35 +365,35 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace n50
 
-// expect: joint Link is given two axes that are parallel
+// expect: joint Link has two parallel axes
 namespace n51 {
 struct Link : universal<Link, Ground, axis<Ground::z, 2 * own::z>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n51
 
-// expect: joint Link is given two axes that are parallel
+// expect: joint Link has two parallel axes
 namespace n52 {
 struct Link : planar<Link, Ground, axis<own::x + own::y, l * own::x + l * own::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n52
 
-// expect: joint Link is given an axis of no length
+// expect: joint Link has an axis of zero length
 namespace n53 {
 struct Link : prismatic<Link, Ground, axis<0.0 * Ground::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n53
 
-// expect: joint Link is given an axis that is not fixed in Ground
+// expect: joint Link has an axis that is not fixed in Ground
 namespace n54 {
 struct Link : prismatic<Link, Ground, axis<Arm::x>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace n54
 
-// expect: joint Link hangs on P, which is a point; write frame_and_point<frame, point>
+// expect: joint Link is attached to P, which is a point; write frame_and_point<frame, point>
 namespace n55 {
 struct P : offset<P, Ground, l * Ground::x> {};
 struct Link : pin<Link, P, up, mass> {};
@@ -403,7 +401,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n55
 
-// expect: joint Link hangs on Later, which is not a joint, or is described only later
+// expect: joint Link is attached to Later, which is not a joint, or is defined later
 namespace n56 {
 struct Later;
 struct Link : pin<Link, Later, axis<own::z>, mass> {};
@@ -411,7 +409,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n56
 
-// expect: joint Link hangs on itself
+// expect: joint Link is attached to itself
 namespace n57 {
 struct Other;
 struct Link : pin<Link, Other, up, mass> {};
@@ -433,24 +431,24 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace n59
 
-// expect: the mass of Link holds the number 0, which is what 1/2 is in C++; write 0.5 or rational<1, 2>,
-// expect: and 0.0 for a zero that is meant
+// expect: the mass of Link contains the integer 0, which is also the value of 1/2 in C++; write 0.5 or
+// expect: rational<1, 2>, or 0.0 if you mean zero
 namespace n60 {
 struct Link : pin<Link, Ground, axis<Ground::z>, body<1 / 2>> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n60
 
-// expect: the angle of frame Link_home holds the number 0, which is what 1/2 is in C++; write 0.5 or
-// expect: rational<1, 2>, and 0.0 for a zero that is meant
+// expect: the angle of frame Link_home contains the integer 0, which is also the value of 1/2 in C++; write
+// expect: 0.5 or rational<1, 2>, or 0.0 if you mean zero
 namespace n61 {
 struct Link : pin<Link, Ground, axis<Ground::z>, home<1 / 2, Ground::z>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n61
 
-// expect: the offset of point Link holds the number 0, which is what 1/2 is in C++; write 0.5 or
-// expect: rational<1, 2>, and 0.0 for a zero that is meant
+// expect: the offset of point Link contains the integer 0, which is also the value of 1/2 in C++; write 0.5
+// expect: or rational<1, 2>, or 0.0 if you mean zero
 namespace n62 {
 struct Link : screw<Link, Ground, axis<Ground::z>, pitch<1 / 2>, mass> {};
 struct System : jointed<joints<Link>> {};

@@ -1,4 +1,4 @@
-// expect: dependent<...> holds something that is neither a coordinate nor the rate of one, with v
+// expect: dependent<...> contains something that is neither a coordinate nor the rate of one, involving v
 #include "pendulum.hpp"
 
 struct System : rates_of_both<bodies<Bob, Block>, velocity_constraints<dot(s) == dot(q)>, dependent<v>> {};

@@ -1,4 +1,4 @@
-// expect: the system System has speeds<...>; a lagrange_system has no speeds but the rates of its
+// expect: the system System has speeds<...>; the only speeds of a lagrange_system are the rates of its
 // coordinates
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// expect: the system System has bodies<...> and lagrangian<...>; a Lagrangian holds the energy of all
+// expect: the system System has bodies<...> and lagrangian<...>; a Lagrangian contains the energy of all
 // bodies
 #include "pendulum.hpp"
 

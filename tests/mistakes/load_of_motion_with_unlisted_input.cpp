@@ -1,4 +1,4 @@
-// expect: input T, which the force at P holds, is not in the list of inputs
+// expect: input T, which the force at P contains, is not in the list of inputs
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

@@ -1,4 +1,4 @@
-// expect: the force at P holds normalized of a vector of no length
+// expect: the force at P normalizes a vector of zero length
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

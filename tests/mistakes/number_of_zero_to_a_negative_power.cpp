@@ -1,4 +1,4 @@
-// expect: the force at P holds pow of numbers for which it has no value
+// expect: the force at P contains pow of numbers for which it is undefined
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

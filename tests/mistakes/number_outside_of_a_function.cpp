@@ -1,4 +1,4 @@
-// expect: the mass of Disc holds acos of a number for which it has no value
+// expect: the mass of Disc contains acos of a number for which it is undefined
 #include "pendulum.hpp"
 
 struct Disc : particle<Disc, P, m * acos(rational<2, 1>)> {};

@@ -1,4 +1,4 @@
-// expect: the torque on A holds a number that is not finite
+// expect: the torque on A contains a number that is not finite
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: the offset of point Q is divided by zero
+// expect: the offset of point Q contains a division by zero
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l / 0 * A::x> {};

@@ -1,4 +1,4 @@
-// expect: point Q is an origin, fixed in the inertial frame, and is given a motion
+// expect: point Q is an origin, fixed in the inertial frame, but has a declared motion
 #include "pendulum.hpp"
 
 struct Q : origin<Q, N>, velocity<N, u * N::x> {};

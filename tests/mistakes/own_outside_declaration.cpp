@@ -1,5 +1,5 @@
-// expect: the offset of point Q holds own::x, which stands for a frame while its angular velocity is
-// expect: declared; write N::x
+// expect: the offset of point Q contains own::x, which is valid only in the declared angular velocity of a
+// expect: frame; write N::x
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * own::x> {};

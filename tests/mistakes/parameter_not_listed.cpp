@@ -1,4 +1,4 @@
-// expect: parameter m, which the mass of Bob holds, is not in the list of parameters
+// expect: parameter m, which the mass of Bob contains, is not in the list of parameters
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

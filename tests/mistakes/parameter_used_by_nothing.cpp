@@ -1,4 +1,5 @@
-// expect: parameter d is listed and nothing in the system uses it; if that is meant, write used_elsewhere<d>
+// expect: parameter d is listed, but nothing in the system uses it; if this is intended, write
+// expect: used_elsewhere<d>
 #include "pendulum.hpp"
 
 constexpr parameter<"d"> d; // a damper that the loads forget

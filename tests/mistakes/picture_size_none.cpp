@@ -1,4 +1,4 @@
-// expect: the picture holds acos of a number for which it has no value
+// expect: the picture contains acos of a number for which it is undefined
 #include "picture.hpp"
 
 int main() { return draw<up<N::y>, show<sphere<P, l * acos(rational<2, 1>)>>>(); }

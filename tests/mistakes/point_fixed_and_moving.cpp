@@ -1,4 +1,4 @@
-// expect: point Q is fixed in A and is given a velocity of its own as well
+// expect: point Q is fixed in A, but also has a declared velocity
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, fixed_in<A>, velocity<N, u * A::y> {};

@@ -1,4 +1,4 @@
-// expect: point Q calls itself P; the first argument of what it is derived from must be Q
+// expect: point Q names itself P; the first template argument of its base must be Q
 #include "pendulum.hpp"
 
 struct Q : offset<P, O, l * A::x> {};

@@ -1,4 +1,4 @@
-// expect: the potential energy with m holds a velocity or derivative; it may hold coordinates only
+// expect: the potential energy with m contains a velocity or derivative; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: input theta', which the force at P holds, is not in the list of inputs
+// expect: input theta', which the force at P contains, is not in the list of inputs
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

@@ -1,4 +1,4 @@
-// expect: the list of inputs holds theta', a derivative of a prescribed quantity, without theta
+// expect: the list of inputs contains theta', a derivative of a prescribed quantity, without theta
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

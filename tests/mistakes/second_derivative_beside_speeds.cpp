@@ -1,4 +1,5 @@
-// expect: an acceleration constraint holds the second derivative of coordinate s; write it by the rates of
+// expect: an acceleration constraint contains the second derivative of coordinate s; write it in terms of the
+// expect: rates of
 // the speeds
 #include "pendulum.hpp"
 

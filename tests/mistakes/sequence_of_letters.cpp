@@ -1,4 +1,4 @@
-// expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+// expect: frame B has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz
 #include "pendulum.hpp"
 
 struct B : space_fixed<B, N, "xq", q, 0.0, 0.0> {};

@@ -1,4 +1,4 @@
-// expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+// expect: frame B has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz
 #include "pendulum.hpp"
 
 struct B : body_fixed<B, N, "xxz", q, 0.0, 0.0> {};

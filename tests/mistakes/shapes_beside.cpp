@@ -1,75 +1,75 @@
 // Words of the library that stand as bases of what they do not belong to.
 #include "shapes.hpp"
 
-// expect: a load stands beside the words of System; write it in loads<...>, among them
+// expect: a load is a separate base class of System; write it in loads<...>, among the words of the system
 namespace n1 {
 struct System : pendulum_with<Bob>, gravity<-g * N::y> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: a load stands beside the words of Swing; write it in loads<...>, among them
+// expect: a load is a separate base class of Swing; write it in loads<...>, among the words of the system
 namespace n2 {
 struct Swing : pendulum_with<Bob>, spring<P, Q, k>, damper<P, Q, c> {};
 void f() { use<Swing>(); }
 } // namespace n2
 
-// expect: a load stands beside Bead; write it in loads<...> of the system
+// expect: a load is a base class of Bead; write it in loads<...> of the system
 namespace n3 {
 struct Bead : particle<Bead, P, m>, gravity<-g * N::y> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: a load stands beside Tip; write it in loads<...> of the system
+// expect: a load is a base class of Tip; write it in loads<...> of the system
 namespace n4 {
 struct Tip : offset<Tip, P, l * A::x>, force<Tip, F * N::y> {};
 struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: a load stands beside B; write it in loads<...> of the system
+// expect: a load is a base class of B; write it in loads<...> of the system
 namespace n5 {
 struct B : rotated<B, N, q, N::z>, torsional_spring<q, k> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: a word of the system stands beside B; write it among those of the system
+// expect: a word of the system is a base class of B; write it among the words of the system
 namespace n6 {
 struct B : rotated<B, N, q, N::z>, values<m == 2> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a word of the system stands beside Bead; write it among those of the system
+// expect: a word of the system is a base class of Bead; write it among the words of the system
 namespace n7 {
 struct Bead : particle<Bead, P, m>, velocity_constraints<u == 0> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: B is described as a frame and as a point; give each a name of its own
+// expect: B is described as a frame and as a point; give each its own name
 namespace n8 {
 struct B : rotated<B, N, q, N::z>, offset<B, O, l * A::x> {};
 struct System : loaded<force<B, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: B is described as a frame and as a body; give each a name of its own
+// expect: B is described as a frame and as a body; give each its own name
 namespace n9 {
 struct B : rotated<B, N, q, N::z>, rigid_body<B, P, A, m, inertia<A, m, m, m>> {};
 struct System : pendulum_with<B> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: Bead is described as a point and as a body; give each a name of its own
+// expect: Bead is described as a point and as a body; give each its own name
 namespace n10 {
 struct Bead : offset<Bead, O, l * A::x>, particle<Bead, P, m> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: Start is described as a point and as a body; give each a name of its own
+// expect: Start is described as a point and as a body; give each its own name
 namespace n11 {
 struct Start : particle<Start, P, m>, origin<Start, N> {};
 struct Tip : offset<Tip, Start, l * A::x> {};
@@ -77,47 +77,47 @@ struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: Weight is two loads; give each a name of its own
+// expect: Weight is two loads; give each its own name
 namespace n12 {
 struct Weight : force<P, F * N::x>, gravity<-g * N::y> {};
 struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: a load stands beside Weight; write it in loads<...> of the system
+// expect: a load is a base class of Weight; write it in loads<...> of the system
 namespace n13 {
 struct Weight : gravity<-g * N::y>, particle<Weight, P, m> {};
 struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: angular_velocity<...> stands beside Weight, which is not a frame
+// expect: angular_velocity<...> is a base class of Weight, which is not a frame
 namespace n14 {
 struct Weight : gravity<-g * N::y>, angular_velocity<N, u * N::z> {};
 struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: a load stands beside the words of Loads; write it in loads<...>, among them
+// expect: a load is a separate base class of Loads; write it in loads<...>, among the words of the system
 namespace n15 {
 struct Loads : loads<weight>, gravity<-g * N::y> {};
 struct System : told<Loads> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: System is described as a system and as a part of one; give each a name of its own
+// expect: System is described as a system and as a part of one; give each its own name
 namespace n16 {
 struct System : pendulum_with<Bob>, offset<System, O, l * A::x> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: System is derived from two systems; give each a name of its own
+// expect: System is derived from two systems; give each its own name
 namespace n17 {
 struct System : pendulum_with<Bob>, rates_of_pendulum<bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: Tip is described as a part of a system and as a whole one; give each a name of its own
+// expect: Tip is described as a part of a system and as a whole one; give each its own name
 namespace n18 {
 struct Tip : offset<Tip, P, l * A::x>, pendulum_with<Bob> {};
 struct System : loaded<force<Tip, F * N::x>> {};
@@ -126,28 +126,28 @@ void f() { use<System>(); }
 
 // Private bases.
 
-// expect: System hides what it is derived from, as a class does; write struct
+// expect: System inherits privately; declare it as a struct
 namespace n19 {
 class System : pendulum_with<Bob> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: Bead hides what it is derived from, as a class does; write struct
+// expect: Bead inherits privately; declare it as a struct
 namespace n20 {
 class Bead : particle<Bead, P, m> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: Tip hides what it is derived from, as a class does; write struct
+// expect: Tip inherits privately; declare it as a struct
 namespace n21 {
 class Tip : offset<Tip, P, l * A::x> {};
 struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: another frame than A calls itself A; the first argument of what a frame is derived from must be the
-// expect: frame
+// expect: a frame other than A names itself A; the first template argument of a frame's base must be the
+// expect: frame itself
 namespace n22 {
 struct B : rotated<A, N, s, N::z> {};
 struct Tip : offset<Tip, O, l * B::x> {};
@@ -155,8 +155,8 @@ struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: another frame than A calls itself A; the first argument of what a frame is derived from must be the
-// expect: frame
+// expect: a frame other than A names itself A; the first template argument of a frame's base must be the
+// expect: frame itself
 namespace n23 {
 struct B : quaternion<A, N, 1, 0, 0, 0> {};
 struct System : loaded<torque<A, T * B::z>> {};

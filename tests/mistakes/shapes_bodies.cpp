@@ -9,7 +9,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: point G has an argument too many; write offset<Self, From, vector>
+// expect: point G has too many arguments; write offset<Self, From, vector>
 namespace n2 {
 struct G : offset<G, O, l, A::x> {};
 struct Ball : particle<Ball, G, m> {};
@@ -33,7 +33,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: point G has an argument too many; write origin<Self, Frame>
+// expect: point G has too many arguments; write origin<Self, Frame>
 namespace n5 {
 struct G : origin<G, N, A> {};
 struct Ball : particle<Ball, G, m> {};
@@ -49,7 +49,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: point G has an argument too many; write velocity<Reference, vector>
+// expect: point G has too many arguments; write velocity<Reference, vector>
 namespace n7 {
 struct G : offset<G, O, l * A::x>, velocity<N, u, A::y> {};
 struct Ball : particle<Ball, G, m> {};
@@ -72,7 +72,7 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: body Ball has an argument too many; write particle<Self, Point, mass>
+// expect: body Ball has too many arguments; write particle<Self, Point, mass>
 namespace n10 {
 struct Ball : particle<Ball, P, m, l> {};
 struct System : pendulum_with<Ball> {};
@@ -93,7 +93,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: body Rod has an argument too many; write rigid_body<Self, Center, Frame, mass, Inertia>
+// expect: body Rod has too many arguments; write rigid_body<Self, Center, Frame, mass, Inertia>
 namespace n13 {
 struct Rod : rigid_body<Rod, P, A, m, inertia<A, m, m, m>, inertia<A, m, m, m>> {};
 struct System : pendulum_with<Rod> {};
@@ -107,14 +107,14 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: body Rod has an argument too many; write inertia<Frame, Ixx, Iyy, Izz, Ixy, Iyz, Izx>
+// expect: body Rod has too many arguments; write inertia<Frame, Ixx, Iyy, Izz, Ixy, Iyz, Izx>
 namespace n15 {
 struct Rod : rigid_body<Rod, P, A, m, inertia<A, m, m, m, 0, 0, 0, 0>> {};
 struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: body Rod has an argument too many; write inertia_dyadic<dyadic>
+// expect: body Rod has too many arguments; write inertia_dyadic<dyadic>
 namespace n16 {
 struct Rod : rigid_body<Rod, P, A, m, inertia_dyadic<m, outer(A::x, A::x)>> {};
 struct System : pendulum_with<Rod> {};

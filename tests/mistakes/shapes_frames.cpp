@@ -17,7 +17,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: frame B has an argument too many; write rotated<Self, Parent, angle, axis>
+// expect: frame B has too many arguments; write rotated<Self, Parent, angle, axis>
 namespace n3 {
 struct B : rotated<B, N, q, N::z, 1> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -41,7 +41,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: frame B has an argument too many; write body_fixed<Self, Parent, sequence, angle, angle, angle>
+// expect: frame B has too many arguments; write body_fixed<Self, Parent, sequence, angle, angle, angle>
 namespace n6 {
 struct B : body_fixed<B, N, "zxz", q, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -57,7 +57,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: frame B is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+// expect: frame B has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz
 namespace n8 {
 struct B : body_fixed<B, N, 313, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -65,7 +65,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: frame B2 is turned by an invalid sequence; take three axes, no two neighbours alike: zxz
+// expect: frame B2 has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz
 namespace n9 {
 struct B2 : body_fixed<B2, N, q, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B2, m, inertia<B2, m, m, m>> {};
@@ -81,7 +81,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: frame B has an argument too many; write quaternion<Self, Parent, e0, e1, e2, e3>
+// expect: frame B has too many arguments; write quaternion<Self, Parent, e0, e1, e2, e3>
 namespace n11 {
 struct B : quaternion<B, N, q, q, q, q, q> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -89,7 +89,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: frame B lacks an argument; write direction_cosines<Self, Parent, nine cosines by rows>
+// expect: frame B lacks an argument; write direction_cosines<Self, Parent, nine cosines row by row>
 namespace n12 {
 struct B : direction_cosines<B, N, 1, 0, 0, 0, 1, 0> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -97,7 +97,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: frame B has an argument too many; write direction_cosines<Self, Parent, nine cosines by rows>
+// expect: frame B has too many arguments; write direction_cosines<Self, Parent, nine cosines row by row>
 namespace n13 {
 struct B : direction_cosines<B, N, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -113,7 +113,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: frame B has an argument too many; write angular_velocity<Reference, vector>
+// expect: frame B has too many arguments; write angular_velocity<Reference, vector>
 namespace n15 {
 struct B : rotated<B, N, q, N::z>, angular_velocity<N, u, N::z> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};

@@ -37,13 +37,13 @@ struct System : loaded<force_between<P, Q, normalized(q)>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: the stiffness of the spring between P and O takes sin of a vector
+// expect: the stiffness of the spring between P and O applies sin to a vector
 namespace n7 {
 struct System : loaded<spring<P, O, sin(N::x)>> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the stiffness of the spring between P and Q takes sqrt of a vector
+// expect: the stiffness of the spring between P and Q applies sqrt to a vector
 namespace n8 {
 struct System : loaded<spring<P, Q, sqrt(q* N::x)>> {};
 void f() { use<System>(); }
@@ -56,139 +56,138 @@ struct System : loaded<spring<Q, O, pow(N::x, 2)>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: the damping of the damper between P and O takes atan2 of a vector and a scalar
+// expect: the damping of the damper between P and O applies atan2 to a vector and a scalar
 namespace n10 {
 struct System : loaded<damper<P, O, atan2(N::x, q)>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the potential energy with k takes dot of something that is not a coordinate, speed or prescribed
+// expect: the potential energy with k applies dot to something that is not a coordinate, speed or prescribed
 // expect: quantity
 namespace n11 {
 struct System : loaded<potential_energy<k * dot(q* q)>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: the damping of the damper between P and Q takes dot of something that is not a coordinate, speed or
-// expect: prescribed quantity
+// expect: the damping of the damper between P and Q applies dot to something that is not a coordinate, speed
+// expect: or prescribed quantity
 namespace n12 {
 struct System : loaded<damper<P, Q, dot(m)>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: the torque on N takes dot of something that is not a coordinate, speed or prescribed quantity
+// expect: the torque on N applies dot to something that is not a coordinate, speed or prescribed quantity
 namespace n13 {
 struct System : loaded<torque<N, dot(A::x) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: a kinematic differential equation with q takes dot of something that is not a coordinate, speed or
-// expect: prescribed quantity
+// expect: a kinematic differential equation with q applies dot to something that is not a coordinate, speed
+// expect: or prescribed quantity
 namespace n14 {
 struct System : moved_by<dot(q* q) == u> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the damping of the damper between Q and O is written with a function that models do not have;
-// expect: those they have are sqrt, sin, cos, tan,
+// expect: the damping of the damper between Q and O uses a function that models do not have; the available
+// expect: functions are sqrt, sin, cos, tan,
 namespace n15 {
 struct System : loaded<damper<Q, O, cbrt(u)>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the damping of the torsional damper between A and N is written with a function that models do not
-// expect: have
+// expect: the damping of the torsional damper between A and N uses a function that models do not have
 namespace n16 {
 struct System : loaded<torsional_damper<A, N, fmod(u, c)>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the damping of the torsional damper between N and A takes hypot of a vector
+// expect: the damping of the torsional damper between N and A applies hypot to a vector
 namespace n22 {
 struct System : loaded<torsional_damper<N, A, hypot(u, A::x)>> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: the torque on A takes clamp of 2 scalars; it is of 3
+// expect: the torque on A calls clamp with 2 arguments; it takes 3
 namespace n23 {
 struct System : loaded<torque<A, clamp(q, u) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: the force at P takes min of 1 scalar; it is of 2
+// expect: the force at P calls min with 1 argument; it takes 2
 namespace n24 {
 struct System : loaded<force<P, (min)(q)*N::x>> {};
 void f() { use<System>(); }
 } // namespace n24
 
-// expect: the force at O holds == inside an expression; write it once, outermost
+// expect: the force at O contains == inside an expression; use it only once, at the outermost level
 namespace n25 {
 struct System : loaded<force<O, if_positive(q == 1, u, 2) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n25
 
-// expect: the stiffness of the spring between P and O takes if_positive of a dyadic
+// expect: the stiffness of the spring between P and O applies if_positive to a dyadic
 namespace n26 {
 struct System : loaded<spring<P, O, if_positive(outer(N::x, N::x), q, 1)>> {};
 void f() { use<System>(); }
 } // namespace n26
 
-// expect: the force between P and O takes smooth_step of a vector
+// expect: the force between P and O applies smooth_step to a vector
 namespace n28 {
 struct System : loaded<force_between<P, O, smooth_step(N::x, 0, 1) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n28
 
-// expect: the force between P and Q takes softplus of 1 scalar; it is of 2
+// expect: the force between P and Q calls softplus with 1 argument; it takes 2
 namespace n29 {
 struct System : loaded<force_between<P, Q, softplus(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n29
 
-// expect: the force at Q holds smooth_step of numbers for which it has no value
+// expect: the force at Q contains smooth_step of numbers for which it is undefined
 namespace n30 {
 struct System : loaded<force<Q, smooth_step(q, 1, 1) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n30
 
-// expect: the force at P holds tabulated<...> of 3 scalars; it takes points, two or more, each an argument
-// expect: and a value
+// expect: the force at P contains tabulated<...> with 3 scalars; it takes two or more points, each an
+// expect: argument and a value
 namespace n31 {
 struct System : loaded<force<P, tabulated<0, 1, 2>(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n31
 
-// expect: the force at O holds tabulated<...> with arguments that do not grow, at point 3
+// expect: the force at O contains tabulated<...> whose arguments do not increase at point 3
 namespace n32 {
 struct System : loaded<force<O, tabulated<0, 1, 2, 1, 2, 0>(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n32
 
-// expect: the force at O holds periodic<...> that does not end with the value with which it begins
+// expect: the force at O contains periodic<...> whose last value differs from the first
 namespace n34 {
 struct System : loaded<force<O, periodic<0, 1, 2, 3, 4, 2>(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n34
 
-// expect: the force at P holds periodic<...> with arguments that do not grow, at point 2
+// expect: the force at P contains periodic<...> whose arguments do not increase at point 2
 namespace n35 {
 struct System : loaded<force<P, periodic<2, 1, 0, 3, 4, 1>(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n35
 
-// expect: the force at Q takes tabulated of a vector
+// expect: the force at Q applies tabulated to a vector
 namespace n33 {
 struct System : loaded<force<Q, tabulated<0, 1, 2, 1>(N::x) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n33
 
-// expect: the stiffness of the spring between P and Q takes max of a vector
+// expect: the stiffness of the spring between P and Q applies max to a vector
 namespace n27 {
 struct System : loaded<spring<P, Q, (max)(q, N::x)>> {};
 void f() { use<System>(); }
 } // namespace n27
 
-// expect: the damping of the torsional damper between N and A takes tanh of a vector
+// expect: the damping of the torsional damper between N and A applies tanh to a vector
 namespace n21 {
 struct System : loaded<torsional_damper<N, A, tanh(A::x)>> {};
 void f() { use<System>(); }

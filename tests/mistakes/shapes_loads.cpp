@@ -7,7 +7,7 @@ struct System : loaded<force<P>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: the force at P has an argument too many; write force<Point, vector>
+// expect: the force at P has too many arguments; write force<Point, vector>
 namespace n2 {
 struct System : loaded<force<P, F, N::x>> {};
 void f() { use<System>(); }
@@ -19,7 +19,7 @@ struct System : loaded<torque<A>> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: the torque on A has an argument too many; write torque<Frame, vector>
+// expect: the torque on A has too many arguments; write torque<Frame, vector>
 namespace n4 {
 struct System : loaded<torque<A, T, N::z>> {};
 void f() { use<System>(); }
@@ -31,7 +31,7 @@ struct System : loaded<gravity<>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: gravity has an argument too many; write gravity<vector>
+// expect: gravity has too many arguments; write gravity<vector>
 namespace n6 {
 struct System : loaded<gravity<g, N::x>> {};
 void f() { use<System>(); }
@@ -50,7 +50,7 @@ struct System : loaded<spring<P, O>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: the spring between P and O has an argument too many; write spring<Point, Other, stiffness, natural
+// expect: the spring between P and O has too many arguments; write spring<Point, Other, stiffness, natural
 // expect: length>
 namespace n9 {
 struct System : loaded<spring<P, O, k, l, c>> {};
@@ -63,7 +63,7 @@ struct System : loaded<damper<P, O>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the damper between P and O has an argument too many; write damper<Point, Other, damping>
+// expect: the damper between P and O has too many arguments; write damper<Point, Other, damping>
 namespace n11 {
 struct System : loaded<damper<P, O, c, 0>> {};
 void f() { use<System>(); }
@@ -81,7 +81,7 @@ struct System : loaded<torque_between<A, N>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: the torque between A and N has an argument too many; write torque_between<Frame, Other, vector>
+// expect: the torque between A and N has too many arguments; write torque_between<Frame, Other, vector>
 namespace n14 {
 struct System : loaded<torque_between<A, N, T, N::z>> {};
 void f() { use<System>(); }
@@ -93,8 +93,7 @@ struct System : loaded<torsional_spring<q>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the torsional spring with q has an argument too many; write torsional_spring<angle, stiffness,
-// expect: rest>
+// expect: the torsional spring with q has too many arguments; write torsional_spring<angle, stiffness, rest>
 namespace n16 {
 struct System : loaded<torsional_spring<q, k, 0, c>> {};
 void f() { use<System>(); }
@@ -113,7 +112,7 @@ struct System : loaded<potential_energy<>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the potential energy with k has an argument too many; write potential_energy<scalar>
+// expect: the potential energy with k has too many arguments; write potential_energy<scalar>
 namespace n19 {
 struct System : loaded<potential_energy<k, q>> {};
 void f() { use<System>(); }
@@ -131,13 +130,13 @@ struct System : loaded<particle<Bob, P, m>> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: loads<...> lists N, which is a frame; frames are found by what uses them
+// expect: loads<...> lists N, which is a frame; frames need not be listed
 namespace n22 {
 struct System : loaded<N> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: loads<...> lists P, which is a point; points are found by what uses them
+// expect: loads<...> lists P, which is a point; points need not be listed
 namespace n23 {
 struct System : loaded<P> {};
 void f() { use<System>(); }
@@ -167,7 +166,7 @@ struct System : loaded<drag<P>> {};
 void f() { use<System>(); }
 } // namespace n27
 
-// expect: the drag at Q has an argument too many; write drag<Point, coefficient>
+// expect: the drag at Q has too many arguments; write drag<Point, coefficient>
 namespace n28 {
 struct System : loaded<drag<Q, c, k>> {};
 void f() { use<System>(); }

@@ -3,13 +3,15 @@
 #include <kanexpr/ensemble/kept.hpp>
 #include <kanexpr/simulate/event.hpp>
 
-// expect: an expression with P uses position_of for something other than two points: position_of<point, from>
+// expect: an expression with P uses position_of with something other than two points; write
+// expect: position_of<point, from>
 namespace n1 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, position_of<P>>{}(state<System>(), parameter_values<System>()); }
 } // namespace n1
 
-// expect: an expression with O uses position_of for something other than two points: position_of<point, from>
+// expect: an expression with O uses position_of with something other than two points; write
+// expect: position_of<point, from>
 namespace n2 {
 struct System : loaded<weight> {};
 auto f() {
@@ -17,7 +19,7 @@ auto f() {
 }
 } // namespace n2
 
-// expect: an expression with P names a frame or point too many: motions are those in the inertial frame,
+// expect: an expression with P names an extra frame or point; motions are relative to the inertial frame:
 // expect: velocity_of<point>
 namespace n3 {
 struct System : loaded<weight> {};
@@ -26,7 +28,7 @@ auto f() {
 }
 } // namespace n3
 
-// expect: an expression with A names a frame or point too many: motions are those in the inertial frame,
+// expect: an expression with A names an extra frame or point; motions are relative to the inertial frame:
 // expect: velocity_of<point>
 namespace n4 {
 struct System : loaded<weight> {};
@@ -49,7 +51,7 @@ auto f() {
 }
 } // namespace n6
 
-// expect: an expression with P takes the derivative of a vector, and not as a frame sees it; write
+// expect: an expression with P takes the derivative of a vector without a frame; write
 // expect: derivative_in<frame>(vector)
 namespace n7 {
 struct System : loaded<weight> {};
@@ -58,7 +60,7 @@ auto f() {
 }
 } // namespace n7
 
-// expect: an expression with O takes the derivative of a vector, and not as a frame sees it; write
+// expect: an expression with O takes the derivative of a vector without a frame; write
 // expect: derivative_in<frame>(vector)
 namespace n8 {
 struct System : loaded<weight> {};
@@ -68,7 +70,7 @@ auto f() {
 }
 } // namespace n8
 
-// expect: an expression with q takes the derivative of a scalar as a frame sees it; write derivative(scalar)
+// expect: an expression with q takes the derivative of a scalar in a frame; write derivative(scalar)
 namespace n9 {
 struct System : loaded<weight> {};
 auto f() {
@@ -76,7 +78,7 @@ auto f() {
 }
 } // namespace n9
 
-// expect: an expression with q uses in_axes_of for something other than a vector and a frame:
+// expect: an expression with q uses in_axes_of with something other than a vector and a frame; write
 // expect: in_axes_of<frame>(vector)
 namespace n10 {
 struct System : loaded<weight> {};
@@ -85,7 +87,7 @@ auto f() {
 }
 } // namespace n10
 
-// expect: an expression with P uses in_axes_of for something other than a vector and a frame:
+// expect: an expression with P uses in_axes_of with something other than a vector and a frame; write
 // expect: in_axes_of<frame>(vector)
 namespace n11 {
 struct System : loaded<weight> {};
@@ -94,7 +96,7 @@ auto f() {
 }
 } // namespace n11
 
-// expect: an expression with u takes a partial derivative by something that is not a symbol
+// expect: an expression with u takes a partial derivative with respect to something that is not a symbol
 namespace n12 {
 struct System : loaded<weight> {};
 auto f() {
@@ -103,7 +105,7 @@ auto f() {
 }
 } // namespace n12
 
-// expect: an expression with P takes a partial derivative by something that is not a symbol
+// expect: an expression with P takes a partial derivative with respect to something that is not a symbol
 namespace n13 {
 struct System : loaded<weight> {};
 auto f() {
@@ -112,7 +114,7 @@ auto f() {
 }
 } // namespace n13
 
-// expect: an expression with O takes a partial derivative by something that is not a symbol
+// expect: an expression with O takes a partial derivative with respect to something that is not a symbol
 namespace n14 {
 struct System : loaded<weight> {};
 auto f() {
@@ -121,19 +123,19 @@ auto f() {
 }
 } // namespace n14
 
-// expect: what a function is asked for is not an expression of a model
+// expect: a function requests something that is not an expression of a model
 namespace n15 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, nullptr>{}(state<System>(), parameter_values<System>()); }
 } // namespace n15
 
-// expect: an expression with u is written with =; an equation is written with ==
+// expect: an expression with u uses =; write equations with ==
 namespace n16 {
 struct System : loaded<weight> {};
 auto f() { return kanexpr::function<System, (u = 2)>{}(state<System>(), parameter_values<System>()); }
 } // namespace n16
 
-// expect: an expression with u is written with ^; a power is written pow(x, n)
+// expect: an expression with u uses ^; write pow(x, n) for a power
 namespace n17 {
 struct System : loaded<weight> {};
 auto f() {
@@ -142,7 +144,7 @@ auto f() {
 }
 } // namespace n17
 
-// expect: the force at P names a frame or point too many: motions are those in the inertial frame,
+// expect: the force at P names an extra frame or point; motions are relative to the inertial frame:
 // expect: velocity_of<point>
 namespace n18 {
 struct System : loaded<force<P, -c * velocity_of<P, N>>> {};

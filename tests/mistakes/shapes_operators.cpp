@@ -1,131 +1,128 @@
 // Operators that C++ has and models do not.
 #include "shapes.hpp"
 
-// expect: a kinematic differential equation with q is written with =; an equation is written with ==
+// expect: a kinematic differential equation with q uses =; write equations with ==
 namespace n1 {
 struct System : moved_by<(dot(q) = u)> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: values<...> with m is written with =; an equation is written with ==
+// expect: values<...> with m uses =; write equations with ==
 namespace n2 {
 struct System : told<values<(m = 2)>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: the force at P is written with ^; a power is written pow(x, n)
+// expect: the force at P uses ^; write pow(x, n) for a power
 namespace n3 {
 struct System : loaded<force<P, (q ^ 2) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: the torque on A is written with ^; a power is written pow(x, n)
+// expect: the torque on A uses ^; write pow(x, n) for a power
 namespace n4 {
 struct System : loaded<torque<A, -c*(u ^ 3) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the force between P and O is written with %; models have no remainders
+// expect: the force between P and O uses %; models have no remainder operator
 namespace n5 {
 struct System : loaded<force_between<P, O, (q % 2) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: the stiffness of the spring between P and O is written with !; a model holds numbers and vectors,
-// expect: not truth values
+// expect: the stiffness of the spring between P and O uses !; a model contains numbers and vectors, not truth
+// expect: values
 namespace n6 {
 struct System : loaded<spring<P, O, !q>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a kinematic differential equation with q is written with !; a model holds numbers and vectors, not
-// expect: truth values
+// expect: a kinematic differential equation with q uses !; a model contains numbers and vectors, not truth
+// expect: values
 namespace n7 {
 struct System : moved_by<!(dot(q) == u)> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the damping of the damper between P and O is written with !=, <, >, <= or >=; models have
-// expect: equations only, with ==
+// expect: the damping of the damper between P and O uses !=, <, >, <= or >=; models have only equations,
+// expect: written with ==
 namespace n8 {
 struct System : loaded<damper<P, O, (u > 0)>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: a kinematic differential equation with q is written with !=, <, >, <= or >=; models have equations
-// expect: only, with ==
+// expect: a kinematic differential equation with q uses !=, <, >, <= or >=; models have only equations,
+// expect: written with ==
 namespace n9 {
 struct System : moved_by<(dot(q) != u)> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: a configuration constraint with s is written with !=, <, >, <= or >=; models have equations only,
-// expect: with ==
+// expect: a configuration constraint with s uses !=, <, >, <= or >=; models have only equations, written with
+// expect: ==
 namespace n10 {
 struct System : bound_pendulum<configuration_constraints<(s >= 0)>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: a velocity constraint with u is written with && or ||; equations are written one by one, between
-// expect: commas
+// expect: a velocity constraint with u uses && or ||; list equations separately, with commas between them
 namespace n11 {
 struct System : bound_by<u == 0 && v == 0> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: the torque on A holds == inside an expression; write it once, outermost
+// expect: the torque on A contains == inside an expression; use it only once, at the outermost level
 namespace n12 {
 struct System : loaded<torque<A, (q == 0) * T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: a kinematic differential equation with q holds == inside an expression; write it once,
-// expect: outermost
+// expect: a kinematic differential equation with q contains == inside an expression; use it only once, at the
+// expect: outermost level
 namespace n13 {
 struct System : moved_by<dot(q) == u == 0> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: the torque between A and N is written with an operator that models do not have
+// expect: the torque between A and N uses an operator that models do not have
 namespace n14 {
 struct System : loaded<torque_between<A, N, (T | 1) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: a kinematic differential equation with q is written with an operator that changes a symbol, such
-// expect: as +=
+// expect: a kinematic differential equation with q uses an operator that modifies a symbol, such as +=
 namespace n15 {
 struct System : moved_by<(q += u)> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the damping of the damper between P and Q is written with an operator that changes a symbol, such
-// expect: as +=
+// expect: the damping of the damper between P and Q uses an operator that modifies a symbol, such as +=
 namespace n16 {
 struct System : loaded<damper<P, Q, ++c>> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the force at O holds true or false, which is not a number
+// expect: the force at O contains true or false, which is not a number
 namespace n17 {
 struct System : loaded<force<O, (F + true) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: a velocity constraint with v is written with =; an equation is written with ==
+// expect: a velocity constraint with v uses =; write equations with ==
 namespace n18 {
 struct System : bound_by<(v = u)> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the mass of Ball is written with ^; a power is written pow(x, n)
+// expect: the mass of Ball uses ^; write pow(x, n) for a power
 namespace n19 {
 struct Ball : particle<Ball, P, m ^ 2> {};
 struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: the angle of frame B is written with =; an equation is written with ==
+// expect: the angle of frame B uses =; write equations with ==
 namespace n20 {
 struct B : rotated<B, N, (q = 2), N::z> {};
 struct Rod : rigid_body<Rod, P, B, m, inertia<B, m, m, m>> {};
@@ -133,7 +130,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: the offset of point G is written with !=, <, >, <= or >=; models have equations only, with ==
+// expect: the offset of point G uses !=, <, >, <= or >=; models have only equations, written with ==
 namespace n21 {
 struct G : offset<G, O, (q < l) * A::x> {};
 struct Ball : particle<Ball, G, m> {};
@@ -141,32 +138,32 @@ struct System : pendulum_with<Ball> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: the force at P is written with [ ]; what a model holds has no entries
+// expect: the force at P uses [ ]; the quantities of a model have no entries
 namespace n22 {
 struct System : loaded<force<P, q[0] * N::x>> {};
 void f() { use<System>(); }
 } // namespace n22
 
-// expect: the force at P is written with arguments, as in q(t); symbols are written alone
+// expect: the force at P calls an expression like a function, as in q(t); write q
 namespace n23 {
 struct System : loaded<force<P, q(t) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: the torque on A is written with arguments, as in q(t); symbols are written alone
+// expect: the torque on A calls an expression like a function, as in q(t); write q
 namespace n24 {
 struct System : loaded<torque<A, N::z(q)>> {};
 void f() { use<System>(); }
 } // namespace n24
 
-// expect: the force at Q takes a product of more than two vectors at once
+// expect: the force at Q calls dot or cross with more than two arguments
 namespace n25 {
 struct System : loaded<force<Q, cross(N::x, N::y, N::z)>> {};
 void f() { use<System>(); }
 } // namespace n25
 
-// expect: the damping of the damper between P and O is written with !=, <, >, <= or >=; models have
-// expect: equations only, with ==
+// expect: the damping of the damper between P and O uses !=, <, >, <= or >=; models have only equations,
+// expect: written with ==
 namespace n26 {
 struct System : loaded<damper<P, O, (u <=> q)>> {};
 void f() { use<System>(); }

@@ -1,43 +1,43 @@
 // Words of a system that are none, or hold other things.
 #include "shapes.hpp"
 
-// expect: speed<...> stands among the words of System, and is a symbol; the word is speeds<...>
+// expect: speed<...> is among the words of System, but is a symbol; the word is speeds<...>
 namespace n1 {
 struct System : kane_system<inertial<N>, coordinates<q>, speed<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: coordinate<...> stands among the words of System, and is a symbol; the word is coordinates<...>
+// expect: coordinate<...> is among the words of System, but is a symbol; the word is coordinates<...>
 namespace n2 {
 struct System : kane_system<inertial<N>, coordinate<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: parameter<...> stands among the words of System, and is a symbol; the word is parameters<...>
+// expect: parameter<...> is among the words of System, but is a symbol; the word is parameters<...>
 namespace n3 {
 struct System : told<parameter<m>> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: input<...> stands among the words of System, and is a symbol; the word is inputs<...>
+// expect: input<...> is among the words of System, but is a symbol; the word is inputs<...>
 namespace n4 {
 struct System : told<loads<torque<A, T * N::z>>, input<T>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the force at P stands among the words of System; write loads<...> around it
+// expect: the force at P is among the words of System; write loads<...> around it
 namespace n5 {
 struct System : told<weight> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: frame N stands among the words of System; write inertial<N>
+// expect: frame N is among the words of System; write inertial<N>
 namespace n6 {
 struct System : kane_system<N, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: point O stands among the words of System; points are found by what uses them
+// expect: point O is among the words of System; points need not be listed
 namespace n7 {
 struct System : told<O> {};
 void f() { use<System>(); }
@@ -49,14 +49,13 @@ struct System : kane_system<inertial<>, coordinates<q>, speeds<u>, kinematics<do
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: kinematics_of takes two frames, and does not have them for A; write kinematics_of<Frame,
-// expect: Reference>
+// expect: kinematics_of is used with the wrong number of frames for A; write kinematics_of<Frame, Reference>
 namespace n9 {
 struct System : moved_by<kinematics_of<A>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: velocity_constraints<...> holds something that is not an equation; write an equation or
+// expect: velocity_constraints<...> contains something that is not an equation; write an equation or
 // expect: zero_along<...>
 namespace n10 {
 struct System : bound_by<zero_along<>> {};
@@ -75,14 +74,14 @@ struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q), m>> {};
 void f() { use_rates<System>(); }
 } // namespace n12
 
-// expect: the list of coordinates holds something that is not a symbol, with q
+// expect: the list of coordinates contains something that is not a symbol, involving q
 namespace n13 {
 struct System
     : kane_system<inertial<N>, coordinates<q * 2>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: the list of speeds holds something that is not a symbol
+// expect: the list of speeds contains something that is not a symbol
 namespace n14 {
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<2>, kinematics<dot(q) == u>, bodies<Bob>> {};
 void f() { use<System>(); }
@@ -95,19 +94,19 @@ struct System
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: kinematics<...> holds something that is not an equation, with q; write dot(q) == u
+// expect: kinematics<...> contains something that is not an equation, involving q; write dot(q) == u
 namespace n16 {
 struct System : moved_by<dot(q) - u> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the list of inputs holds something that is not a symbol
+// expect: the list of inputs contains something that is not a symbol
 namespace n17 {
 struct System : told<inputs<N::x>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: the list of parameters holds something that is not a symbol, with m
+// expect: the list of parameters contains something that is not a symbol, involving m
 namespace n18 {
 struct System : told<parameters<m == 2>> {};
 void f() { use<System>(); }
@@ -119,7 +118,7 @@ struct System : pendulum_with<Bob, weight> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: bodies<...> lists A, which is a frame; frames are found by what uses them
+// expect: bodies<...> lists A, which is a frame; frames need not be listed
 namespace n20 {
 struct System : pendulum_with<A> {};
 void f() { use<System>(); }

@@ -1,4 +1,4 @@
-// expect: speed v, which the angular velocity of frame B holds, is not in the list of speeds
+// expect: speed v, which the angular velocity of frame B contains, is not in the list of speeds
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, angular_velocity<N, v * N::z> {};

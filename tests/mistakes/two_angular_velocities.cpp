@@ -1,4 +1,4 @@
-// expect: frame B is given two angular velocities
+// expect: frame B has two angular velocities
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, angular_velocity<N, u * N::z>, angular_velocity<N, 2 * u * N::z> {};

@@ -1,4 +1,4 @@
-// expect: frame B is given two orientations
+// expect: frame B has two orientations
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, rotated<B, N, 2 * q, N::z> {};

@@ -1,4 +1,4 @@
-// expect: point Q is given two places
+// expect: point Q has two positions
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, origin<Q, N> {};

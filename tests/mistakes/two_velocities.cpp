@@ -1,4 +1,4 @@
-// expect: point Q is given two velocities
+// expect: point Q has two velocities
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, velocity<N, u * l * A::y>, velocity<A, 0.0 * A::x> {};

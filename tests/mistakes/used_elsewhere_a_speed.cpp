@@ -1,4 +1,4 @@
-// expect: used_elsewhere<...> holds something that is neither a parameter nor an input, with u
+// expect: used_elsewhere<...> contains something that is neither a parameter nor an input, involving u
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

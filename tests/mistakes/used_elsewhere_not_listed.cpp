@@ -1,4 +1,4 @@
-// expect: parameter g, which used_elsewhere<...> holds, is not in the list of parameters
+// expect: parameter g, which used_elsewhere<...> contains, is not in the list of parameters
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: the value of parameter g holds a number that is not finite
+// expect: the value of parameter g contains a number that is not finite
 #include "pendulum.hpp"
 
 #include <limits>

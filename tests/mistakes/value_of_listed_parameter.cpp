@@ -1,4 +1,4 @@
-// expect: parameter m has a value and is in the list of parameters too
+// expect: parameter m is bound to a value, but is also in the list of parameters
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

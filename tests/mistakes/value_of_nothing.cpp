@@ -1,4 +1,4 @@
-// expect: values<...> gives a value to parameter mm, which nothing in the system holds
+// expect: values<...> binds parameter mm, which nothing in the system uses
 #include "pendulum.hpp"
 
 constexpr parameter<"mm"> mm;

@@ -1,4 +1,4 @@
-// expect: parameter m is given two values
+// expect: parameter m is bound to two values
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,5 @@
-// expect: the offset of point Q holds a velocity or derivative, which is not known yet while a model is read
+// expect: the offset of point Q contains a velocity or derivative, which is not yet known while the model is
+// expect: read
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, velocity_of<P>> {};

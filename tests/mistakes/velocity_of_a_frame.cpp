@@ -1,4 +1,4 @@
-// expect: velocity<...> stands beside B, which is not a point
+// expect: velocity<...> is a base class of B, which is not a point
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, velocity<N, u * N::z> {};

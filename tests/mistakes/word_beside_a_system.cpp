@@ -1,4 +1,5 @@
-// expect: loads<...> stands beside the words of System; write it among them, between the < > of its system
+// expect: loads<...> is a separate base class of System; write it among the words, between the < > of the
+// expect: system
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob>, loads<weight> {};

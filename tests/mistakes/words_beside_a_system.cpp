@@ -1,4 +1,4 @@
-// expect: a word stands beside the words of System; write it among them, between the < > of its system
+// expect: a word is a separate base class of System; write it among the words, between the < > of the system
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob>, loads<weight>, values<m == 2> {};

@@ -1,4 +1,4 @@
-// expect: zero_along<...> of a velocity constraint with P is given a direction that is not a vector
+// expect: zero_along<...> of a velocity constraint with P has a direction that is not a vector
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: kinematics<...> holds something that is not an equation, with P; write dot(q) == u
+// expect: kinematics<...> contains something that is not an equation, involving P; write dot(q) == u
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>,

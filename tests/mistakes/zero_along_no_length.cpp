@@ -1,4 +1,4 @@
-// expect: zero_along<...> of a velocity constraint with P is given a direction of no length
+// expect: zero_along<...> of a velocity constraint with P has a direction of zero length
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

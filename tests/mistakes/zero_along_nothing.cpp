@@ -1,4 +1,4 @@
-// expect: zero_along<...> of a configuration constraint with P is given no direction
+// expect: zero_along<...> of a configuration constraint with P has no direction
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: zero_along<...> of a velocity constraint with u is given something that is not a vector
+// expect: zero_along<...> of a velocity constraint with u has a first argument that is not a vector
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -53,7 +53,7 @@ TEST(model, goes_on_after_a_request_that_makes_no_sense) {
   EXPECT_EQ(symbolic::print(derived.mass_matrix()(0, 0)), "5*m*r^2/4");
   EXPECT_EQ(derived.mistake(), "");
   EXPECT_EQ(derived.get<speed<"w">{} * u1>().entries.size(), 0);
-  EXPECT_EQ(derived.mistake(), "speed w, which an expression holds, is not in the list of speeds");
+  EXPECT_EQ(derived.mistake(), "speed w, which an expression contains, is not in the list of speeds");
   EXPECT_EQ(derived.measured_by<speed<"w">{} * u1>().entries.size(), 0);
   EXPECT_NE(derived.mistake(), "");
   EXPECT_EQ(derived.get<u2 * u1>().entries.size(), 1);
@@ -76,7 +76,7 @@ TEST(model, keeps_nothing_of_what_it_refuses) {
 TEST(model, says_what_is_no_scalar_and_no_vector) {
   auto derived = derive<System>();
   EXPECT_EQ(derived.get<outer(L::x, L::y)>().entries.size(), 0);
-  EXPECT_EQ(derived.mistake(), "what a function is asked for is a dyadic; it must be a scalar or a vector");
+  EXPECT_EQ(derived.mistake(), "a function requests a dyadic; it must request a scalar or a vector");
   EXPECT_TRUE(derived.vector<q1 * u1>().parts.empty());
   EXPECT_EQ(derived.mistake(), "what is asked for as a vector is another expression");
 }
@@ -96,7 +96,7 @@ TEST(model, tells_in_the_status_why_a_result_was_not_formed) {
   auto later = derived.function(refused);
   for (auto* f : {&now, &later})
     EXPECT_EQ((*f)(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);
-  EXPECT_EQ(now.status().cause(), "speed w, which an expression holds, is not in the list of speeds");
+  EXPECT_EQ(now.status().cause(), "speed w, which an expression contains, is not in the list of speeds");
   EXPECT_EQ(later.status().cause(), "the result that is to be evaluated was not formed");
 }
 

@@ -80,7 +80,7 @@ TEST(second_order, sensitivity) {
 TEST(second_order, sensitivity_is_by_parameters) {
   auto m = kanexpr::derive<double_pendulum::System>();
   EXPECT_EQ(m.sensitivity<double_pendulum::q1>().entries.size(), 0);
-  EXPECT_EQ(m.mistake(), "a sensitivity is asked for by q1; it must be a parameter");
+  EXPECT_EQ(m.mistake(), "a sensitivity is requested with respect to q1; it must be a parameter");
 }
 
 } // namespace

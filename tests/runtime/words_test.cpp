@@ -55,17 +55,16 @@ struct TwoSystems : pendulum<>, rates_of_pendulum<bodies<Bob>> {};
 TEST(words, are_looked_through_while_a_program_runs) {
   EXPECT_EQ(mistake<Sound>(), "");
   EXPECT_EQ(mistake<LoadAmongWords>(),
-            "gravity stands among the words of LoadAmongWords; write loads<...> around it");
-  EXPECT_EQ(mistake<LoadsBeside>(), "loads<...> stands beside the words of LoadsBeside; write it among them, "
-                                    "between the < > of its system");
+            "gravity is among the words of LoadAmongWords; write loads<...> around it");
+  EXPECT_EQ(mistake<LoadsBeside>(), "loads<...> is a separate base class of LoadsBeside; write it among the "
+                                    "words, between the < > of the system");
   EXPECT_EQ(mistake<LoadsTwice>(), "the system LoadsTwice lists loads<...> twice; write one list");
-  EXPECT_EQ(mistake<BodyAmongWords>(),
-            "body Bob stands among the words of BodyAmongWords; write bodies<Bob>");
+  EXPECT_EQ(mistake<BodyAmongWords>(), "body Bob is among the words of BodyAmongWords; write bodies<Bob>");
   EXPECT_EQ(mistake<NoBodies>(), "the system NoBodies has no bodies<...>");
-  EXPECT_EQ(mistake<NoWord>(), "int is not a word of a system, and NoWord holds it");
+  EXPECT_EQ(mistake<NoWord>(), "int is not a word of a system, but NoWord lists it");
   EXPECT_EQ(mistake<NoSystem>(),
             "NoSystem is not a system; derive it from kane_system<...> or lagrange_system<...>");
-  EXPECT_EQ(mistake<TwoSystems>(), "TwoSystems is derived from two systems; give each a name of its own");
+  EXPECT_EQ(mistake<TwoSystems>(), "TwoSystems is derived from two systems; give each its own name");
 }
 
 struct LagrangianForKane : pendulum<lagrangian<m * q * q>> {};
@@ -77,15 +76,14 @@ struct BodiesAdded : extended<rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>>
 TEST(words, are_those_of_one_method) {
   EXPECT_EQ(mistake<LagrangianForKane>(),
             "the system LagrangianForKane has lagrangian<...>, which only a lagrange_system takes");
-  EXPECT_EQ(mistake<SpeedsForLagrange>(),
-            "the system SpeedsForLagrange has speeds<...>; a lagrange_system has no speeds but the rates of "
-            "its coordinates");
-  EXPECT_EQ(mistake<LagrangianAndBodies>(), "the system LagrangianAndBodies has bodies<...> and "
-                                            "lagrangian<...>; a Lagrangian holds the energy of all bodies");
+  EXPECT_EQ(mistake<SpeedsForLagrange>(), "the system SpeedsForLagrange has speeds<...>; the only speeds of "
+                                          "a lagrange_system are the rates of its coordinates");
+  EXPECT_EQ(mistake<LagrangianAndBodies>(),
+            "the system LagrangianAndBodies has bodies<...> and lagrangian<...>; a Lagrangian contains the "
+            "energy of all bodies");
   EXPECT_EQ(mistake<NoEnergy>(), "the system NoEnergy has neither bodies<...> nor lagrangian<...>");
-  EXPECT_EQ(mistake<BodiesAdded>(),
-            "the system BodiesAdded has bodies<...> and lagrangian<...>; a Lagrangian "
-            "holds the energy of all bodies");
+  EXPECT_EQ(mistake<BodiesAdded>(), "the system BodiesAdded has bodies<...> and lagrangian<...>; a "
+                                    "Lagrangian contains the energy of all bodies");
 }
 
 } // namespace

@@ -26,7 +26,7 @@ template <class Told>
 constexpr sentence word_beside() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
   if constexpr (__is_base_of(describe::load_words, Told)) {
-    return sentence({"a load is a separate base of ", type_name<Told>(),
+    return sentence({"a load is a separate base class of ", type_name<Told>(),
                      "; write it in loads<...>, among the words of the system"});
   } else if constexpr (describe::has_word_beside<Told>()) {
     return sentence(
@@ -34,8 +34,8 @@ constexpr sentence word_beside() {
   } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
     std::string_view word = "a word";
     if constexpr (requires { Told::word; }) word = Told::word;
-    return sentence({word, word == "a word" ? "" : "<...>", " is a separate base of ", type_name<Told>(),
-                     "; write it among the words, between the < > of the system"});
+    return sentence({word, word == "a word" ? "" : "<...>", " is a separate base class of ",
+                     type_name<Told>(), "; write it among the words, between the < > of the system"});
   } else {
     return {};
   }

@@ -23,29 +23,28 @@ constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view
   case misfit::point_and_body: return two_natures("a point and as a body");
   case misfit::entity_and_system: return two_natures("a part of a system and as a whole one");
   case misfit::entity_and_load:
-    return sentence({"a load is a base of ", called, "; write it in loads<...> of the system"});
+    return sentence({"a load is a base class of ", called, "; write it in loads<...> of the system"});
   case misfit::two_orientations: return sentence({"frame ", called, " has two orientations"});
   case misfit::two_places: return sentence({"point ", called, " has two positions"});
   case misfit::two_joints: return sentence({called, " is two joints; give each its own name"});
   case misfit::motion_beside_joint:
-    return sentence(
-        {"a declared motion is a base of joint ", called, ", whose kind determines how it moves"});
+    return sentence({"a motion is declared for joint ", called, ", whose kind determines how it moves"});
   case misfit::two_bodies: return sentence({"body ", called, " is described twice"});
   case misfit::two_loads: return sentence({called, " is two loads; give each its own name"});
   case misfit::two_angular_velocities: return sentence({"frame ", called, " has two angular velocities"});
   case misfit::two_velocities: return sentence({"point ", called, " has two velocities"});
   case misfit::two_fixings: return sentence({"point ", called, " is fixed in two frames"});
   case misfit::angular_velocity_of_no_frame:
-    return sentence({"angular_velocity<...> is a base of ", called, ", which is not a frame"});
+    return sentence({"angular_velocity<...> is a base class of ", called, ", which is not a frame"});
   case misfit::velocity_of_no_point:
-    return sentence({"velocity<...> is a base of ", called, ", which is not a point"});
+    return sentence({"velocity<...> is a base class of ", called, ", which is not a point"});
   case misfit::fixing_of_no_point:
-    return sentence({"fixed_in<...> is a base of ", called, ", which is not a point"});
+    return sentence({"fixed_in<...> is a base class of ", called, ", which is not a point"});
   case misfit::inertia_beside:
-    return sentence({"an inertia is a base of ", called, "; it belongs in rigid_body<...>"});
+    return sentence({"an inertia is a base class of ", called, "; it belongs in rigid_body<...>"});
   case misfit::word_beside:
     return sentence(
-        {"a word of the system is a base of ", called, "; write it among the words of the system"});
+        {"a word of the system is a base class of ", called, "; write it among the words of the system"});
   }
   return {};
 }

@@ -146,7 +146,7 @@ public:
     if (r.order <= 0) return;
     const symbolic::name below = derivative(r, r.order - 1);
     if (!has(m_.inputs, below))
-      reading_.fail({"the list of inputs holds ", r.called.view(),
+      reading_.fail({"the list of inputs contains ", r.called.view(),
                      ", a derivative of a prescribed quantity, without ", below.view()});
   }
 
@@ -156,7 +156,7 @@ public:
     std::string_view called = r.given == 0 ? "" : r.called.view();
     if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
       return reading_.fail(
-          {"a name that begins with ", called.substr(0, 20), " exceeds the maximum length of 60 characters"});
+          {"a name that begins with ", called.substr(0, 20), " is longer than 60 characters"});
     if (called.size() < symbolic::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
     reading_.fail({mechanics::check_name(called, deriving::called(list)).view()});
