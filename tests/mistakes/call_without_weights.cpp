@@ -16,7 +16,7 @@ int main() {
   // expect: hessian_product needs a direction, a change of the state and the inputs: call it as
   // expect: hessian_product(x, p, r, w, v)
   sum += to_second::hessian_product(x, p, r, w)(0);
-  // expect: a sensitivity is asked for by q; it must be a parameter
+  // expect: a sensitivity is requested with respect to q; it must be a parameter
   sum += sensitivity<System, q>(x, p, r)(0);
   return sum > 0;
 }

@@ -1,5 +1,4 @@
-// expect: parameter c, which an expression contains, is not among those of System; write
-// used_elsewhere<c>
+// expect: parameter c, which an expression contains, is not among those of System; write used_elsewhere<c>
 #include "pendulum.hpp"
 
 constexpr parameter<"c"> c;

@@ -1,5 +1,5 @@
-// expect: input G, which the force at P contains, comes after those that extended<...> adds; list it
-// list it
+// expect: input G, which the force at P contains, comes after those that extended<...> adds; list it in
+// expect: inputs<...>
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

@@ -45,8 +45,8 @@ struct System : loaded<force<P, air(u) * N::x>, force<Q, other(u) * N::x>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the stiffness of the spring between P and O calls texts, which cannot be called with
-// double
+// expect: the stiffness of the spring between P and O calls texts, which cannot be called with double
+// expect: arguments
 namespace n5 {
 struct texts {
   double operator()(const std::string&) const { return 0; }

@@ -1,5 +1,5 @@
 // expect: the system System has auxiliary<...>; the only speeds of a lagrange_system are the rates of its
-// coordinates
+// expect: coordinates
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<bodies<Bob>, auxiliary<v>> {};
