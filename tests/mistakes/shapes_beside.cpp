@@ -105,7 +105,7 @@ struct System : told<Loads> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: System is described as a system and as a part of one; give each its own name
+// expect: System is described as a system and as part of a system; give each its own name
 namespace n16 {
 struct System : pendulum_with<Bob>, offset<System, O, l * A::x> {};
 void f() { use<System>(); }
@@ -117,7 +117,7 @@ struct System : pendulum_with<Bob>, rates_of_pendulum<bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: Tip is described as a part of a system and as a whole one; give each its own name
+// expect: Tip is described as part of a system and as a whole system; give each its own name
 namespace n18 {
 struct Tip : offset<Tip, P, l * A::x>, pendulum_with<Bob> {};
 struct System : loaded<force<Tip, F * N::x>> {};

@@ -136,7 +136,7 @@ struct System : loaded<torsional_spring<q, 1 / 2>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: the angle at rest of the torsional spring with q contains the integer 0, which is also the value of
+// expect: the rest angle of the torsional spring with q contains the integer 0, which is also the value of
 // expect: 1/2 in C++; write 0.5 or rational<1, 2>, or 0.0 if you mean zero
 namespace n18 {
 struct System : loaded<torsional_spring<q, k, 1 / 2>> {};

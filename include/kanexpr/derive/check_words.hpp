@@ -30,7 +30,7 @@ constexpr sentence word_beside() {
                      "; write it in loads<...>, among the words of the system"});
   } else if constexpr (describe::has_word_beside<Told>()) {
     return sentence(
-        {type_name<Told>(), " is described as a system and as a part of one; give each its own name"});
+        {type_name<Told>(), " is described as a system and as part of a system; give each its own name"});
   } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
     std::string_view word = "a word";
     if constexpr (requires { Told::word; }) word = Told::word;

@@ -32,7 +32,7 @@ struct inertia : describe::inertia_words {
   }
 };
 
-/// Inertia about the mass centre as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) +
+/// Inertia about the mass center as a sum of dyadics, in any frames: `inertia_dyadic<I*outer(A::x, A::x) +
 /// …>`.
 template <auto... value>
 struct inertia_dyadic : describe::inertia_words {
@@ -112,12 +112,13 @@ inline constexpr body_record body_of = [] {
   body_record r;
   if constexpr (requires { Body::content(); }) {
     r = Body::content();
-  } else { // it does not know its name
+  } else { // not a body
     r.instead = what_it_is<Body>();
     r.unparsed = is_unparsed<Body>();
   }
   r.called = type_name<Body>();
-  if constexpr (requires { sizeof(Body); }) r.beside = find_misfit<Body>(); // otherwise it is defined later
+  if constexpr (requires { sizeof(Body); })
+    r.beside = find_misfit<Body>(); // not possible for an incomplete type
   return r;
 }();
 

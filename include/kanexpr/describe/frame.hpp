@@ -21,7 +21,7 @@ constexpr frame_record record_frame() {
   frame_record r;
   if constexpr (requires { Frame::orientation(); }) {
     r = Frame::orientation();
-  } else { // it does not know its name
+  } else { // not a frame
     r.unparsed = is_unparsed<Frame>();
     if constexpr (requires { Frame::content(); }) {
       r.instead = "a body";
@@ -31,7 +31,8 @@ constexpr frame_record record_frame() {
     }
   }
   r.called = type_name<Frame>();
-  if constexpr (requires { sizeof(Frame); }) r.beside = find_misfit<Frame>(); // otherwise it is defined later
+  if constexpr (requires { sizeof(Frame); })
+    r.beside = find_misfit<Frame>(); // not possible for an incomplete type
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;

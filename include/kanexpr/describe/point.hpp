@@ -11,7 +11,7 @@ constexpr point_record record_point() {
   point_record r;
   if constexpr (requires { Point::place(); }) {
     r = Point::place();
-  } else { // it does not know its name
+  } else { // not a point
     r.unparsed = is_unparsed<Point>();
     if constexpr (requires { Point::content(); }) {
       r.instead = "a body";
@@ -21,7 +21,8 @@ constexpr point_record record_point() {
     }
   }
   r.called = type_name<Point>();
-  if constexpr (requires { sizeof(Point); }) r.beside = find_misfit<Point>(); // otherwise it is defined later
+  if constexpr (requires { sizeof(Point); })
+    r.beside = find_misfit<Point>(); // not possible for an incomplete type
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;

@@ -144,7 +144,7 @@ struct frame_record {
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
   bool turns_apart = false;   ///< relative to its orientation
-  std::string_view instead{}; ///< what it is, if it is not a frame
+  std::string_view instead{}; ///< the actual kind, if it is not a frame
   std::string_view its_own{}; ///< the frame of that entity
   bool is_of_joint = false;
   misfit beside = misfit::none;
@@ -166,7 +166,7 @@ struct point_record {
   bool moves_apart = false; ///< relative to its position
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
-  std::string_view instead{}; ///< what it is, if it is not a point
+  std::string_view instead{}; ///< the actual kind, if it is not a point
   std::string_view its_own{}; ///< the point of that entity
   misfit beside = misfit::none;
 
@@ -186,7 +186,7 @@ struct body_record {
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
   std::string_view instead_of_inertia{}; ///< the type in its place that is not an inertia
-  std::string_view instead{};            ///< what it is, if it is not a body
+  std::string_view instead{};            ///< the actual kind, if it is not a body
   bool has_whole_zeros = false;          ///< for all scalars of its inertia
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not correspond to a mass distribution
@@ -210,7 +210,7 @@ struct load_record {
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{};                         ///< its identification, if not by points or frames
   std::string_view called{};
-  std::string_view instead{}; ///< what it is, if it is not a load
+  std::string_view instead{}; ///< the actual kind, if it is not a load
   misfit beside = misfit::none;
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
@@ -231,7 +231,7 @@ struct joint_record {
   phrase place{};         ///< in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
-  std::string_view instead{};        ///< what it is, if it is not a joint
+  std::string_view instead{};        ///< the actual kind, if it is not a joint
   misfit beside = misfit::none;
   bool unparsed = false;
 };

@@ -157,7 +157,7 @@ private:
     const sentence whom = name_of(r);
     const expression angle = phrases_.scalar_of(r.angle, {"the angle of ", whom.view()}, whom.view());
     const expression stiffness = phrases_.scalar_of(r.value, {"the stiffness of ", whom.view()}, whom.view());
-    const expression rest = phrases_.scalar_of(r.rest, {"the angle at rest of ", whom.view()}, whom.view());
+    const expression rest = phrases_.scalar_of(r.rest, {"the rest angle of ", whom.view()}, whom.view());
     if (!reading_.mistake)
       reading_.mistake = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom.view());
     if (!reading_.mistake)

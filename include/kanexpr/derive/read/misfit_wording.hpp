@@ -21,7 +21,7 @@ constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view
   case misfit::frame_and_point: return two_natures("a frame and as a point");
   case misfit::frame_and_body: return two_natures("a frame and as a body");
   case misfit::point_and_body: return two_natures("a point and as a body");
-  case misfit::entity_and_system: return two_natures("a part of a system and as a whole one");
+  case misfit::entity_and_system: return two_natures("part of a system and as a whole system");
   case misfit::entity_and_load:
     return sentence({"a load is a base class of ", called, "; write it in loads<...> of the system"});
   case misfit::two_orientations: return sentence({"frame ", called, " has two orientations"});
