@@ -41,8 +41,8 @@ struct staged {
   }
 };
 
-/// The first stage, and what is known of a system from then on. If there is a mistake, what was known before
-/// it occurred.
+/// The first stage and the survey of a system. If there is a mistake, the survey contains what was known
+/// before it occurred.
 struct surveyed_stage : staged {
   survey known{};
 };

@@ -12,7 +12,7 @@ struct anything {
 };
 
 /// Whether a class has neither bases nor members and is not a word of the library. No model contains such an
-/// entity or system on purpose, but a compiler leaves it behind after an error in the base clause. That error
+/// entity or system on purpose, but an error in the base clause makes compilers continue with one. That error
 /// is the one to read; a sentence about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
