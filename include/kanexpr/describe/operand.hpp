@@ -26,9 +26,8 @@ constexpr const equation<size>& operand(const equation<size>& x) {
 }
 template <class Operand>
   requires(!std::is_class_v<Operand> &&
-           std::is_arithmetic_v<Operand>) // in this order, because few types of a program reach the second
-                                          // condition
-                                          constexpr scalar<1> operand(Operand x) {
+           std::is_arithmetic_v<Operand>) // in this order: few types reach the second condition
+constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
   else if constexpr (numeric::letter<Operand>)
