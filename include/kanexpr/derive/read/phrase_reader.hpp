@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/derive/read/call_reader.hpp>
 #include <kanexpr/derive/read/displacement.hpp>
+#include <kanexpr/derive/read/operations.hpp>
 #include <kanexpr/derive/read/senseless.hpp>
 #include <kanexpr/derive/read/symbol_reader.hpp>
 #include <kanexpr/describe/motion.hpp>
@@ -8,7 +10,6 @@
 #include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
-#include <kanexpr/symbolic/graph/compose.hpp>
 
 namespace kanexpr::deriving {
 
@@ -25,7 +26,7 @@ struct entity_lookup {
 class phrase_reader {
 public:
   constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
-      : reading_(all), m_(all.into.mechanism), symbols_(symbols), entities_(entities) {}
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), calls_(all), entities_(entities) {}
 
   /// The value of a phrase of `whom`. Motions are not yet known while a model is read, and fail here.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
@@ -139,8 +140,8 @@ private:
       if (t.what == token_kind::normalized)
         reading_.fail({reading_.part, whom, " normalizes a vector of zero length"});
       else if (t.what == describe::token_kind::composed)
-        reading_.fail(
-            {reading_.part, whom, " contains ", word_of(t).name, " of numbers for which it is undefined"});
+        reading_.fail({reading_.part, whom, " contains ", call_reader::word_of(t).name,
+                       " of numbers for which it is undefined"});
       else if (t.what != token_kind::scalar_function)
         reading_.fail({reading_.part, whom, " contains a number that is not finite"});
       else if (t.operation == symbolic::operation::power)
@@ -153,122 +154,27 @@ private:
 
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
-    const auto pop = [&] {
-      value v = static_cast<value&&>(stack.back());
-      stack.pop();
-      return v;
-    };
     switch (t.what) {
     case token_kind::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
     case token_kind::symbol: stack.push(value::of(symbols_.symbol(*t.symbol, whom))); break;
-    case token_kind::basis: {
-      mechanics::vector v;
-      const int f = t.frame != nullptr ? frame(t.frame, whom) : reading_.describing;
-      if (f == none)
-        return reading_.fail({reading_.part, whom,
-                              " contains own::", axis_names.substr(static_cast<std::size_t>(t.index), 1),
-                              ", which is valid only in the declared angular velocity of a frame; write ",
-                              axes_instead(), "::", axis_names.substr(static_cast<std::size_t>(t.index), 1)});
-      v.add(f, mechanics::unit(*m_.g, t.index));
-      if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
-      stack.push(value::of(static_cast<mechanics::vector&&>(v)));
-      break;
-    }
-    case token_kind::scalar_function: {
-      const value b = pop();
-      if (!symbolic::is_binary(t.operation)) {
-        if (is_senseless(t, b, whom)) return;
-        stack.push(value::of(symbolic::apply(t.operation, b.scalar)));
-        break;
-      }
-      const value a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(value::of({*m_.g, symbolic::build(*m_.g, t.operation, a.scalar.node(), b.scalar.node())}));
-      break;
-    }
-    case token_kind::composed: compose(t, stack, whom); break;
-    case token_kind::external: call(t, stack, whom); break;
-    case token_kind::negate: stack.push(negative(m_, pop())); break;
-    case token_kind::add: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(sum(a, b));
-      break;
-    }
-    case token_kind::subtract: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(sum(a, negative(m_, b)));
-      break;
-    }
-    case token_kind::multiply: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(scaled(a.scalar, b));
-      break;
-    }
-    case token_kind::divide: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      if (b.scalar.is_zero()) return reading_.fail({reading_.part, whom, " contains a division by zero"});
-      if (a.kind == shape::scalar)
-        stack.push(value::of(a.scalar / b.scalar));
-      else
-        stack.push(scaled(1 / b.scalar, a));
-      break;
-    }
-    case token_kind::dot: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      if (a.kind == shape::dyadic)
-        stack.push(value::of(dot(m_, a.dyadic, b.vector)));
-      else
-        stack.push(value::of(dot(m_, a.vector, b.vector)));
-      break;
-    }
-    case token_kind::cross: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(value::of(cross(m_, a.vector, b.vector)));
-      break;
-    }
-    case token_kind::outer: {
-      const value b = pop(), a = pop();
-      if (is_senseless(t, a, b, whom)) return;
-      stack.push(value::of(outer(m_, a.vector, b.vector)));
-      break;
-    }
-    case token_kind::magnitude: {
-      const value a = pop();
-      if (is_senseless(t, a, whom)) return;
-      stack.push(value::of(sqrt(dot(m_, a.vector, a.vector))));
-      break;
-    }
-    case token_kind::normalized: {
-      const value a = pop();
-      if (is_senseless(t, a, whom)) return;
-      stack.push(value::of(normalized(m_, a.vector)));
-      break;
-    }
-    case token_kind::partial: {
-      const expression by = symbols_.symbol(*t.symbol, whom);
-      value& of = stack.back();
-      if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
-      for (mechanics::vector::part& p : of.vector.parts)
-        for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
-      break;
-    }
-    case token_kind::in_axes: {
-      const int axes = frame(t.frame, whom);
-      mechanics::vector v;
-      v.add(axes, mechanics::express(m_, stack.back().vector, axes));
-      stack.back().vector = v;
-      break;
-    }
-    case token_kind::length:
-      if (stack.back().scalar.is_constant() && number_at(stack.back().scalar) < 0)
-        fail_by(describe::misuse::negative_length, *phrase_, whom);
-      break;
+    case token_kind::basis: return basis_vector(t, stack, whom);
+    case token_kind::scalar_function:
+      return symbolic::is_binary(t.operation) ? combine(t, stack, whom) : transform(t, stack, whom);
+    case token_kind::add:
+    case token_kind::subtract:
+    case token_kind::multiply:
+    case token_kind::divide:
+    case token_kind::dot:
+    case token_kind::cross:
+    case token_kind::outer: return combine(t, stack, whom);
+    case token_kind::magnitude:
+    case token_kind::normalized: return transform(t, stack, whom);
+    case token_kind::negate: stack.back() = negative(m_, stack.back()); break;
+    case token_kind::composed: return calls_.compose(t, stack, whom);
+    case token_kind::external: return calls_.call(t, stack, whom);
+    case token_kind::partial: return differentiate(symbols_.symbol(*t.symbol, whom), stack.back());
+    case token_kind::in_axes: return express(frame(t.frame, whom), stack.back().vector);
+    case token_kind::length: return check_length(stack.back(), whom);
     case token_kind::wheel_axis: return check_wheel_axis(t, stack.back().vector, whom);
     case token_kind::misused: return check_written(*phrase_, whom);
     case token_kind::position:
@@ -280,6 +186,51 @@ private:
     }
   }
 
+  constexpr void basis_vector(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    mechanics::vector v;
+    const int f = t.frame != nullptr ? frame(t.frame, whom) : reading_.describing;
+    const std::string_view axis = axis_names.substr(static_cast<std::size_t>(t.index), 1);
+    if (f == none)
+      return reading_.fail({reading_.part, whom, " contains own::", axis,
+                            ", which is valid only in the declared angular velocity of a frame; write ",
+                            axes_instead(), "::", axis});
+    v.add(f, mechanics::unit(*m_.g, t.index));
+    if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
+    stack.push(value::of(static_cast<mechanics::vector&&>(v)));
+  }
+
+  constexpr void combine(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    const value b = static_cast<value&&>(stack.back());
+    stack.pop();
+    const value a = static_cast<value&&>(stack.back());
+    stack.pop();
+    if (is_senseless(t, a, b, whom)) return;
+    if (t.what == describe::token_kind::divide && b.scalar.is_zero())
+      return reading_.fail({reading_.part, whom, " contains a division by zero"});
+    stack.push(combined(m_, t, a, b));
+  }
+
+  constexpr void transform(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    if (!is_senseless(t, stack.back(), whom)) stack.back() = transformed(m_, t, stack.back());
+  }
+
+  static constexpr void differentiate(expression by, value& of) {
+    if (of.kind == shape::scalar) of.scalar = symbolic::differentiate(of.scalar, by);
+    for (mechanics::vector::part& p : of.vector.parts)
+      for (int i = 0; i < 3; ++i) p.value[i] = symbolic::differentiate(p.value[i], by);
+  }
+
+  constexpr void express(int axes, mechanics::vector& v) {
+    mechanics::vector there;
+    there.add(axes, mechanics::express(m_, v, axes));
+    v = there;
+  }
+
+  constexpr void check_length(const value& length, std::string_view whom) {
+    if (length.scalar.is_constant() && m_.g->number_at(length.scalar.node()).value() < 0)
+      fail_by(describe::misuse::negative_length, *phrase_, whom);
+  }
+
   /// A rolling body turns about an axis that is fixed in it.
   constexpr void check_wheel_axis(const describe::token& t, const mechanics::vector& axis,
                                   std::string_view whom) {
@@ -288,79 +239,6 @@ private:
     if (!reading_.mistake && !mechanics::is_fixed(mechanics::express(m_, axis, wheel)))
       reading_.fail({reading_.part, whom, " has a wheel axis that is not fixed in ", t.frame->called});
   }
-
-  static constexpr const symbolic::composition_word& word_of(const describe::token& t) {
-    return symbolic::word_of(static_cast<symbolic::composition>(t.index));
-  }
-
-  constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    const symbolic::composition_word& f = word_of(t);
-    const int given = static_cast<int>(t.number.numerator);
-    sequence<expression> operands;
-    for (int i = stack.size() - given; i < stack.size(); ++i) {
-      if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " applies ", f.name, " to ", a_kind(stack[i].kind)});
-      operands.push(stack[i].scalar);
-    }
-    if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
-    if (given != f.operands && f.operands != symbolic::any_number)
-      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ",
-                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
-                            "; it takes ", mechanics::counted(f.operands).view()});
-    if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
-      return reading_.fail(
-          {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
-    for (int i = 0; i < given; ++i) stack.pop();
-    stack.push(value::of(symbolic::compose(f.is, operands)));
-  }
-
-  /// Calls a user function.
-  constexpr void call(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    const describe::external_record& f = *t.external;
-    const int given = static_cast<int>(t.number.numerator);
-    sequence<expression> operands;
-    for (int i = stack.size() - given; i < stack.size(); ++i) {
-      if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " applies ", f.called, " to ", a_kind(stack[i].kind)});
-      operands.push(stack[i].scalar);
-    }
-    if (f.operands != 0)
-      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ",
-                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
-                            "; it takes ", mechanics::counted(f.operands).view()});
-    if (f.function == nullptr)
-      return reading_.fail(
-          {reading_.part, whom, " calls ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
-    for (const symbolic::external_function* other : m_.g->externals())
-      if (other != f.function && other->called == f.function->called)
-        return reading_.fail({reading_.part, whom, " calls ", f.called,
-                              ", but a different function of the model has the same name"});
-    for (int i = 0; i < given; ++i) stack.pop();
-    stack.push(value::of(symbolic::call(*f.function, operands)));
-  }
-
-  /// Checks the points of a table, which follow its argument: there must be at least two, in increasing
-  /// order, and the last value of a periodic table must equal the first.
-  constexpr bool check_table(const symbolic::composition_word& f, const sequence<expression>& x,
-                             std::string_view whom) {
-    const int points = (x.size() - 1) / 2;
-    const auto say = [&](std::initializer_list<std::string_view> what) {
-      const mechanics::sentence rest(what);
-      reading_.fail({reading_.part, whom, " contains ", f.name, "<...> ", rest.view()});
-    };
-    if (x.size() % 2 == 0 || points < 2)
-      say({"with ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
-           "; it takes two or more points, each an argument and a value"});
-    for (int i = 0; i + 1 < points && !reading_.mistake; ++i) {
-      const expression from = x[2 * i + 1], to = x[2 * i + 3];
-      if (from.is_constant() && to.is_constant() && !(number_at(from) < number_at(to)))
-        say({"whose arguments do not increase at point ", mechanics::counted(i + 2).view()});
-    }
-    if (!reading_.mistake && f.is == symbolic::composition::periodic && !(x[2] == x.back()))
-      say({"whose last value differs from the first"});
-    return !reading_.mistake;
-  }
-  constexpr double number_at(const expression& e) const { return m_.g->number_at(e.node()).value(); }
 
   /// Evaluates the motion of a point or frame, which is known only after the model was read.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
@@ -418,6 +296,7 @@ private:
   reading& reading_;
   mechanism& m_;
   symbol_reader& symbols_;
+  call_reader calls_;
   entity_lookup entities_;
   const phrase* phrase_ = nullptr;
   bool is_displaced_ = false;
