@@ -77,7 +77,8 @@ EXPORTED fmi3Status fmi3EnterInitializationMode(void *given, bool has_tolerance,
                                                 double end) {
   instance *const of = (instance *)given;
   const fmi3Status status =
-      go(of, instantiated, initialization, "fmi3EnterInitializationMode requires an instance that was instantiated or reset");
+      go(of, instantiated, initialization,
+         "fmi3EnterInitializationMode requires an instance that was instantiated or reset");
   (void)has_end, (void)end;
   if (status != fmi3OK) return status;
   if (has_tolerance && tolerance > 0) of->tolerance = tolerance;
@@ -345,7 +346,8 @@ static fmi3Status products(instance *of, const fmi3ValueReference *unknowns, siz
   size_t i, j;
   fmi3Status status;
   if (drifts && of->mode <= initialization)
-    return say(of, fmi3Error, "derivatives are not available before the end of initialization, because dependent states follow from others");
+    return say(of, fmi3Error,
+               "derivatives are not available before the end of initialization, because dependent states follow from others");
   status = prepare(of);
   for (i = 0; i < size; ++i) found[i] = 0;
   for (i = 0; i < unknown_count && status == fmi3OK; ++i)

@@ -44,7 +44,7 @@ typedef struct {
   bool may_be_off; /* the constraints may be violated, as a value was set since the last step */
   bool is_positive[ROOM(indicators)]; /* sign of each indicator at the last check for events */
   bool is_zero[ROOM(indicators)];     /* at that check; leaving zero is not a crossing */
-  double level[ROOM(indicators)];     /* the value treated as zero of an indicator that is about to cross zero or to return */
+  double level[ROOM(indicators)];     /* treated as zero while an indicator is about to cross zero or to return */
 } instance;
 
 static fmi3Status say(const instance *of, fmi3Status status, const char *message) {
