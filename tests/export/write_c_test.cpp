@@ -154,7 +154,7 @@ TEST(WriteC, RefusesAnInputThatTheSystemDoesNotHave) {
   const c_options pushed = with({exporting::expression<simple_pendulum::q * input<"F">{}>("pushed")});
   EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression contains, is not in the list of inputs");
   EXPECT_EQ(write_c<without_list::System>("nowhere", "arm", pushed).cause(),
-            "function pushed holds an input that the system does not have");
+            "function pushed uses an input that the system does not have");
   EXPECT_FALSE(std::filesystem::exists("nowhere"));
 }
 
