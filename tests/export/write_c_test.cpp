@@ -51,12 +51,12 @@ TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "there is no result velocity");
   EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "there is no result speeds");
   EXPECT_EQ(cause_of("arm", with({results("udot runge_kutta_4")})),
-            "runge_kutta_4 is a function of its own, without other results");
+            "runge_kutta_4 is a separate function and cannot be combined with other results");
   EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"runge_kutta_4", -1})})),
-            "a step cannot have fewer corrections than none");
+            "the number of corrections of a step must be at least 0");
   EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"heun_2"})})),
-            "no method of steps is called heun_2: take runge_kutta_4, ralston_3 or semi_implicit_euler");
-  EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
+            "unknown step method heun_2; expected runge_kutta_4, ralston_3 or semi_implicit_euler");
+  EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function must have at least one result");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
   EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}), "there is no parameter k to bind to a number");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", std::numeric_limits<double>::infinity()}}}),

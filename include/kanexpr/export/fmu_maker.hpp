@@ -53,9 +53,9 @@ struct fmu_options {
   std::vector<bound_parameter> bound{};
   std::vector<named_value> start{}; ///< for every parameter; states and inputs default to 0
   std::vector<exported_event> events{};
-  double step = 1e-3;                   ///< of a co-simulation inside, s
-  std::string method = "runge_kutta_4"; ///< of these steps
-  std::string compiler = "cc";          ///< of C, as a shell calls it; empty: sources alone
+  double step = 1e-3;                   ///< internal step of the co-simulation, s
+  std::string method = "runge_kutta_4"; ///< method of the internal steps
+  std::string compiler = "cc";          ///< the C compiler as a shell command; empty: sources only
 };
 
 struct made_fmu {

@@ -43,9 +43,9 @@ struct wanted_result {
   bool is_sparse = false;      ///< omits the entries that are identically zero
 };
 
-/// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
+/// A step of fixed length, as made by `runge_kutta_4<System, corrections>`.
 struct wanted_step {
-  std::string method = "runge_kutta_4"; ///< its name; none: nothing moves, the state is corrected
+  std::string method = "runge_kutta_4"; ///< name of the method; empty: only corrects the state
   int corrections = 1;
 };
 
@@ -78,22 +78,22 @@ inline std::string names_of_steps() {
   return all;
 }
 
-/// Why there is no such method; empty: there is.
+/// Returns why there is no such method; empty if there is one.
 inline std::string mistake_of_method(const std::string& name) {
   if (stepping::find_tableau(name) != nullptr) return {};
-  return "no method of steps is called " + name + ": take " + names_of_steps();
+  return "unknown step method " + name + "; expected " + names_of_steps();
 }
 
-/// A step by a method, under a name of its own: `fixed_step("step", {"runge_kutta_4", 2})`.
+/// A step by a given method, under a separate name: `fixed_step("step", {"runge_kutta_4", 2})`.
 inline wanted_function fixed_step(std::string name, const wanted_step& how) {
   wanted_function wanted{.name = std::move(name), .step = how};
   if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
-  if (how.corrections < 0) wanted.mistake = "a step cannot have fewer corrections than none";
+  if (how.corrections < 0) wanted.mistake = "the number of corrections of a step must be at least 0";
   return wanted;
 }
 
-/// Results by their names, with spaces between them, for one call: "udot", "mass_matrix forcing", or one of
-/// the steps, as "runge_kutta_4".
+/// A function that returns the named results, separated by spaces: "udot", "mass_matrix forcing", or one of
+/// the steps, such as "runge_kutta_4".
 inline wanted_function results(std::string_view names) {
   if (stepping::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
   wanted_function wanted;
@@ -108,9 +108,10 @@ inline wanted_function results(std::string_view names) {
         wanted.results.push_back({std::string(detail::name_of(row.is)),
                                   {.what = deriving::request::kind::result, .wanted = row.is}});
     if (wanted.results.size() == before)
-      wanted.mistake = stepping::find_tableau(name) != nullptr
-                           ? std::string(name) + " is a function of its own, without other results"
-                           : "no result is called " + std::string(name);
+      wanted.mistake =
+          stepping::find_tableau(name) != nullptr
+              ? std::string(name) + " is a separate function and cannot be combined with other results"
+              : "there is no result " + std::string(name);
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
   }
   if (wanted.results.empty() && wanted.mistake.empty())

@@ -10,8 +10,8 @@ namespace kanexpr {
 namespace exporting {
 
 struct casadi_options {
-  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
-  std::string step = "runge_kutta_4";   ///< of `name`_step, without corrections
+  std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
+  std::string step = "runge_kutta_4";   ///< method of `name`_step, without corrections
 };
 
 namespace detail {

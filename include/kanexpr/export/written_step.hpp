@@ -150,7 +150,7 @@ struct no_motion {
   }
 };
 
-/// Writes the step by the method of this name.
+/// Generates the step by the method of this name.
 template <std::size_t... row>
 void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
                 written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {
@@ -161,7 +161,7 @@ void write_step(const written_equations& of, std::string_view name, const lower:
   (write.template operator()<row>(), ...);
 }
 
-/// A step as a function; it means nothing where a result could not be formed.
+/// Returns a step as a function; it is meaningless if a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
                                       const wanted_step& wanted, const forming& form) {
   step_in_code into;

@@ -36,7 +36,7 @@ using entry_places = std::vector<std::pair<int, int>>;
 class step_shapes {
 public:
   step_shapes() = default;
-  /// `h` and `t` are the columns of the length and of the time, this −1 where there is none.
+  /// `h` and `t` are the columns of the step length and of the time; `t` is −1 if there is no time argument.
   step_shapes(const stepping::tableau& method, int coordinates, int states, int columns, int h, int t,
               const entry_places& slope, const entry_places& bend, const entry_places& curve)
       : first(states, columns), along(states, columns), second(columns, columns), states_(states),

@@ -16,7 +16,7 @@ namespace kanexpr::exporting {
 /// those of the rates.
 class step_writer {
 public:
-  /// `arguments` are those of the rates, and `kernels` has the functions of `casadi_kernels`.
+  /// `arguments` are those of the rates; `kernels` has the functions of `casadi_kernels`.
   step_writer(const std::string& library, const stepping::tableau& method, const exported_system& kernels,
               const std::vector<casadi_argument>& arguments)
       : library_(library), name_(library + "_step"), method_(method), kernels_(kernels), of_rates_(arguments),
