@@ -216,7 +216,7 @@ async function checkBrokenMeshes(context) {
   page.on('request', (request) => requests.push(request.url()));
   await page.goto(addressOf('broken.html'));
   assert.equal(await page.locator('#trouble').textContent(),
-    'What is in these files cannot be shown: cut.stl, vast.stl, words.stl, entities.dae, robot.dae, cut.dae, ' +
+    'These files cannot be shown: cut.stl, vast.stl, words.stl, entities.dae, robot.dae, cut.dae, ' +
     'points.obj, odd.obj.');
   const [whole, none] = await page.evaluate(() => ['DAE', 'cut.stl'].map((name) => window.kanexpr.measure(name)));
   assert.deepEqual([whole.triangles, none.triangles], [4, 0]);
@@ -242,7 +242,7 @@ async function checkWithoutWebGL(context) {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto(address);
-  assert.match(await page.locator('#trouble').innerText(), /^This browser has no WebGL/);
+  assert.match(await page.locator('#trouble').innerText(), /^This browser does not support WebGL/);
   await page.locator('#time').fill('1.4');
   await page.waitForFunction(() => document.getElementById('clock').textContent.startsWith('1.40'));
 }

@@ -80,27 +80,27 @@ TEST(animation, is_that_of_a_pendulum) {
 TEST(animation, tells_what_is_no_number) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   tests::samples<System> run = swing({0.1, 0.2, nan});
-  EXPECT_EQ(pendulum_along(run).cause(), "the state holds something that is not a number at t = 0.2");
+  EXPECT_EQ(pendulum_along(run).cause(), "the state is not finite at t = 0.2");
   EXPECT_FALSE(pendulum_along(run));
   run = swing({0.1, 0.2});
   run.p[l] = nan;
-  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground is not a number");
+  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground must be finite");
   run.p[l] = -0.5;
-  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P is not a positive number");
+  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P must be positive and finite");
 }
 
 TEST(animation, tells_which_place_is_no_number) {
   using far = kanexpr::picture<System, up<-N::x>, show<sphere<P, 0.1>>>;
   tests::samples<System> run = swing({0.1, 0.2});
   run.p[l] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is not a number at t = 0");
+  EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is not finite at t = 0");
 }
 
 TEST(animation, wants_samples_in_the_order_of_time) {
-  EXPECT_EQ(pendulum_along(swing({})).cause(), "the trajectory holds no sample");
+  EXPECT_EQ(pendulum_along(swing({})).cause(), "the trajectory has no samples");
   tests::samples<System> run = swing({0.1, 0.2, 0.3});
   run.all[1].t = 0.5;
-  EXPECT_EQ(pendulum_along(run).cause(), "the samples are not in the order of time at t = 0.2");
+  EXPECT_EQ(pendulum_along(run).cause(), "the times of the samples decrease at t = 0.2");
 }
 
 TEST(page_text, holds_everything_to_seven_digits) {
@@ -171,7 +171,7 @@ TEST_F(page, is_not_written_where_something_is_no_number) {
   const auto report = write_page<pendulum>(path("page.html"),
                                            swing({std::numeric_limits<double>::quiet_NaN()}), options("A"));
   EXPECT_FALSE(report);
-  EXPECT_EQ(report.cause(), "the state holds something that is not a number at t = 0");
+  EXPECT_EQ(report.cause(), "the state is not finite at t = 0");
   EXPECT_FALSE(std::filesystem::exists(path("page.html")));
 }
 
@@ -182,11 +182,10 @@ TEST_F(page, tells_why_it_is_not_written) {
   write("other.html", "<p>");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("other.html")}).cause(),
-      path("other.html") + " is not a page for a motion");
+      path("other.html") + " is not an empty page for a motion");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
-      "the page without a motion is not there, " + path("none.html") +
-          "; the target kanexpr_page makes it, with npm");
+      "the empty page cannot be read, " + path("none.html") + "; the target kanexpr_page builds it with npm");
 }
 
 /// Two meshes of one file, and what else is seen of the pendulum.
@@ -214,7 +213,7 @@ TEST(animation, tells_which_scale_is_none) {
   EXPECT_EQ(kanexpr::animate::check_numbers(a), "");
   for (const double none : {0.0, std::numeric_limits<double>::infinity()}) {
     a.shapes[2].sizes[1] = none;
-    EXPECT_EQ(kanexpr::animate::check_numbers(a), "a scale of the head is zero, or not a number");
+    EXPECT_EQ(kanexpr::animate::check_numbers(a), "a scale of the head must be finite and nonzero");
   }
 }
 
@@ -243,21 +242,21 @@ TEST_F(page, tells_which_mesh_it_cannot_hold) {
     asked.folder = folder;
     return kanexpr::animate::write_page(path("page.html"), a, asked).cause();
   };
-  EXPECT_EQ(cause(""), "the file of the head, /no/such/folder/head.stl, is not there");
+  EXPECT_EQ(cause(""), "the file of the head, /no/such/folder/head.stl, does not exist");
   const std::string file = "the file of the head, " + path("meshes/head.stl") + ",";
-  EXPECT_EQ(cause(path("meshes")), file + " is not there");
+  EXPECT_EQ(cause(path("meshes")), file + " does not exist");
   std::filesystem::create_directories(path("meshes/head.stl"));
   EXPECT_EQ(cause(path("meshes")), file + " is not a file");
   std::filesystem::remove(path("meshes/head.stl"));
   write("meshes/head.stl", "");
   EXPECT_EQ(cause(path("meshes")), file + " is empty");
   std::filesystem::resize_file(path("meshes/head.stl"), 256'000'001); // of holes
-  EXPECT_EQ(cause(path("meshes")), file + " is too large: a page holds 256 MB of meshes at most");
+  EXPECT_EQ(cause(path("meshes")), file + " is too large; a page can hold at most 256 MB of meshes");
   a.shapes[2].file = "/other/head.stl";
-  EXPECT_EQ(cause(path("meshes")), "the file of the head, /other/head.stl, is not there");
+  EXPECT_EQ(cause(path("meshes")), "the file of the head, /other/head.stl, does not exist");
   a.shapes[2].file = "head.txt";
-  EXPECT_EQ(cause(path("meshes")), "the file of the head, " + path("meshes/head.txt") +
-                                       ", is none of the kinds .stl, .dae and .obj");
+  EXPECT_EQ(cause(path("meshes")),
+            "the file of the head, " + path("meshes/head.txt") + ", is not of the type .stl, .dae or .obj");
   EXPECT_FALSE(std::filesystem::exists(path("page.html")));
 }
 

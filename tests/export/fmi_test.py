@@ -212,7 +212,7 @@ one.initialize(q=1.5)
 assert one.get("q", "m", "l") == [1.5, 2, 0.5], "reset to the values of the model"
 one.free()
 other = Instance(pendulum, "ModelExchange", token="{another}")
-assert not other.pointer and other.told == [(ERROR, "the instantiation token is that of another model description")]
+assert not other.pointer and other.told == [(ERROR, "the instantiation token belongs to a different model description")]
 
 # Names that XML or C do not have
 strange = Fmu("strange")
@@ -297,16 +297,16 @@ for _ in range(1000):
     status, t = one.step(t, 9e-10)
     assert status == OK
 near(one.get("h"), [1 - t], 1e-12)
-for length, why in ((math.inf, "a step has a positive, finite length"), (math.nan, "a step has a positive, finite length"),
-                    (1e300, "a step holds at most 1e10 internal steps"),
-                    (1e-30, "an internal step is shorter than what numbers can add to the time")):
+for length, why in ((math.inf, "the length of a step must be positive and finite"), (math.nan, "the length of a step must be positive and finite"),
+                    (1e300, "a step may consist of at most 1e10 internal steps"),
+                    (1e-30, "the internal step is below the resolution of the time")):
     assert one.step(t, length) == (ERROR, t) and one.told[-1] == (ERROR, why)
 assert one.step(math.inf, 1) == (ERROR, t)
 
 # What is refused changes nothing.
 h = one.get("h")
 assert one.enter_initialization(start=77) == ERROR and one.get("time") == [t]
-assert one.status_of_set({"h": 3}) == ERROR and one.told[-1] == (ERROR, "the state of a co-simulation goes on by steps")
+assert one.status_of_set({"h": 3}) == ERROR and one.told[-1] == (ERROR, "the state of a co-simulation changes only by steps")
 assert one.status("SetContinuousStates", (double * 2)(3, 3), size(2)) == ERROR
 assert one.status("CompletedIntegratorStep", flag(True), ctypes.byref(flag()), ctypes.byref(flag())) == ERROR
 assert one.get("h") == h
@@ -314,7 +314,7 @@ one.free()
 one = exchange(ball)
 assert one.status_of_set({"h": 3, "der(v)": 1}) == ERROR and one.get("h") == [height]
 one.Terminate()
-assert one.status_of_set({"g": 1}) == ERROR and one.told[-1] == (ERROR, "after fmi3Terminate nothing can be set")
+assert one.status_of_set({"g": 1}) == ERROR and one.told[-1] == (ERROR, "no variable can be set after fmi3Terminate")
 assert one.status("SetTime", double(5)) == one.status("SetContinuousStates", (double * 2)(), size(2)) == ERROR
 assert one.get("g", "h", "time") == [g, height, 0]
 one.free()
@@ -437,7 +437,7 @@ one = Instance(linkage, "ModelExchange")
 assert one.enter_initialization() == OK
 for which in ("Directional", "Adjoint"):
     assert one.product(which, ["der(u1)"], ["q1"], [1.0]) == ERROR
-assert one.told[-1] == (ERROR, "until the initialization is over there are no derivatives, as states follow from others")
+assert one.told[-1] == (ERROR, "derivatives are not available before the end of initialization, because dependent states follow from others")
 one.ExitInitializationMode()
 near(gap(one), [0, 0], 1e-13)
 assert len(one.product("Directional", ["der(u1)"], ["q1"], [1.0])) == 1

@@ -32,8 +32,8 @@ assert "u2 and u3" in refused(four_bar.Singular, lambda: four_bar.udot([0.0] * 6
 assert refused(KeyError, lambda: four_bar.udot(x | {"q9": 0}, p, [0.0])) == repr(
     "q9 is not one of the states q1, q2, q3, u1, u2, u3")
 assert refused(KeyError, lambda: four_bar.udot({"q1": 0}, p, [0.0])) == repr(
-    "no value is given for q2, q3, u1, u2, u3 of the states")
-assert refused(ValueError, lambda: four_bar.udot([0.0], p, [0.0])) == "there are 6 states, not 1"
+    "the states lack a value for q2, q3, u1, u2, u3")
+assert refused(ValueError, lambda: four_bar.udot([0.0], p, [0.0])) == "expected 6 states, got 1"
 
 state, torques = [0.1 * i for i in range(14)], [1.0] * 7
 rates = iiwa.udot(state, r=torques)

@@ -48,34 +48,32 @@ std::string cause_of(const std::string& name, const c_options& chosen) {
 c_options with(std::vector<wanted_function> functions) { return {.functions = std::move(functions)}; }
 
 TEST(WriteC, NamesWhatCannotBeExported) {
-  EXPECT_EQ(cause_of("arm", with({results("velocity")})), "no result is called velocity");
-  EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "no result is called speeds");
+  EXPECT_EQ(cause_of("arm", with({results("velocity")})), "there is no result velocity");
+  EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "there is no result speeds");
   EXPECT_EQ(cause_of("arm", with({results("udot runge_kutta_4")})),
-            "runge_kutta_4 is a function of its own, without other results");
+            "runge_kutta_4 is a separate function and cannot be combined with other results");
   EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"runge_kutta_4", -1})})),
-            "a step cannot have fewer corrections than none");
+            "the number of corrections of a step must be at least 0");
   EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"heun_2"})})),
-            "no method of steps is called heun_2: take runge_kutta_4, ralston_3 or semi_implicit_euler");
-  EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function without a result");
+            "unknown step method heun_2; expected runge_kutta_4, ralston_3 or semi_implicit_euler");
+  EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function must have at least one result");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
-  EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}),
-            "there is no parameter k that could be bound to a number");
+  EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}), "there is no parameter k to bind to a number");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", std::numeric_limits<double>::infinity()}}}),
-            "parameter m is bound to no finite number");
+            "parameter m must be bound to a finite number");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", 1}, {"m", 2}}}), "parameter m is bound twice");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", -1}}}), "parameter m, the mass of a body, is negative");
   c_options huge{.functions = {results("mass_matrix")}, .bound = {{"m", 1e308}, {"l", 1e308}}};
-  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that double has no room for");
+  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix contains a number that double cannot represent");
   huge = {
       .functions = {results("mass_matrix")}, .bound = {{"m", 1e308}}, .number = precision::single_precision};
-  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix holds a number that float has no room for");
-  EXPECT_EQ(cause_of("math", {}), "what is exported needs a name that is one in C, of letters, digits and "
-                                  "underscores; \"math\" is none");
-  EXPECT_EQ(cause_of("7 arms", {}), "what is exported needs a name that is one in C, of letters, digits and "
-                                    "underscores; \"7 arms\" is none");
-  EXPECT_EQ(cause_of("", {}),
-            "what is exported needs a name that is one in C, of letters, digits and underscores; \"\" "
-            "is none");
+  EXPECT_EQ(cause_of("arm", huge), "function mass_matrix contains a number that float cannot represent");
+  EXPECT_EQ(cause_of("math", {}), "the name of an exported system must be a C identifier of letters, digits "
+                                  "and underscores; \"math\" is not one");
+  EXPECT_EQ(cause_of("7 arms", {}), "the name of an exported system must be a C identifier of letters, "
+                                    "digits and underscores; \"7 arms\" is not one");
+  EXPECT_EQ(cause_of("", {}), "the name of an exported system must be a C identifier of letters, digits and "
+                              "underscores; \"\" is not one");
 }
 
 TEST(WriteC, LeavesNothingHalfWritten) {
@@ -156,7 +154,7 @@ TEST(WriteC, RefusesAnInputThatTheSystemDoesNotHave) {
   const c_options pushed = with({exporting::expression<simple_pendulum::q * input<"F">{}>("pushed")});
   EXPECT_EQ(cause_of("arm", pushed), "input F, which an expression contains, is not in the list of inputs");
   EXPECT_EQ(write_c<without_list::System>("nowhere", "arm", pushed).cause(),
-            "function pushed holds an input that the system does not have");
+            "function pushed uses an input that the system does not have");
   EXPECT_FALSE(std::filesystem::exists("nowhere"));
 }
 
@@ -273,7 +271,7 @@ TEST(WriteC, WritesExpressionsOfABuilder) {
   ASSERT_TRUE(written(exporting::expression("height", l * cos(q))));
   EXPECT_THAT(to.text_of("arm.c"), HasSubstr("arm_height("));
   EXPECT_EQ(written(exporting::expression("turn", other.coordinate("turn"))).cause(),
-            "turn is no expression of what is exported");
+            "turn is not an expression of the exported system");
 }
 
 struct doubled {
@@ -293,7 +291,7 @@ TEST(WriteC, RefusesFunctionsOfTheProgram) {
   b.force(P, b.along(N, external<"spring", doubled>()(q), 0, 0));
   const folder to;
   EXPECT_EQ(write_c(b, to.path, "arm", with({results("udot")})).cause(),
-            "function udot calls spring, a function of the program, which other languages do not have");
+            "function udot calls spring, a function of the program, which cannot be exported");
 }
 
 TEST(WriteC, TellsTheMistakeOfAModel) {
@@ -318,13 +316,13 @@ TEST(WriteCasadi, NamesWhatCannotBeExported) {
   for (const char* const name : {"_arm", "arm_", "arm__1", "7arms", "", "jac", "while", "main", "sinl",
                                  "sinf64x", "double_t", "M_PI_2", "abs", "memcpy", "wcsxfrm", "link"})
     EXPECT_EQ(cause_for_casadi(name),
-              std::string("a function of CasADi needs a name that begins with a letter, "
-                          "has no two underscores in a row and none at its end, and is none of the "
-                          "words of C, of its library and of CasADi; \"") +
-                  name + "\" is none");
-  EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k that could be bound to a number");
+              std::string(
+                  "the name of a CasADi function must begin with a letter, must have no two underscores in a "
+                  "row and none at its end, and must not be a word of C, of its library or of CasADi; \"") +
+                  name + "\" is not such a name");
+  EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k to bind to a number");
   EXPECT_EQ(cause_for_casadi("arm", {{{"m", 1e300}, {"l", 1e300}}}),
-            "function rates holds a number that double has no room for");
+            "function rates contains a number that double cannot represent");
 }
 
 TEST(WriteCasadi, TellsTheMistakeOfAModel) {
@@ -400,7 +398,7 @@ TEST(WriteFmu, StartsNoSpeedThatTheConstraintsGive) {
     return std::string(write_fmu<pendulum_nonminimal::System>(to.path, "bob", chosen).cause());
   };
   EXPECT_EQ(of("u2"), "");
-  EXPECT_EQ(of("u1"), "speed u1, which is dependent, is given a start value; the constraints give it");
+  EXPECT_EQ(of("u1"), "speed u1 is dependent and cannot have a start value; it follows from the constraints");
 }
 
 TEST(WriteFmu, NamesWhatCannotBeExported) {
@@ -415,41 +413,43 @@ TEST(WriteFmu, NamesWhatCannotBeExported) {
   EXPECT_EQ(of([](fmu_options& o) { o.start.erase(o.start.begin() + 1), o.bound = {{"m", -1}}; }),
             "parameter m, the mass of a body, is negative");
   EXPECT_EQ(of([](fmu_options& o) { o.start.push_back({"k", 1}); }),
-            "there is no coordinate, speed, parameter or input k that could start with a value");
+            "there is no coordinate, speed, parameter or input k to set a start value for");
   EXPECT_EQ(of([](fmu_options& o) { o.step = 0; }), "the internal step of a co-simulation must be positive");
-  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("velocity")}; }), "no result is called velocity");
+  EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("velocity")}; }), "there is no result velocity");
   EXPECT_EQ(of([](fmu_options& o) { o.outputs = {results("runge_kutta_4")}; }),
-            "runge_kutta_4 is a step, and no output");
+            "runge_kutta_4 is a step and cannot be an output");
   EXPECT_EQ(of([](fmu_options& o) { o.outputs = {expression<q>("")}; }), "an output of an FMU needs a name");
   EXPECT_EQ(of([](fmu_options& o) { o.events = {when<q>("")}; }), "an event of an FMU needs a name");
   EXPECT_EQ(of([](fmu_options& o) {
               o.events = {when<position_of<simple_pendulum::P, simple_pendulum::O>>("fall")};
             }),
-            "what event fall watches must be a scalar, to pass zero");
+            "the expression of event fall must be a scalar");
   EXPECT_EQ(of([](fmu_options& o) { o.events = {when<q>("turn", crossing::either, {set<-u>("m")})}; }),
             "event turn sets m, which is neither a coordinate nor a speed");
   EXPECT_EQ(of([](fmu_options& o) {
               o.bound = {{"m", 1e308}, {"l", 1e308}}, o.start.erase(o.start.begin() + 1, o.start.begin() + 3);
             }),
-            "function rhs holds a number that double has no room for");
+            "function rhs contains a number that double cannot represent");
   EXPECT_EQ(cause_of_fmu([](fmu_options&) {}, "7 arms"),
-            "what is exported needs a name that is one in C, of letters, digits and underscores; \"7 arms\" "
-            "is none");
-  EXPECT_EQ(of([](fmu_options& o) { o.compiler = "false"; }), "arm does not compile as C; false says why");
+            "the name of an exported system must be a C identifier of letters, digits and underscores; \"7 "
+            "arms\" is not one");
+  EXPECT_EQ(of([](fmu_options& o) { o.compiler = "false"; }),
+            "arm does not compile as C; false reports the errors");
 }
 
 TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
   const folder to;
   fmu_options chosen = with_starts();
   EXPECT_EQ(write_fmu<simple_pendulum::System>(to.path, "arm", chosen).note(),
-            "arm.fmu holds sources alone, as no compiler is given");
+            "arm.fmu holds sources only, because no compiler is specified");
   const std::string without = to.text_of("arm.fmu");
   EXPECT_THAT(without, HasSubstr("sources/arm_fmi.c"));
   EXPECT_THAT(without, testing::Not(HasSubstr("binaries/")));
   chosen.compiler = "no-compiler-of-this-name";
   const written_fmu again = write_fmu<simple_pendulum::System>(to.path, "arm", chosen);
   EXPECT_TRUE(again);
-  EXPECT_EQ(again.note(), "arm.fmu holds sources alone, as there is no compiler no-compiler-of-this-name");
+  EXPECT_EQ(again.note(),
+            "arm.fmu holds sources only, because there is no compiler no-compiler-of-this-name");
   EXPECT_EQ(to.text_of("arm.fmu"), without) << "the same bytes";
 }
 

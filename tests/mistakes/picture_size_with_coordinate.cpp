@@ -1,4 +1,4 @@
-// expect: the radius of the sphere at P holds the coordinate q; it may hold parameters only
+// expect: the radius of the sphere at P contains the coordinate q; it may depend only on parameters
 #include "picture.hpp"
 
 int main() { return draw<up<N::y>, show<sphere<P, l * q>>>(); }

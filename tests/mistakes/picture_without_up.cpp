@@ -1,4 +1,4 @@
-// expect: the picture does not say which way is up; write up<vector>
+// expect: the picture does not specify the up direction; add up<vector>
 #include "picture.hpp"
 
 int main() { return draw<show<sphere<P, 0.1>>>(); }

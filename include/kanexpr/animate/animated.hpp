@@ -15,7 +15,7 @@ namespace kanexpr {
 
 namespace animate {
 
-/// A picture and a trajectory of types.
+/// The scene of a picture and a trajectory given as types.
 template <class Picture, class Trajectory>
 class compiled_scene final : public scene {
   using numbers_in = numbers_of<Picture>;
@@ -52,7 +52,7 @@ private:
     std::copy_n(from.data(), from.size(), to);
   }
 
-  /// The numbers are interpreted: a page shows a few hundred samples.
+  /// The numbers are interpreted, which is fast enough for the few hundred samples of a page.
   static const compiled::code_table& code() {
     using sample = std::remove_cvref_t<decltype(*std::declval<const Trajectory&>().begin())>;
     using parameters = std::remove_cvref_t<decltype(std::declval<const Trajectory&>().parameters())>;
@@ -65,8 +65,8 @@ private:
 
 } // namespace animate
 
-/// The shapes of a picture along a trajectory: any range of samples that have a time `t`, a state `x` and
-/// inputs `r`, with the `parameters()` of the system.
+/// Returns the shapes of a picture along a trajectory, which is any range of samples with a time `t`, a state
+/// `x` and inputs `r` that also has the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
   if constexpr (animate::sound_picture<Picture>::value)

@@ -8,18 +8,18 @@
 
 namespace kanexpr {
 
-/// The shapes of a picture along a trajectory, or why there are none.
+/// The shapes of a picture along a trajectory, or the reason why there are none.
 struct animation {
   struct shape {
-    std::string name{}, kind{}; ///< the kind is that of the word: "sphere", "trace"
+    std::string name{}, kind{}; ///< the kind as in the picture: "sphere", "trace"
     std::string colour{};       ///< "#rrggbb"; empty: the page chooses
-    std::string file{};         ///< of a mesh, as the picture names it
+    std::string file{};         ///< of a mesh, as specified in the picture
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placing placed_by = animate::placing::place;
-    std::vector<animate::placement> placements{}; ///< at each time
+    std::vector<animate::placement> placements{}; ///< one for each time
   };
-  /// A coordinate or speed at each time.
+  /// The values of a coordinate or speed at each time.
   struct column {
     std::string name;
     std::vector<double> values;
@@ -32,11 +32,11 @@ struct animation {
   std::optional<Eigen::Vector3d> seen_from{};
   std::optional<double> ground{};
   bool carried = false;
-  std::string folder{}; ///< where files with relative names are; empty: the current one
+  std::string folder{}; ///< the folder of files with relative names; empty: the current one
   std::string failure{};
 
   explicit operator bool() const { return failure.empty(); }
-  /// Why there is none, as a sentence; empty: there is.
+  /// Why there is no animation, as a sentence; empty if there is one.
   std::string cause() const { return failure; }
 
   const shape* find(std::string_view name) const {

@@ -3,10 +3,10 @@
 #include <kanexpr/animate/phrases.hpp>
 #include <kanexpr/animate/placement.hpp>
 
-/// The ways in which a shape hangs on a model. `moving` are the numbers that place it at each time.
+/// The attachments of shapes to a model. `moving` are the numbers that determine the placement at each time.
 namespace kanexpr::animate {
 
-/// At a point.
+/// Attachment to a point.
 template <class Point>
 struct at {
   static constexpr phrases<1> moving{place<Point>};
@@ -14,14 +14,14 @@ struct at {
   static constexpr const describe::point_record* points[]{&describe::point_of<Point>};
 };
 
-/// At a point, turning with a frame.
+/// Attachment to a point, rotating with a frame.
 template <class Frame, class Point>
 struct attached : at<Point> {
   static constexpr phrases<3> moving{place<Point>, x_of<Frame>, y_of<Frame>};
   static constexpr placing placed_by = placing::pose;
 };
 
-/// At a point, turning with a frame, with an axis that lies along a vector of the model.
+/// Attachment to a point, rotating with a frame, with the axis along a vector of the model.
 template <class Frame, class Point, auto vector>
 struct attached_along : at<Point> {
   static constexpr placing placed_by = placing::pose;
@@ -29,7 +29,7 @@ struct attached_along : at<Point> {
   static constexpr phrases<4> moving{place<Point>, axis, x_of<Frame>, y_of<Frame>};
 };
 
-/// Between two points, whose distance may change.
+/// Attachment between two points whose distance may change.
 template <class From, class To>
 struct between {
   static constexpr phrases<2> moving{place<From>, place<To>};

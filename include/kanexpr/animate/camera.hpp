@@ -20,7 +20,7 @@ public:
 
   animation film() {
     name_columns();
-    if (scene_.samples() == 0) made_.failure = "the trajectory holds no sample";
+    if (scene_.samples() == 0) made_.failure = "the trajectory has no samples";
     film_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
     if (!made_) return std::move(made_);
@@ -47,11 +47,10 @@ private:
     const status s = evaluate(t, column(film_.numbers, sample));
     if (!s) made_.failure = s.cause() + at_time(t);
     for (const double entry : x_)
-      if (!numeric::is_finite(entry))
-        made_.failure = "the state holds something that is not a number" + at_time(t);
-    if (!numeric::is_finite(t)) made_.failure = "the time of a sample is not a number";
+      if (!numeric::is_finite(entry)) made_.failure = "the state is not finite" + at_time(t);
+    if (!numeric::is_finite(t)) made_.failure = "the time of a sample is not finite";
     if (!made_.times.empty() && t < made_.times.back())
-      made_.failure = "the samples are not in the order of time" + at_time(t);
+      made_.failure = "the times of the samples decrease" + at_time(t);
     made_.times.push_back(t);
     for (std::size_t i = 0; i < made_.columns.size(); ++i) made_.columns[i].values.push_back(x_[i]);
   }
@@ -69,7 +68,8 @@ private:
     return m.data() + static_cast<Eigen::Index>(k) * m.rows();
   }
 
-  /// Over a step: by Simpson's rule where the trajectory tells the state halfway, else the trapezoidal rule.
+  /// Integrates over each step by Simpson's rule if the trajectory provides the state at the midpoint, else
+  /// by the trapezoidal rule.
   void integrate() {
     const std::size_t count = made_.times.size();
     film_.integrals.setZero(scene_.rates, static_cast<Eigen::Index>(count));

@@ -2,17 +2,16 @@
 
 #include <kanexpr/animate/check_shape.hpp>
 
-/// Mistakes that a person can make in a picture.
+/// Checks for mistakes in a picture.
 namespace kanexpr::animate {
 
 template <class Word>
 struct check_word {
   static constexpr sentence mistake() {
     if constexpr (requires { Word::shape; }) {
-      return sentence(
-          {Word::shape, "<...> stands among the words of the picture; write show<...> around it"});
+      return sentence({Word::shape, "<...> is a shape, not an element of the picture; wrap it in show<...>"});
     } else if constexpr (!picture_word<Word>) {
-      return sentence({name_of<Word>(), " is not a word of a picture"});
+      return sentence({name_of<Word>(), " is not an element of a picture"});
     } else {
       if constexpr (requires { Word::size_names; })
         return check_sizes(Word::still, Word::size_names, Word::word);
@@ -58,7 +57,7 @@ constexpr const point_record* origin_under(const point_record* p) {
   return p;
 }
 
-/// Positions are measured from one origin.
+/// Checks that all positions are measured from the same origin.
 struct origin_check {
   const point_record* first = nullptr;
   sentence mistake{};
@@ -75,10 +74,12 @@ private:
   constexpr void compare(const point_record* p) {
     if (first == nullptr) first = p;
     const point_record *here = origin_under(p), *there = origin_under(first);
-    if (here->origin_of == nullptr || there->origin_of == nullptr) return; // no points: told by the reader
+    if (here->origin_of == nullptr || there->origin_of == nullptr)
+      return; // not points: reported when the model is read
     if (here != there && !mistake)
-      mistake = sentence({"point ", p->called, " hangs on the origin ", here->called, ", and ", first->called,
-                          " on the origin ", there->called, ": the way between them is not known"});
+      mistake =
+          sentence({"point ", p->called, " is attached to the origin ", here->called, ", but ", first->called,
+                    " to the origin ", there->called, "; the displacement between them is unknown"});
   }
 };
 
@@ -97,7 +98,7 @@ constexpr sentence check_words() {
   if (found) return found;
   const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
-  if (times("up") == 0) return sentence({"the picture does not say which way is up; write up<vector>"});
+  if (times("up") == 0) return sentence({"the picture does not specify the up direction; add up<vector>"});
   for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})
     if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;

@@ -6,7 +6,7 @@
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
-/// Mistakes that a person can make in a shape.
+/// Checks for mistakes in a shape.
 namespace kanexpr::animate {
 
 using describe::point_record;
@@ -47,7 +47,7 @@ constexpr title title_of() {
   return t;
 }
 
-/// A size holds numbers and parameters.
+/// Checks that a size is a scalar that depends only on parameters.
 constexpr sentence check_size(const phrase& given, std::string_view size, std::string_view whom) {
   if (given.kind != shape::scalar)
     return sentence({"the ", size, " of the ", whom, deriving::is_a(given.kind), "it must be a scalar"});
@@ -65,8 +65,8 @@ constexpr sentence check_size(const phrase& given, std::string_view size, std::s
       name = t.frame->called;
     }
     if (!kind.empty())
-      return sentence(
-          {"the ", size, " of the ", whom, " holds the ", kind, name, "; it may hold parameters only"});
+      return sentence({"the ", size, " of the ", whom, " contains the ", kind, name,
+                       "; it may depend only on parameters"});
   }
   return {};
 }
@@ -87,22 +87,22 @@ constexpr sentence check_look(const look& l, std::string_view whom) {
   if (!l.colour.empty() && !is_colour(l.colour))
     return sentence({"the colour of the ", whom, ", ", l.colour, ", is not of the form #1f5fa8"});
   if (!(numeric::is_finite(l.opacity) && l.opacity > 0 && l.opacity <= 1))
-    return sentence({"the opacity of the ", whom, " is not above 0 and at most 1"});
+    return sentence({"the opacity of the ", whom, " must be above 0 and at most 1"});
   return {};
 }
 
-/// Of the name of the file alone, which is read when a page is written.
+/// Checks only the name of the file, which is read when a page is written.
 constexpr sentence check_file(std::string_view file, std::string_view whom) {
-  if (file.empty()) return sentence({"the ", whom, " names no file"});
+  if (file.empty()) return sentence({"the ", whom, " has no file name"});
   if (mesh_kind_of(file).empty())
-    return sentence({"the file of the ", whom, ", ", file, ", is none of the kinds .stl, .dae and .obj"});
+    return sentence({"the file of the ", whom, ", ", file, ", is not of the type .stl, .dae or .obj"});
   return {};
 }
 
 constexpr sentence check_mesh(std::string_view file, std::size_t scales, std::string_view whom) {
   if (scales == 2 || scales > 3)
     return sentence({"the ", whom, " has ", scales == 2 ? "two scales" : "more than three scales",
-                     "; it has one, or one along each axis"});
+                     "; it takes one, or one along each axis"});
   return check_file(file, whom);
 }
 
@@ -127,8 +127,7 @@ constexpr sentence check_option(std::string_view whom) {
     return sentence(
         {"the ", whom, " is shown with ", name_of<Option>(), ", which is not an option of a shape"});
   if constexpr (requires { Option::spin; }) {
-    if constexpr (!requires { Shape::axis; })
-      return sentence({"the ", whom, " is spinning, and has no axis"});
+    if constexpr (!requires { Shape::axis; }) return sentence({"the ", whom, " is spinning but has no axis"});
     if (Option::spin.kind != shape::scalar)
       return sentence({"the spin of the ", whom, deriving::is_a(Option::spin.kind), "it must be a scalar"});
   }
@@ -141,7 +140,7 @@ constexpr sentence check_options(std::string_view whom) {
   int spins = 0;
   ((found = found ? found : check_option<Options, Shape>(whom)), ...);
   ((spins += requires { Options::spin; } ? 1 : 0), ...);
-  if (!found && spins > 1) found = sentence({"the ", whom, " is spinning twice"});
+  if (!found && spins > 1) found = sentence({"the ", whom, " has more than one spinning<...>"});
   return found;
 }
 

@@ -2,9 +2,9 @@
 
 #include <kanexpr/base/one_way.hpp>
 
-/// What of pages does not depend on a picture is compiled by every file that uses it, or the library
-/// kanexpr::animate_engine holds it: then KANEXPR_COMPILED_PAGES is defined wherever the headers are
-/// included.
+/// The parts of pages that do not depend on a picture are compiled in every file that uses them, or once in
+/// the library kanexpr::animate_engine; in the latter case, KANEXPR_COMPILED_PAGES is defined wherever the
+/// headers are included.
 #if defined KANEXPR_COMPILED_PAGES
 #define KANEXPR_PAGES
 KANEXPR_ONE_WAY("KANEXPR_COMPILED_PAGES", "1");

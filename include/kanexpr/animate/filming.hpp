@@ -8,10 +8,10 @@
 #include <charconv>
 #include <span>
 
-/// From the numbers of a picture at each time to its shapes.
+/// Converts the numbers of a picture at each time to its shapes.
 namespace kanexpr::animate {
 
-/// The numbers of a picture and the integrals of its rates, a column for each time.
+/// The numbers of a picture and the integrals of its rates, one column for each time.
 struct footage {
   Eigen::MatrixXd numbers{}, integrals{};
 };
@@ -38,7 +38,7 @@ inline animation::shape shape_of(const word_record& r, const footage& f) {
   return s;
 }
 
-/// Moves all shapes along the way of the origin, from that of a point: see `carried`.
+/// Moves all shapes with the origin, whose path follows from the velocity of a point; see `carried`.
 inline void carry(animation& a, const word_record& r, const footage& f) {
   a.carried = true;
   for (Eigen::Index k = 0; k < f.numbers.cols(); ++k) {
@@ -69,29 +69,31 @@ inline std::string at_time(double t) {
   return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
 }
 
-/// A mesh may be mirrored.
+/// Checks a size or a scale. A scale may be negative, which mirrors the mesh.
 inline std::string check_number(const animation::shape& s, double size) {
   const bool is_scale = s.kind == "mesh";
   if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
-  if (is_scale) return "a scale of the " + s.name + " is zero, or not a number";
-  return "a size of the " + s.name + " is not a positive number";
+  if (is_scale) return "a scale of the " + s.name + " must be finite and nonzero";
+  return "a size of the " + s.name + " must be positive and finite";
 }
 
-/// What in an animation is not a number, as a sentence; empty: nothing.
+/// Reports the first value in an animation that is not finite or is out of range, as a sentence; empty if
+/// there is none.
 inline std::string check_numbers(const animation& a) {
-  if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5)) return "the direction of up has no length";
+  if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5))
+    return "the direction of up must be a nonzero vector";
   if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
-    return "the direction of seen_from has no length";
-  if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground is not a number";
+    return "the direction of seen_from must be a nonzero vector";
+  if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground must be finite";
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k) {
       const placement& here = s.placements[k];
       if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
-        return "the position of the " + s.name + " is not a number" + at_time(a.times[k]);
+        return "the position of the " + s.name + " is not finite" + at_time(a.times[k]);
       if (!numeric::all_finite(here.orientation))
-        return "the orientation of the " + s.name + " is not a number" + at_time(a.times[k]);
+        return "the orientation of the " + s.name + " is not finite" + at_time(a.times[k]);
     }
   }
   return {};

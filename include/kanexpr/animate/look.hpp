@@ -8,10 +8,10 @@ namespace kanexpr {
 
 namespace animate {
 
-/// What a shape looks like and is called.
+/// The appearance and the name of a shape.
 struct look {
   std::string_view colour{}; ///< "#rrggbb"; empty: the page chooses
-  std::string_view name{};   ///< empty: what it is and where
+  std::string_view name{};   ///< empty: formed from its kind and place
   double opacity = 1;
 };
 
@@ -35,7 +35,7 @@ constexpr void put_spin(phrases<size>& found, std::size_t& next) {
   if constexpr (requires { Option::spin; }) found[next++] = Option::spin;
 }
 
-/// The spin that is among the options.
+/// The spin among the options, if any.
 template <class... Options>
 constexpr auto spin_of() {
   phrases<(std::size_t{0} + ... + (requires { Options::spin; } ? 1 : 0))> found{};
@@ -52,21 +52,21 @@ struct colour {
   static constexpr void tell(animate::look& l) { l.colour = hexadecimal.view(); }
 };
 
-/// From 0, which cannot be seen, to 1.
+/// The opacity, from 0 (invisible) to 1.
 template <auto part>
 struct opacity {
   static constexpr void tell(animate::look& l) { l.opacity = static_cast<double>(part); }
 };
 
-/// What the page calls a shape, in place of "sphere at P".
+/// The name of a shape on the page, instead of "sphere at P".
 template <text words>
 struct named {
   static constexpr void tell(animate::look& l) { l.name = words.view(); }
 };
 
-/// The shape turns about its axis beside its frame, with the rate `speed`, which is integrated along the
-/// trajectory. For wheels whose angle matters to nothing, so that the model has no coordinate for it:
-/// `show<wheel<R, C, R::y, r, 0.04>, spinning<u3>>`.
+/// Makes the shape rotate about its axis relative to its frame, at the rate `speed`, which is integrated
+/// along the trajectory. Intended for wheels whose angle does not affect the motion and is therefore not a
+/// coordinate of the model: `show<wheel<R, C, R::y, r, 0.04>, spinning<u3>>`.
 template <auto speed>
 struct spinning {
   static constexpr describe::phrase spin = describe::phrase_of<speed>;

@@ -10,10 +10,10 @@
 #include <iterator>
 #include <utility>
 
-/// The files of meshes, as a page holds them.
+/// Reads mesh files in the form in which a page embeds them.
 namespace kanexpr::animate {
 
-/// Bytes in the 64 letters of RFC 4648.
+/// Encodes bytes in base64 (RFC 4648).
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string written;
@@ -29,11 +29,11 @@ inline std::string base64(std::string_view bytes) {
 }
 
 struct mesh_file {
-  std::string name{}; ///< as the picture has it
+  std::string name{}; ///< as specified in the picture
   std::string data{}; ///< in base64
 };
 
-/// The files of all meshes of an animation, each once, or why one cannot be in a page.
+/// The files of all meshes of an animation, each once, or the reason why one cannot be embedded in a page.
 class mesh_files : public outcome {
 public:
   explicit mesh_files(std::string cause) : outcome(std::move(cause)) {}
@@ -45,7 +45,7 @@ private:
   std::vector<mesh_file> all_{};
 };
 
-/// Browsers refuse texts that are much longer.
+/// Browsers reject texts that are much longer.
 inline constexpr std::uintmax_t most_bytes_of_meshes = 256'000'000;
 
 inline bool holds(const std::vector<mesh_file>& files, const std::string& name) {
@@ -61,15 +61,15 @@ inline mesh_files read_meshes(const animation& a, const std::string& folder) {
     if (s.kind != "mesh" || holds(read, s.file)) continue;
     const std::filesystem::path path = std::filesystem::path(folder) / s.file;
     const std::string whose = "the file of the " + s.name + ", " + path.string() + ",";
-    if (mesh_kind_of(s.file).empty()) return mesh_files(whose + " is none of the kinds .stl, .dae and .obj");
+    if (mesh_kind_of(s.file).empty()) return mesh_files(whose + " is not of the type .stl, .dae or .obj");
     std::error_code failed;
-    if (!std::filesystem::exists(path, failed)) return mesh_files(whose + " is not there");
+    if (!std::filesystem::exists(path, failed)) return mesh_files(whose + " does not exist");
     if (!std::filesystem::is_regular_file(path, failed)) return mesh_files(whose + " is not a file");
     const std::uintmax_t size = std::filesystem::file_size(path, failed);
     if (failed) return mesh_files(whose + " cannot be read");
     if (size == 0) return mesh_files(whose + " is empty");
     if (size > most_bytes_of_meshes - bytes)
-      return mesh_files(whose + " is too large: a page holds 256 MB of meshes at most");
+      return mesh_files(whose + " is too large; a page can hold at most 256 MB of meshes");
     bytes += size;
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

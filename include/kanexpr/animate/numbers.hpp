@@ -7,7 +7,7 @@ namespace kanexpr {
 
 namespace animate {
 
-/// Phrases of several words one after another, and where the numbers of each word begin.
+/// The concatenated phrases of several elements, and the index at which the numbers of each element begin.
 template <std::size_t... sizes>
 struct layout {
   static constexpr std::size_t words = sizeof...(sizes);
@@ -27,8 +27,8 @@ struct layout {
   constexpr int numbers() const { return begin[words]; }
 };
 
-/// All numbers of a picture at one time, which one function gives, so that they share their work: those that
-/// move, then those that stay, then rates.
+/// All numbers of a picture at one time, evaluated by a single function so that they share common
+/// subexpressions: the time-varying ones, then the constant ones, then the rates.
 template <class Picture>
 struct numbers_of;
 

@@ -11,8 +11,8 @@ namespace kanexpr::animate {
 inline constexpr std::string_view place_of_motion = "@motion@";
 inline constexpr std::string_view place_of_title = "@title@";
 
-/// A title as the text of an element. Control characters, which a page may not hold, become spaces, and what
-/// is not UTF-8 the sign for that.
+/// Escapes a title for use as the text of an element. Control characters, which a page may not contain,
+/// become spaces; invalid UTF-8 becomes U+FFFD.
 inline std::string without_markup(const std::string& text) {
   std::string plain;
   for (const char c : sound_text(text))
@@ -23,13 +23,13 @@ inline std::string without_markup(const std::string& text) {
   return plain;
 }
 
-/// Fills the places of an empty page, in their order in the page: what stands in one place is not searched
-/// for the others.
+/// Fills the placeholders of an empty page. Both are located first, so that the inserted text is not searched
+/// for placeholders.
 inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
                     const std::string& from) {
   const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
   if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
-    return outcome(from + " is not a page for a motion");
+    return outcome(from + " is not an empty page for a motion");
   page.replace(motion_at, place_of_motion.size(), motion);
   page.replace(title_at, place_of_title.size(), title);
   return {};
@@ -40,9 +40,9 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
   std::ifstream file(options.empty_page, std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(file), {}};
   if (page.empty())
-    return outcome("the page without a motion is not there" +
+    return outcome("the empty page cannot be read" +
                    (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
-                   "; the target kanexpr_page makes it, with npm");
+                   "; the target kanexpr_page builds it with npm");
   const mesh_files meshes = read_meshes(a, options.folder.empty() ? a.folder : options.folder);
   if (!meshes) return outcome(meshes.cause());
   const std::string motion = page_text(a, options.title, options.text, meshes.all());

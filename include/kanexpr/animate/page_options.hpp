@@ -4,22 +4,22 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/base/outcome.hpp>
 
-#ifndef KANEXPR_PAGE // where the target kanexpr::animate puts the page without a motion
+#ifndef KANEXPR_PAGE // path of the page without a motion, set by the target kanexpr::animate
 #define KANEXPR_PAGE ""
 #endif
 
 namespace kanexpr {
 
 struct page_options {
-  std::string title{};                  ///< the name of the system, unless given
+  std::string title{};                  ///< default: the name of the system
   std::string text{};                   ///< a sentence under the title
-  std::string empty_page{KANEXPR_PAGE}; ///< the page without a motion
-  std::string folder{};                 ///< of files with relative names; empty: that of the picture
+  std::string empty_page{KANEXPR_PAGE}; ///< path of the page without a motion
+  std::string folder{};                 ///< folder of files with relative names; empty: that of the picture
 };
 
 namespace animate {
 
-/// Writes an animation as a page.
+/// Writes an animation to a page.
 KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, const page_options& options);
 
 } // namespace animate

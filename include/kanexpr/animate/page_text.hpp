@@ -9,10 +9,10 @@
 
 #include <charconv>
 
-/// An animation as the text that the page reads.
+/// Converts an animation to the text that the page reads.
 namespace kanexpr::animate {
 
-/// To seven digits: that is finer than what can be seen.
+/// Rounds to seven digits, which is finer than can be seen.
 inline double rounded(double value) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 7).ptr;
@@ -31,7 +31,7 @@ inline nlohmann::json list_of(const Eigen::Vector3d& v) {
   return list_of(std::vector<double>(v.begin(), v.end()));
 }
 
-/// One row of numbers after the other: 3 for a place, 6 for two ends, 7 for a pose, whose last four are
+/// The placements row by row: 3 numbers for a place, 6 for two ends, 7 for a pose, the last four of which are
 /// the quaternion x, y, z, w.
 inline std::vector<double> rows_of(const animation::shape& s) {
   std::vector<double> all;
@@ -78,7 +78,7 @@ inline std::string written(const nlohmann::json& all) {
   return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Text with the sign U+FFFD in place of what is not UTF-8.
+/// Replaces invalid UTF-8 by U+FFFD.
 inline std::string sound_text(const std::string& text) {
   return nlohmann::json::parse(written(text)).get<std::string>();
 }
@@ -89,7 +89,7 @@ inline nlohmann::json file_text(const mesh_file& f) {
 
 inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// Holds no `<`, so that it can be put in a page as it is.
+/// Returns an animation as JSON. It contains no `<`, so that it can be inserted into a page without escaping.
 inline std::string page_text(const animation& a, const std::string& title, const std::string& text,
                              const std::vector<mesh_file>& files = {}) {
   nlohmann::json all{{"title", title},

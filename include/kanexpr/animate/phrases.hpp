@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// The scalars and vectors of a model of which a picture takes the numbers.
+/// The scalars and vectors of a model that a picture evaluates.
 namespace kanexpr::animate {
 
 using describe::phrase;
@@ -26,12 +26,12 @@ constexpr int numbers_in(const phrases<size>& list) {
 template <auto... expressions>
 inline constexpr phrases<sizeof...(expressions)> phrases_of{describe::phrase_of<expressions>...};
 
-/// Position of a point from its origin.
+/// The position of a point relative to its origin.
 template <class Point>
 inline constexpr phrase place = describe::phrase_of<describe::motion_of(
     describe::token_kind::position, &describe::point_of<Point>, !is_known_to_all_files<Point>)>;
 
-/// Two axes of a frame; the third is their product.
+/// Two axes of a frame; the third is their cross product.
 template <class Frame>
 inline constexpr phrase x_of =
     describe::phrase_of<describe::basis(&describe::frame_of<Frame>, 0, !is_known_to_all_files<Frame>)>;

@@ -3,7 +3,8 @@
 #include <kanexpr/animate/check.hpp>
 namespace kanexpr {
 
-/// What a moving system looks like: simple shapes on its frames and points, the paths of points, the ground.
+/// Describes the appearance of a moving system: simple shapes on its frames and points, the paths of points,
+/// and the ground.
 ///
 ///     using picture = kanexpr::picture<System, up<N::z>, ground<>, trace<P>,
 ///                                      show<rod<O, P, 0.02>>, show<sphere<P, 0.1>, colour<"#c0392b">>>;

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-/// From the numbers of an attachment to a placement.
+/// Converts the numbers of an attachment to a placement.
 namespace kanexpr::animate {
 
-/// The orientation whose z is along `axis`, and whose x is as near as possible to an axis of the frame that
-/// has `x` and `y`: to x itself unless `axis` is within 30 degrees of it.
+/// The orientation with z along `axis` and x as close as possible to the axis `x` of the frame, or to `y` if
+/// `axis` is within 30 degrees of `x`.
 inline Eigen::Matrix3d about_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& x,
                                   const Eigen::Vector3d& y) {
   const Eigen::Vector3d z = axis.normalized();

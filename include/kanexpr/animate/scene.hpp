@@ -9,21 +9,21 @@
 
 namespace kanexpr::animate {
 
-/// A motion and the numbers of its picture, as far as they do not depend on the system.
+/// The interface to a motion and the numbers of its picture that does not depend on the system type.
 class scene {
 public:
   virtual ~scene() = default;
 
   const deriving::survey& known;
   std::span<const word_record> words;
-  const compiled::code_table& table; ///< gives all numbers of the picture
-  int numbers, first_rate, rates;    ///< how many they are, and which of them are integrated
+  const compiled::code_table& table; ///< evaluates all numbers of the picture
+  int numbers, first_rate, rates;    ///< their count, and the range of those that are integrated
 
   virtual std::size_t samples() const = 0;
   virtual void parameters(double* p) const = 0;
-  /// The time, the state and the inputs of a sample.
+  /// Returns the time, the state and the inputs of a sample.
   virtual void sample(std::size_t which, double& t, double* x, double* r) const = 0;
-  /// The state and the inputs at another time; false where the motion does not tell.
+  /// Returns the state and the inputs at any other time; false if the motion does not provide them.
   virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:

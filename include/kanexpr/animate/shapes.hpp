@@ -11,7 +11,7 @@ namespace kanexpr {
 
 namespace animate {
 
-/// Along x, y and z: as given, one for all, or 1.
+/// The scales along x, y and z: three if given, one for all axes, or 1.
 template <auto... scales>
 constexpr phrases<3> scales_of() {
   if constexpr (sizeof...(scales) == 0)
@@ -26,7 +26,7 @@ constexpr phrases<3> scales_of() {
 
 } // namespace animate
 
-/// Its centre at `Point`, its edges along the axes of `Frame`.
+/// A box centered at `Point` with its edges along the axes of `Frame`.
 template <class Frame, class Point, auto along_x, auto along_y, auto along_z>
 struct box : animate::attached<Frame, Point> {
   static constexpr std::string_view shape = "box";
@@ -34,7 +34,7 @@ struct box : animate::attached<Frame, Point> {
   static constexpr auto sizes = animate::phrases_of<along_x, along_y, along_z>;
 };
 
-/// With semi-axes along the axes of `Frame`.
+/// An ellipsoid centered at `Point` with its semi-axes along the axes of `Frame`.
 template <class Frame, class Point, auto along_x, auto along_y, auto along_z>
 struct ellipsoid : animate::attached<Frame, Point> {
   static constexpr std::string_view shape = "ellipsoid";
@@ -50,7 +50,8 @@ struct sphere : animate::at<Point> {
   static constexpr auto sizes = animate::phrases_of<radius>;
 };
 
-/// Its centre at `Point`, its axis along the vector `axis`; marks on its ends show how it turns with `Frame`.
+/// A cylinder centered at `Point` with its axis along the vector `axis`; marks on its ends show its rotation
+/// with `Frame`.
 template <class Frame, class Point, auto axis, auto radius, auto length>
 struct cylinder : animate::attached_along<Frame, Point, axis> {
   static constexpr std::string_view shape = "cylinder";
@@ -58,7 +59,7 @@ struct cylinder : animate::attached_along<Frame, Point, axis> {
   static constexpr auto sizes = animate::phrases_of<radius, length>;
 };
 
-/// Its tip at `Point`; it opens along the vector `axis`.
+/// A cone with its tip at `Point` that opens along the vector `axis`.
 template <class Frame, class Point, auto axis, auto radius, auto length>
 struct cone : animate::attached_along<Frame, Point, axis> {
   static constexpr std::string_view shape = "cone";
@@ -66,7 +67,7 @@ struct cone : animate::attached_along<Frame, Point, axis> {
   static constexpr auto sizes = animate::phrases_of<radius, length>;
 };
 
-/// A torus of the outer radius `radius`, as thick as `thickness`.
+/// A torus with outer radius `radius` and tube diameter `thickness`.
 template <class Frame, class Point, auto axis, auto radius, auto thickness>
 struct ring : animate::attached_along<Frame, Point, axis> {
   static constexpr std::string_view shape = "ring";
@@ -74,7 +75,7 @@ struct ring : animate::attached_along<Frame, Point, axis> {
   static constexpr auto sizes = animate::phrases_of<radius, thickness>;
 };
 
-/// A tyre of the outer radius `radius` with spokes, one of which has a colour of its own.
+/// A tire with outer radius `radius` and spokes, one of which has a different colour.
 template <class Frame, class Point, auto axis, auto radius, auto thickness>
 struct wheel : animate::attached_along<Frame, Point, axis> {
   static constexpr std::string_view shape = "wheel";
@@ -82,7 +83,7 @@ struct wheel : animate::attached_along<Frame, Point, axis> {
   static constexpr auto sizes = animate::phrases_of<radius, thickness>;
 };
 
-/// From one point to another, whose distance may change.
+/// A rod between two points whose distance may change.
 template <class From, class To, auto radius>
 struct rod : animate::between<From, To> {
   static constexpr std::string_view shape = "rod";
@@ -90,7 +91,7 @@ struct rod : animate::between<From, To> {
   static constexpr auto sizes = animate::phrases_of<radius>;
 };
 
-/// A coil spring from one point to another.
+/// A coil spring between two points.
 template <class From, class To, auto radius, auto turns>
 struct coil : animate::between<From, To> {
   static constexpr std::string_view shape = "coil";
@@ -106,10 +107,11 @@ struct axes : animate::attached<Frame, Point> {
   static constexpr auto sizes = animate::phrases_of<length>;
 };
 
-/// What is in a file, STL, COLLADA (.dae) or Wavefront OBJ: its origin at `Point`, its axes those of `Frame`
-/// whatever it calls up, scaled by `scales`, one or one along each axis. Its numbers are metres unless it
-/// says another unit. The page gets the file when it is written. A relative name is looked for where
-/// `files_in` says, or else in the current folder.
+/// The mesh in an STL, COLLADA (.dae) or Wavefront OBJ file, with its origin at `Point` and its axes along
+/// those of `Frame`, regardless of the up axis that the file declares. `scales` is one factor or one along
+/// each axis. Lengths are in meters unless the file declares a different unit. The file is embedded in the
+/// page when that is written. A relative name is resolved in the folder of `files_in`, or by default in the
+/// current folder.
 template <class Frame, class Point, text file_name, auto... scales>
 struct mesh : animate::attached<Frame, Point> {
   static constexpr std::string_view shape = "mesh";

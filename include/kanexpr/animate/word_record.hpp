@@ -4,19 +4,19 @@
 
 namespace kanexpr::animate {
 
-/// A word of a picture as a plain value.
+/// An element of a picture as a plain value.
 struct word_record {
   std::string_view word{};
   title name{};             ///< "sphere at P"
-  std::string_view shape{}; ///< "sphere"; empty: it shows none
-  std::string_view file{};  ///< of a mesh; of files_in the folder
+  std::string_view shape{}; ///< "sphere"; empty: shows no shape
+  std::string_view file{};  ///< file of a mesh, or folder of files_in
   look looks{};
   placing placed_by = placing::place;
-  bool has_axis = false; ///< of its own, before those of a frame
-  int first_moving = 0;  ///< where its numbers begin among all of them
+  bool has_axis = false; ///< its axis precedes those of the frame
+  int first_moving = 0;  ///< index of its first number among all
   int first_still = 0;
   int still = 0;
-  int first_rate = 0; ///< among the rates
+  int first_rate = 0; ///< index among the rates
   int rates = 0;
 };
 

@@ -3,8 +3,8 @@
 #include <kanexpr/animate/look.hpp>
 #include <kanexpr/animate/shapes.hpp>
 
-/// The words of a picture. Of the phrases in a word, `moving` is evaluated at each time, `still` once and
-/// `rates` are integrated over time.
+/// The elements of a picture. Of the phrases of an element, `moving` is evaluated at each time, `still` is
+/// evaluated once, and `rates` are integrated over time.
 namespace kanexpr {
 
 /// A shape that moves with the model.
@@ -22,7 +22,7 @@ struct show<Shape, Options...> {
   static constexpr auto rates = animate::spin_of<Options...>();
 };
 
-/// The path of a point, drawn as far as it has come.
+/// The path of a point up to the time shown.
 template <class Point, class... Options>
 struct trace {
   static constexpr std::string_view word = "trace";
@@ -33,7 +33,7 @@ struct trace {
   static constexpr animate::phrases<0> rates{};
 };
 
-/// Which way is up: any vector that does not change, as it is at the first time.
+/// The up direction: any constant vector, evaluated at the first time.
 template <auto vector>
 struct up {
   static constexpr std::string_view word = "up";
@@ -43,7 +43,7 @@ struct up {
   static constexpr animate::phrases<0> rates{};
 };
 
-/// From where the picture is looked at in the beginning: a vector from the system to the eye.
+/// The initial viewing direction: a vector from the system to the eye.
 template <auto vector>
 struct seen_from {
   static constexpr std::string_view word = "seen_from";
@@ -53,7 +53,7 @@ struct seen_from {
   static constexpr animate::phrases<0> rates{};
 };
 
-/// The ground, a plane across `up`, `height` above the model's origin.
+/// The ground, a plane perpendicular to `up`, `height` above the model's origin.
 template <auto height = 0.0>
 struct ground {
   static constexpr std::string_view word = "ground";
@@ -63,12 +63,13 @@ struct ground {
   static constexpr animate::phrases<0> rates{};
 };
 
-/// The model travels over the ground: its origin moves, across `up`, so that `Point` has its velocity.
+/// Makes the model travel over the ground: its origin moves perpendicular to `up` so that `Point` moves with
+/// its velocity.
 ///
-/// A rolling model may measure positions from the contact, which it takes for an origin because that point of
-/// the wheel has no velocity, though the contact travels. With r the position of `Point` from the origin and
-/// v its velocity, the origin has come the way ∫ v dt − (r − r(0)). The integral is Simpson's, with the state
-/// halfway between two samples where the trajectory gives it, else the trapezoidal rule on the samples.
+/// A rolling model may use the contact point as its origin, because that point of the wheel has zero
+/// velocity, although the contact travels. With r the position of `Point` from the origin and v its velocity,
+/// the displacement of the origin is ∫ v dt − (r − r(0)). The integral is evaluated by Simpson's rule if the
+/// trajectory provides the state midway between two samples, else by the trapezoidal rule on the samples.
 template <class Point>
 struct carried {
   static constexpr std::string_view word = "carried";
@@ -78,7 +79,7 @@ struct carried {
   static constexpr auto rates = animate::phrases_of<velocity_of<Point>>;
 };
 
-/// Where the files of meshes with relative names are; `page_options::folder` says it for a page alone.
+/// The folder of mesh files with relative names; `page_options::folder` overrides it for a single page.
 template <text directory>
 struct files_in {
   static constexpr std::string_view word = "files_in";

@@ -9,8 +9,8 @@
 
 namespace kanexpr {
 
-/// Writes an animated page of a system moving along a trajectory, which a browser opens without a network; or
-/// says why it could not.
+/// Writes an animated page of a system moving along a trajectory, which a browser opens without network
+/// access, or reports why it cannot.
 template <class Picture, class Trajectory>
 outcome write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
   if (options.title.empty()) options.title = type_name<typename Picture::System>();

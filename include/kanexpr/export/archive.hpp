@@ -6,8 +6,8 @@
 
 namespace kanexpr::exporting {
 
-/// A zip archive of files as they are, not compressed, and without their times: the same for the same files.
-/// See APPNOTE.TXT of PKWARE, version 2.0 of the format.
+/// An uncompressed zip archive without file times, so that equal files give equal archives. See APPNOTE.TXT
+/// by PKWARE, format version 2.0.
 class archive {
 public:
   void add(std::string_view path, std::string_view content) {
@@ -18,7 +18,7 @@ public:
     files_ += path;
     files_ += content;
     number(directory_, 0x02014b50, 4);
-    number(directory_, version, 2); // of what made it
+    number(directory_, version, 2); // made by
     directory_ += about;
     number(directory_, 0, 10); // no comment, one disk, no attributes
     number(directory_, place, 4);
@@ -41,17 +41,17 @@ public:
 private:
   static constexpr std::uint64_t version = 20, first_of_1980 = 0x21;
 
-  /// What stands in both places that speak of a file.
+  /// The fields that the local header and the directory entry of a file have in common.
   static std::string described(std::string_view path, std::string_view content) {
     std::string about;
-    number(about, version, 2); // to read it
-    number(about, 0, 6);       // as it is; midnight
+    number(about, version, 2); // needed to read it
+    number(about, 0, 6);       // no flags, uncompressed; midnight
     number(about, first_of_1980, 2);
     number(about, check_sum(content), 4);
     number(about, content.size(), 4);
     number(about, content.size(), 4);
     number(about, path.size(), 2);
-    number(about, 0, 2); // nothing more
+    number(about, 0, 2); // no extra field
     return about;
   }
 

@@ -13,13 +13,14 @@
 
 namespace kanexpr::exporting {
 
-/// What the command kanexpr-export hands to what writes: a folder, a name, and options as words.
+/// An export request in the form in which the command kanexpr-export passes it on: a folder, a name, and
+/// options as strings.
 class by_words {
 public:
-  /// With functions that no word can tell.
+  /// `others` are functions that a string cannot specify.
   explicit by_words(const std::vector<std::string>& words, const std::vector<wanted_function>& others = {}) {
     if (words.size() < 2) {
-      mistake_ = "a folder and a name are to be given";
+      mistake_ = "a folder and a name are required";
       return;
     }
     folder_ = words[0], name_ = words[1];
@@ -29,7 +30,7 @@ public:
     look_at_format();
   }
 
-  /// What is wrong with the words; empty: nothing.
+  /// The first mistake in the request; empty if there is none.
   const std::string& mistake() const { return mistake_; }
 
   outcome write(const std::function<model()>& derive) const {
@@ -65,7 +66,7 @@ private:
     } else if (begins("start=")) {
       if (const auto [name, value] = assignment(word, "symbol"); value) start_.push_back({name, *value});
     } else if (begins("step=")) {
-      if (step_ = number(word); !step_) mistake_ = std::string(word) + " is not the length of a step";
+      if (step_ = number(word); !step_) mistake_ = std::string(word) + " is not a valid step length";
     } else if (begins("compiler="))
       compiler_ = word;
     else if (begins("results="))
@@ -75,30 +76,30 @@ private:
     else if (word == "cpp")
       chosen_.with_cpp = true;
     else
-      mistake_ = std::string(word) + " is no option";
+      mistake_ = std::string(word) + " is not an option";
   }
 
-  /// What a format has no room for.
+  /// Checks that the format supports the options.
   void look_at_format() {
     if (!mistake_.empty()) return;
     const bool is_c = format_ == "c", is_fmi = format_ == "fmi";
     if (!is_c && !is_fmi && format_ != "casadi")
-      mistake_ = "there is no format " + format_ + "; there are c, casadi and fmi";
+      mistake_ = "unknown format " + format_ + "; expected c, casadi or fmi";
     else if (!is_c && chosen_.number == precision::single_precision)
-      mistake_ = "the format " + format_ + " has numbers in double precision alone";
+      mistake_ = "the format " + format_ + " supports only double precision";
     else if (!is_c && (chosen_.with_python || chosen_.with_cpp))
-      mistake_ = "files for Python and C++ are of the format c";
+      mistake_ = "files for Python and C++ require the format c";
     else if (!is_c && !is_fmi && !functions_.empty())
-      mistake_ = "the format " + format_ + " holds the rates of the state and no other results";
+      mistake_ = "the format " + format_ + " exports the rates of the state and no other results";
     else if (!is_fmi && (!start_.empty() || step_))
-      mistake_ = "start values and a step are of the format fmi";
+      mistake_ = "start values and a step require the format fmi";
   }
 
   void set_scalar(std::string_view type) {
     if (type == "float")
       chosen_.number = precision::single_precision;
     else if (type != "double")
-      mistake_ = "a scalar is double or float, not " + std::string(type);
+      mistake_ = "the scalar type must be double or float, not " + std::string(type);
   }
 
   static std::optional<double> number(std::string_view digits) {
@@ -118,7 +119,7 @@ private:
     assigned found;
     if (equals != text.npos && equals != 0)
       found = {std::string(text.substr(0, equals)), number(text.substr(equals + 1))};
-    if (!found.value) mistake_ = std::string(text) + " is not " + to_what + "=number";
+    if (!found.value) mistake_ = std::string(text) + " is not of the form " + to_what + "=number";
     return found;
   }
 
@@ -131,7 +132,7 @@ private:
   std::optional<std::string> compiler_{};
 };
 
-/// What the program does that kanexpr-export compiles with a model.
+/// The main function of the program that kanexpr-export compiles together with a model.
 template <class System>
 int write_by_words(int count, const char* const* arguments, const std::vector<wanted_function>& expressions) {
   const by_words given(std::vector<std::string>(arguments + 1, arguments + count), expressions);

@@ -9,7 +9,7 @@
 
 namespace kanexpr::exporting {
 
-/// The symbols of a system by which its results are differentiated.
+/// The symbols of a system with respect to which its results are differentiated.
 struct differentiable_symbols {
   symbolic::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
 
@@ -25,8 +25,8 @@ struct differentiable_symbols {
   }
 };
 
-/// Derivatives of a column of expressions, whatever it is, by the chain rule through its graph. They share
-/// what they have in common.
+/// Derivatives of an arbitrary column of expressions, by the chain rule through its graph. Common
+/// subexpressions are shared.
 class differentiated {
 public:
   differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
@@ -48,14 +48,14 @@ public:
       return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
     case weighted: return column(gradient_by(wanted.by));
     case weighted_jacobian:
-      // One order for both, so that the matrix of second derivatives is symmetric to the last bit.
+      // Both blocks use the same order, so that the Hessian is symmetric to the last bit.
       if (wanted.by < wanted.and_by) return transposed(second(wanted.and_by, wanted.by));
       return second(wanted.by, wanted.and_by);
     }
     return column(y_);
   }
 
-  /// How many numbers a derivative is given.
+  /// The number of weights, or of entries of the direction, that a derivative takes.
   int weights_for(const wanted_derivative& wanted) const {
     using enum wanted_derivative::kind;
     int count = 0;
@@ -69,7 +69,7 @@ private:
   using expression = symbolic::expression;
   using expressions = symbolic::sequence<expression>;
 
-  /// As mechanics/linearize/second_order.hpp calls them, of which results may stand beside these.
+  /// Named as in mechanics/linearize/second_order.hpp, whose results may appear in the same function.
   expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
     symbolic::name called(what);
     called.append(place + 1);

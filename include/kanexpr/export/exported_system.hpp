@@ -7,44 +7,43 @@
 #include <string>
 #include <vector>
 
-/// A system as a backend writes it: names, and straight-line code. Nothing of how it was derived.
+/// A system as the backends see it: names and straight-line code, independent of how it was derived.
 namespace kanexpr::exporting {
 
-/// One result of a function. Its entries stand by rows among those of the function, from `first` on; of a
-/// sparse one those that are not zero at all states, by columns.
+/// One result of a function. Its entries are stored row by row, starting at entry `first` of the function; a
+/// sparse result stores its structurally nonzero entries column by column.
 struct exported_result {
   std::string name{};
   int rows = 0;
   int columns = 0;
   int first = 0;
-  std::vector<std::string> of_rows{}; ///< the symbols that rows belong to, where they do
+  std::vector<std::string> of_rows{}; ///< the symbols the rows belong to, if any
   bool is_sparse = false;
-  std::vector<int> row_of{}, column_of{}; ///< each entry of a sparse one
+  std::vector<int> row_of{}, column_of{}; ///< row and column of each entry, if sparse
 
   int entries() const { return is_sparse ? static_cast<int>(row_of.size()) : rows * columns; }
 };
 
-/// What may be singular on the way to the results. Its measure and its scale stand behind all results, by
-/// pairs; see lower/regular.hpp.
+/// A check for a singularity. The pairs of measure and scale follow all results; see lower/regular.hpp.
 struct exported_check {
   std::string cause{};
   bool of_finiteness = false;
-  bool of_order = false; ///< it fails unless the measure is more than the scale
+  bool of_order = false; ///< fails unless the measure exceeds the scale
 };
 
-/// What one call computes.
+/// A function: its results, checks and code.
 struct exported_function {
   std::string name{};
   std::vector<exported_result> results{};
   std::vector<exported_check> checks{};
   lower::statements code{};
   symbolic::cost cost{};
-  bool takes_rates = false;     ///< of the speeds, as an argument
-  bool takes_all_rates = false; ///< of the state, as an argument
-  bool takes_step = false;      ///< its length, as an argument: the time of position 1
-  int weights = 0;              ///< how many numbers its derivatives are given: weights, or a direction
+  bool takes_rates = false;     ///< takes the rates of the speeds as an argument
+  bool takes_all_rates = false; ///< takes the rates of the state as an argument
+  bool takes_step = false;      ///< takes the step length as an argument: the time at position 1
+  int weights = 0; ///< number of weights, or of entries of the direction, that its derivatives take
 
-  /// What checks say, each once: a bit of the status.
+  /// The distinct causes of the checks; each has one bit of the status.
   std::vector<std::string> causes() const {
     std::vector<std::string> all;
     for (const exported_check& each : checks)
@@ -55,7 +54,7 @@ struct exported_function {
   int entries() const { return results.empty() ? 0 : results.back().first + results.back().entries(); }
 };
 
-/// The vectors that functions are given: states are the coordinates, then the speeds.
+/// A system to be exported. The state consists of the coordinates followed by the speeds.
 struct exported_system {
   std::string name{};
   std::vector<std::string> coordinates{}, speeds{}, parameters{}, inputs{};

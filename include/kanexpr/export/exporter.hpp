@@ -20,7 +20,7 @@
 
 namespace kanexpr::exporting {
 
-/// A parameter that is a number in what is exported, and no argument.
+/// A parameter that is replaced by a number in the exported code.
 struct bound_parameter {
   std::string name{};
   double value = 0;
@@ -31,13 +31,13 @@ struct options {
   std::vector<bound_parameter> bound{};
 };
 
-/// A system to be exported, or why it cannot be.
+/// A system to be exported, or the reason why it cannot be.
 struct exported {
   exported_system system{};
   std::string mistake{};
 };
 
-/// What parameters are, as far as they are given.
+/// The values of the parameters; NaN for those that are not given.
 inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<double>>& given) {
   std::vector<double> numbers;
   numbers.reserve(given.size());
@@ -46,7 +46,8 @@ inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<do
   return numbers;
 }
 
-/// Derives each function by itself, so that its code is that of the compiled one, whatever else is exported.
+/// Derives each function separately, so that its code equals that of the compiled function, regardless of
+/// what else is exported.
 class exporter {
 public:
   exporter(std::string name, std::function<model()> derive, options chosen)
@@ -56,8 +57,8 @@ public:
 
   exported run() {
     if (!is_identifier(made_.system.name))
-      refuse("what is exported needs a name that is one in C, of letters, digits and underscores; \"" +
-             made_.system.name + "\" is none");
+      refuse("the name of an exported system must be a C identifier of letters, digits and underscores; \"" +
+             made_.system.name + "\" is not one");
     else
       take_names();
     for (const wanted_function& wanted : chosen_.functions)
@@ -86,9 +87,9 @@ private:
     for (const bound_parameter& b : chosen_.bound) {
       const auto place = std::find(parameters.begin(), parameters.end(), b.name);
       if (place == parameters.end())
-        return refuse("there is no parameter " + b.name + " that could be bound to a number");
+        return refuse("there is no parameter " + b.name + " to bind to a number");
       if (!numeric::is_finite(b.value))
-        return refuse("parameter " + b.name + " is bound to no finite number");
+        return refuse("parameter " + b.name + " must be bound to a finite number");
       if (is_bound_[static_cast<std::size_t>(place - parameters.begin())])
         return refuse("parameter " + b.name + " is bound twice");
       is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
@@ -121,7 +122,7 @@ private:
     } else {
       for (const wanted_result& each : wanted.results)
         if (each.request.is_weighted() && each.part.empty())
-          return refuse(wanted.name + " is given weights or a direction, which exported functions are not");
+          return refuse(wanted.name + " takes weights or a direction, which exported functions cannot take");
       std::optional<formed> found = form(wanted);
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
@@ -137,7 +138,7 @@ private:
     finish(std::move(made));
   }
 
-  /// Results of one derivation, together.
+  /// Forms the results of one function from a single derivation.
   std::optional<formed> form(const wanted_function& wanted) {
     model from = derive_();
     formed made;
@@ -188,26 +189,26 @@ private:
     return made;
   }
 
-  /// Takes what a file can hold.
+  /// Adds the function to the system, or refuses it if a file cannot hold it.
   void finish(exported_function made) {
-    constexpr std::size_t most_checks = 64; // a bit of the status each
+    constexpr std::size_t most_checks = 64; // one bit of the status each
     if (const std::size_t checks = made.causes().size(); checks > most_checks)
-      return refuse("what function " + made.name + " computes may be singular in " + std::to_string(checks) +
-                    " ways, and a status has 64 bits");
+      return refuse("function " + made.name + " has " + std::to_string(checks) +
+                    " checks for singularities; a status has only 64 bits");
     if (!made.code.externals.empty())
       return refuse("function " + made.name + " calls " + std::string(made.code.externals[0]->called.view()) +
-                    ", a function of the program, which other languages do not have");
+                    ", a function of the program, which cannot be exported");
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
       if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
-        return refuse("function " + made.name + " holds " + (is_parameter ? "a parameter" : "an input") +
+        return refuse("function " + made.name + " uses " + (is_parameter ? "a parameter" : "an input") +
                       " that the system does not have");
       if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
     }
     made_.system.functions.push_back(std::move(made));
   }
 
-  /// Takes up the nodes of the entries that are not zero at all states.
+  /// Collects the nodes of the entries that are not identically zero.
   exported_result sparse(const std::string& name, model& from, const symbolic::matrix& found,
                          symbolic::sequence<int>& nodes) const {
     exported_result made{.name = name, .rows = found.rows, .columns = found.columns, .first = nodes.size()};
@@ -247,7 +248,7 @@ private:
     const int symbols = own.symbols().size();
     symbolic::expression e = each.written;
     if (!e.lives_in(own)) e = {own, symbolic::copied(e.owner(), {e.node()}, own)[e.node()]};
-    if (own.symbols().size() > symbols) refuse(each.name + " is no expression of what is exported");
+    if (own.symbols().size() > symbols) refuse(each.name + " is not an expression of the exported system");
     symbolic::matrix one(own, 1, 1);
     one(0, 0) = from.in_motion(e);
     return one;
@@ -258,7 +259,8 @@ private:
     return mechanics::row_of(wanted.wanted).takes_weights ? states : states + known_->inputs;
   }
 
-  /// The entries of some symbols among those by the state and the inputs.
+  /// The block of `whole`, whose entries are derivatives by the state and the inputs, that belongs to the
+  /// symbols `which`.
   symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
                            const std::vector<symbols>& which) const {
     const int states = known_->coordinates + known_->speeds;
@@ -299,7 +301,7 @@ private:
     return with_numbers;
   }
 
-  /// The symbols whose rates or forces the rows are.
+  /// The symbols whose rates or forces are in the rows.
   std::vector<std::string> symbols_of_rows(const deriving::request& r) const {
     using mechanics::extent_by;
     if (r.what != deriving::request::kind::result) return {};
@@ -340,11 +342,11 @@ private:
   options chosen_;
   std::shared_ptr<const deriving::survey> known_{};
   std::vector<std::optional<double>> is_bound_{};
-  std::vector<int> place_{}; ///< of a parameter among those that are not bound
+  std::vector<int> place_{}; ///< index of each parameter among those that are not bound
   exported made_{};
 };
 
-/// The code of a system by its words: `exported_from<pendulum::System>("pendulum")`.
+/// Exports a compile-time system: `exported_from<pendulum::System>("pendulum")`.
 template <class System>
 exported exported_from(std::string name, const options& chosen = {}) {
   return exporter(std::move(name), [] { return kanexpr::derive<System>(); }, chosen).run();

@@ -18,7 +18,7 @@ struct file_text {
 
 namespace detail {
 
-/// A name beside a file that nothing has.
+/// An unused file name next to `file`.
 inline std::filesystem::path free_name_beside(const std::filesystem::path& file) {
   for (int i = 1;; ++i) {
     std::filesystem::path other = file;
@@ -28,12 +28,12 @@ inline std::filesystem::path free_name_beside(const std::filesystem::path& file)
   }
 }
 
-/// What was moved or made on the way to files, to be taken back.
+/// Records the files and folders that were created or moved, so that the changes can be undone.
 class changes_of_files {
 public:
   using path = std::filesystem::path;
 
-  /// Makes the folders around a file that are not there.
+  /// Creates the missing parent folders of a file.
   void make_folders_of(const path& file) {
     path folder;
     std::error_code failed;
@@ -44,7 +44,7 @@ public:
     }
   }
 
-  /// Writes a text beside its file.
+  /// Writes a text to a temporary file next to its target.
   bool write(const file_text& f) {
     const path part = free_name_beside(f.path);
     std::ofstream to(part, std::ios::binary);
@@ -55,7 +55,7 @@ public:
     return to && !std::filesystem::is_directory(f.path, unknown);
   }
 
-  /// Moves the text that was written as number `i` to its file; what stood there moves away first.
+  /// Moves temporary file `i` to its target; an existing file is moved aside first.
   bool place(std::size_t i, const path& file) {
     std::error_code failed;
     if (std::filesystem::exists(std::filesystem::symlink_status(file, failed))) {
@@ -88,8 +88,8 @@ private:
 
 } // namespace detail
 
-/// Writes all of the files or none of them: each first under another name. What was there before stays where
-/// one cannot be written.
+/// Writes all of the files or none of them; each is first written under a temporary name. If one cannot be
+/// written, the previous files are restored.
 inline outcome write_files(const std::vector<file_text>& files) {
   detail::changes_of_files changes;
   const auto give_up = [&](const std::filesystem::path& at) {

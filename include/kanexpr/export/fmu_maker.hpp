@@ -10,7 +10,7 @@
 
 namespace kanexpr::exporting {
 
-/// An entry of the state that an event gives a new value: `set<-0.8 * u>(u)`.
+/// An assignment of a new value to an entry of the state at an event: `set<-0.8 * u>(u)`.
 struct changed_value {
   symbol_name what;
   wanted_result to{};
@@ -24,7 +24,7 @@ inline changed_value set(const symbol_name& what, symbolic::expression to) {
   return {what, {what.name(), {}, to}};
 }
 
-/// Something that happens where an expression of the model passes zero, in the words of a simulation.
+/// An event at which an expression of the model crosses zero, as in a simulation.
 struct exported_event {
   std::string name{};
   wanted_result watched{};
@@ -33,29 +33,29 @@ struct exported_event {
   after_event then = after_event::go_on;
 };
 
-/// The event that an expression of the model passes zero, or that an equation holds:
+/// The event that an expression of the model crosses zero, or that an equation comes to hold:
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
 template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
                     std::vector<changed_value> changes = {}, after_event then = after_event::go_on) {
   return {name, {name, deriving::requested<watched>::value}, direction, std::move(changes), then};
 }
-/// The same of what a builder builds.
+/// The same for an expression of a builder.
 inline exported_event when(const std::string& name, symbolic::expression passes_zero,
                            crossing direction = crossing::either, std::vector<changed_value> changes = {},
                            after_event then = after_event::go_on) {
   return {name, {name, {}, passes_zero}, direction, std::move(changes), then};
 }
 
-/// Of an FMU.
+/// The options of an FMU.
 struct fmu_options {
-  std::vector<wanted_function> outputs{}; ///< beside the state
+  std::vector<wanted_function> outputs{}; ///< in addition to the state
   std::vector<bound_parameter> bound{};
-  std::vector<named_value> start{}; ///< of states and inputs, else zero, and of all parameters
+  std::vector<named_value> start{}; ///< for every parameter; states and inputs default to 0
   std::vector<exported_event> events{};
-  double step = 1e-3;                   ///< of a co-simulation inside, s
-  std::string method = "runge_kutta_4"; ///< of these steps
-  std::string compiler = "cc";          ///< of C, as a shell calls it; empty: sources alone
+  double step = 1e-3;                   ///< internal step of the co-simulation, s
+  std::string method = "runge_kutta_4"; ///< method of the internal steps
+  std::string compiler = "cc";          ///< the C compiler as a shell command; empty: sources only
 };
 
 struct made_fmu {
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /// What is to be exported.
+  /// Collects the functions to export.
   void gather() {
     const model first = derive_();
     known_ = first.known();
@@ -98,7 +98,7 @@ private:
     wanted_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
     for (const wanted_function& each : chosen_.outputs) {
       if (!each.mistake.empty()) return refuse(each.mistake);
-      if (each.step) return refuse(each.name + " is a step, and no output");
+      if (each.step) return refuse(each.name + " is a step and cannot be an output");
       for (const wanted_result& one : each.results) {
         if (one.name.empty()) return refuse("an output of an FMU needs a name");
         measured.results.push_back(one);
@@ -133,7 +133,7 @@ private:
     for (int i = 0, last = 0; i < known_->coordinates; ++i)
       if (known_->quaternion_of[i] > last) {
         last = known_->quaternion_of[i];
-        f.states[static_cast<std::size_t>(i)].start = 1; // no turn
+        f.states[static_cast<std::size_t>(i)].start = 1; // the identity rotation
       }
     for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
     for (const std::string& each : s.inputs) f.inputs.push_back(variable(each));
@@ -157,7 +157,7 @@ private:
     for (std::size_t k = 0; k < events; ++k) {
       const exported_event& each = chosen_.events[k];
       if (measured->results[outputs + k].entries() != 1)
-        return refuse("what event " + each.name + " watches must be a scalar, to pass zero");
+        return refuse("the expression of event " + each.name + " must be a scalar");
       f.indicators.push_back(variable(each.name));
       f.directions.push_back(each.direction);
       f.ends.push_back(each.then == after_event::stop);
@@ -167,7 +167,8 @@ private:
           return refuse("event " + each.name + " sets " + one.what.name() +
                         ", which is neither a coordinate nor a speed");
         if (f.function(fmu::changes)->results[f.changed.size()].entries() != 1)
-          return refuse("event " + each.name + " sets " + one.what.name() + " to what is no scalar");
+          return refuse("event " + each.name + " sets " + one.what.name() +
+                        " to a value that is not a scalar");
         f.changed.push_back({static_cast<int>(k), place});
       }
     }
@@ -184,13 +185,13 @@ private:
       const std::string& name = each.what.name();
       if (found == nullptr)
         return refuse("there is no coordinate, speed, parameter or input " + name +
-                      " that could start with a value");
+                      " to set a start value for");
       if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
       if (const int state = place_of(f.states, name);
           state >= known_->coordinates && f.dependent[static_cast<std::size_t>(state)])
         return refuse("speed " + name +
-                      ", which is dependent, is given a start value; the constraints give it");
+                      " is dependent and cannot have a start value; it follows from the constraints");
       found->start = each.value;
     }
     for (const fmu_variable& each : f.parameters)
@@ -201,7 +202,7 @@ private:
       refuse(std::string(impossible.view()));
   }
 
-  /// Those that are bound, and the start values of the others.
+  /// The values of the bound parameters, and the start values of the others.
   std::vector<std::optional<double>> first_parameters() const {
     std::vector<std::optional<double>> all;
     using symbolic::symbol_kind;
@@ -224,7 +225,7 @@ private:
     return -1;
   }
 
-  /// By its name, or one like it where XML has no room for that or it is taken.
+  /// Returns a variable of that name, or of a similar one if the name is taken or cannot be written in XML.
   fmu_variable variable(const std::string& name) {
     std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';

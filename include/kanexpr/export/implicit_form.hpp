@@ -4,9 +4,9 @@
 
 namespace kanexpr::exporting {
 
-/// The residual of the equations of motion at given rates: q̇ − q̇(q, u), and in the rows of the independent
-/// speeds what inverse dynamics leaves, M u̇ − f, in those of the dependent ones the rates of the constraints.
-/// No multipliers are in it, and nothing was solved for u̇.
+/// The residual of the equations of motion at given rates: q̇ − q̇(q, u), the residual M u̇ − f of inverse
+/// dynamics in the rows of the independent speeds, and the rates of the constraints in the rows of the
+/// dependent speeds. It contains no multipliers, and no system is solved for u̇.
 inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
   const mechanics::general_form& form = of.linearized().freely().form();
   const symbolic::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);

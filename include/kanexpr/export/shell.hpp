@@ -6,10 +6,10 @@
 #include <string_view>
 #include <system_error>
 
-/// What a program that writes needs of the system that it runs on.
+/// Access to the shell and the temporary folder of the operating system.
 namespace kanexpr::exporting {
 
-/// As a word of the shell.
+/// Quotes a text as one shell argument.
 inline std::string in_quotes(std::string_view text) {
   std::string all = "'";
   for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -22,7 +22,7 @@ inline constexpr bool has_shell = true;
 inline constexpr bool has_shell = false;
 #endif
 
-/// A folder that is gone with it.
+/// A temporary folder that is removed with this object.
 class temporary_folder {
 public:
   temporary_folder() {
@@ -39,7 +39,7 @@ public:
   temporary_folder(const temporary_folder&) = delete;
   temporary_folder& operator=(const temporary_folder&) = delete;
 
-  /// Empty where none could be made.
+  /// The path; empty if no folder could be created.
   const std::filesystem::path& path() const { return path_; }
 
 private:

@@ -11,13 +11,14 @@
 #include <utility>
 #include <vector>
 
-/// What is to be exported.
+/// The specification of the functions to export.
 namespace kanexpr::exporting {
 
-/// Symbols by which one differentiates, rates those of the state; of parameters those that are not bound.
+/// The symbols with respect to which a result is differentiated; `rates` are those of the state, `parameters`
+/// those that are not bound.
 enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 
-/// A derivative of a column y by symbols z.
+/// A derivative of a column y with respect to symbols z.
 struct wanted_derivative {
   enum class kind : unsigned char {
     none,             ///< y itself
@@ -28,23 +29,23 @@ struct wanted_derivative {
     weighted_jacobian ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
   };
   kind is = kind::none;
-  std::vector<symbols> along{}; ///< all that a direction has entries of
+  std::vector<symbols> along{}; ///< all symbols for which the direction has entries
   symbols by{}, and_by{};
 };
 
 struct wanted_result {
   std::string name{};
   deriving::request request{};
-  symbolic::expression written{}; ///< in place of the request, of what a builder builds
-  bool is_residual = false;       ///< that of the implicit form, in place of the request
+  symbolic::expression written{}; ///< replaces the request for an expression of a builder
+  bool is_residual = false;       ///< the residual of the implicit form, in place of the request
   wanted_derivative derivative{};
-  std::vector<symbols> part{}; ///< of one to the second order: the rows of these symbols, and the columns
-  bool is_sparse = false;      ///< without the entries that are zero at all states
+  std::vector<symbols> part{}; ///< symbols of the rows and the columns of a second-order result
+  bool is_sparse = false;      ///< omits the entries that are identically zero
 };
 
-/// A step of a fixed length, as `runge_kutta_4<System, corrections>` makes it.
+/// A step of fixed length, as made by `runge_kutta_4<System, corrections>`.
 struct wanted_step {
-  std::string method = "runge_kutta_4"; ///< its name; none: nothing moves, the state is corrected
+  std::string method = "runge_kutta_4"; ///< name of the method; empty: only corrects the state
   int corrections = 1;
 };
 
@@ -52,14 +53,14 @@ struct wanted_step {
 struct wanted_function {
   std::string name{};
   std::vector<wanted_result> results{};
-  std::optional<wanted_step> step{}; ///< in place of results
+  std::optional<wanted_step> step{}; ///< replaces the results
   std::string mistake{};
-  std::vector<symbols> derivatives{}; ///< of all entries of the results, in their place
+  std::vector<symbols> derivatives{}; ///< replace the results by the derivatives of all their entries
 };
 
 namespace detail {
 
-/// The parts of a linearization are asked for as a whole.
+/// Names of the parts of linearizations, which are requested as a whole.
 inline constexpr std::string_view parts_of_linearizations[]{"A", "B", "by_state", "by_inputs", "M", "A", "B"};
 
 inline std::string_view name_of(mechanics::quantity of) {
@@ -77,22 +78,22 @@ inline std::string names_of_steps() {
   return all;
 }
 
-/// Why there is no such method; empty: there is.
+/// Returns why there is no such method; empty if there is one.
 inline std::string mistake_of_method(const std::string& name) {
   if (stepping::find_tableau(name) != nullptr) return {};
-  return "no method of steps is called " + name + ": take " + names_of_steps();
+  return "unknown step method " + name + "; expected " + names_of_steps();
 }
 
-/// A step by a method, under a name of its own: `fixed_step("step", {"runge_kutta_4", 2})`.
+/// A step by a given method, under a separate name: `fixed_step("step", {"runge_kutta_4", 2})`.
 inline wanted_function fixed_step(std::string name, const wanted_step& how) {
   wanted_function wanted{.name = std::move(name), .step = how};
   if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
-  if (how.corrections < 0) wanted.mistake = "a step cannot have fewer corrections than none";
+  if (how.corrections < 0) wanted.mistake = "the number of corrections of a step must be at least 0";
   return wanted;
 }
 
-/// Results by their names, with spaces between them, for one call: "udot", "mass_matrix forcing", or one of
-/// the steps, as "runge_kutta_4".
+/// A function that returns the named results, separated by spaces: "udot", "mass_matrix forcing", or one of
+/// the steps, such as "runge_kutta_4".
 inline wanted_function results(std::string_view names) {
   if (stepping::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
   wanted_function wanted;
@@ -107,16 +108,18 @@ inline wanted_function results(std::string_view names) {
         wanted.results.push_back({std::string(detail::name_of(row.is)),
                                   {.what = deriving::request::kind::result, .wanted = row.is}});
     if (wanted.results.size() == before)
-      wanted.mistake = stepping::find_tableau(name) != nullptr
-                           ? std::string(name) + " is a function of its own, without other results"
-                           : "no result is called " + std::string(name);
+      wanted.mistake =
+          stepping::find_tableau(name) != nullptr
+              ? std::string(name) + " is a separate function and cannot be combined with other results"
+              : "there is no result " + std::string(name);
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
   }
-  if (wanted.results.empty() && wanted.mistake.empty()) wanted.mistake = "a function without a result";
+  if (wanted.results.empty() && wanted.mistake.empty())
+    wanted.mistake = "a function must have at least one result";
   return wanted;
 }
 
-/// An expression of the model, by a name of its own: `expression<position_of<P>>("tip")`.
+/// An expression of the model, under a separate name: `expression<position_of<P>>("tip")`.
 template <auto wanted, class Where = describe::file_of<wanted>>
 wanted_function expression(std::string name) {
   wanted_function one;
@@ -125,7 +128,7 @@ wanted_function expression(std::string name) {
   return one;
 }
 
-/// The same of what a builder builds.
+/// The same for an expression of a builder.
 inline wanted_function expression(std::string name, symbolic::expression written) {
   wanted_function one;
   one.name = name;
@@ -133,7 +136,7 @@ inline wanted_function expression(std::string name, symbolic::expression written
   return one;
 }
 
-/// What is exported where nothing is said: M and f, u̇, ẋ, and A and B.
+/// The functions exported by default: M and f, u̇, ẋ, and A and B.
 inline std::vector<wanted_function> default_results() {
   return {results("mass_matrix forcing"), results("udot"), results("rhs"), results("explicit_form")};
 }

@@ -14,7 +14,7 @@ namespace exporting {
 
 struct c_options {
   std::vector<wanted_function> functions = default_results();
-  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
+  std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
   precision number = precision::double_precision;
   bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
   bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
@@ -24,14 +24,15 @@ struct c_options {
 
 namespace detail {
 
-/// A number that the type has no room for, or nothing.
+/// Reports a number that is out of range of the scalar type; empty if there is none.
 inline std::string mistake_of_numbers(const exported_system& s, precision number) {
   for (const exported_function& f : s.functions)
     for (const symbolic::number& n : f.code.numbers)
       if (!numeric::is_finite(number == precision::single_precision
                                   ? static_cast<double>(lower::number_as<float>(n))
                                   : lower::number_as<double>(n)))
-        return "function " + f.name + " holds a number that " + scalar(number).type() + " has no room for";
+        return "function " + f.name + " contains a number that " + scalar(number).type() +
+               " cannot represent";
   return {};
 }
 
@@ -53,16 +54,16 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
 
 } // namespace exporting
 
-/// Writes results of a system as functions of C99, `folder`/`name`.c and .h, or says why not; nothing is left
-/// half-written. Their values are those of the compiled functions to the last bit, where neither compiler
-/// fuses multiplications with additions. What is exported stands in `chosen`.
+/// Writes results of a system as C99 functions to `folder`/`name`.c and .h, or reports why it cannot; no file
+/// is left half-written. Their values equal those of the compiled functions to the last bit if neither
+/// compiler fuses multiplications with additions. `chosen` specifies the functions to export.
 template <class System>
 outcome write_c(const std::filesystem::path& folder, const std::string& name,
                 const exporting::c_options& chosen = {}) {
   return exporting::detail::write_c(exporting::exported_from<System>(name, chosen), folder, chosen);
 }
 
-/// The same of what a builder built.
+/// The same for a system built by a builder.
 inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
                        const std::string& name, const exporting::c_options& chosen = {}) {
   exporting::exporter each(name, [&] { return runtime::derive_in_own_graph(of); }, chosen);

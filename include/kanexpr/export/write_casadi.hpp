@@ -10,13 +10,13 @@ namespace kanexpr {
 namespace exporting {
 
 struct casadi_options {
-  std::vector<bound_parameter> bound{}; ///< are numbers in what is exported
-  std::string step = "runge_kutta_4";   ///< of `name`_step, without corrections
+  std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
+  std::string step = "runge_kutta_4";   ///< method of `name`_step, without corrections
 };
 
 namespace detail {
 
-/// Why CasADi would not take a function of this name, or nothing.
+/// Returns why CasADi would reject a function of this name; empty if it accepts it.
 inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
@@ -25,9 +25,9 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   for (const char* own : {"null", "jac", "hess"}) known.reserve(own);
   const bool has_two = (name + "_step").find("__") != name.npos;
   if (!name.empty() && name[0] != '_' && !has_two && known.of(name) == name) return {};
-  return "a function of CasADi needs a name that begins with a letter, has no two underscores in a row and "
-         "none at its end, and is none of the words of C, of its library and of CasADi; \"" +
-         name + "\" is none";
+  return "the name of a CasADi function must begin with a letter, must have no two underscores in a row and "
+         "none at its end, and must not be a word of C, of its library or of CasADi; \"" +
+         name + "\" is not such a name";
 }
 
 inline bool holds_time(const exported_system& s) {
@@ -39,12 +39,12 @@ inline bool holds_time(const exported_system& s) {
 
 inline std::string helpers_for_casadi(const std::string& library, int most) {
   return filled(R"(
-/* What CasADi looks for in a library: external("@library@", "./@library@.so"). */
+/* The functions that CasADi loads from a library: external("@library@", "./@library@.so"). */
 
 static const double @library@_zeros[@most@] = {0};
 static const double *@library@_given(const double *argument) { return argument ? argument : @library@_zeros; }
 static double *@library@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
-/* Whether what is wanted of `count` results are numbers, of each as many as `entries` says. */
+/* True if all requested ones of the `count` results are finite; result k has entries[k] entries. */
 static int @library@_are_finite(double **results, int count, const int *entries) {
   int k, i;
   for (k = 0; k < count; ++k)
@@ -100,19 +100,19 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
 
 } // namespace exporting
 
-/// Writes the rates of a system's state for CasADi, a function `name`(x, r, p) with exact first and second
-/// derivatives: `folder`/`name`_casadi.c and .h, which a compiler of C makes a shared library of. States are
-/// the coordinates and then the speeds; a system that changes with time takes it as a last argument, t. The
-/// library also has a step, `name`_step(x, r, p, h), and the residual of the implicit form,
-/// `name`_implicit(x, xdot, r, p), in the same way.
-/// Says why not where it cannot; nothing is left half-written.
+/// Writes the rates of a system's state for CasADi as a function `name`(x, r, p) with exact first and second
+/// derivatives, in `folder`/`name`_casadi.c and .h, which a C compiler turns into a shared library. The state
+/// x consists of the coordinates followed by the speeds; a system that depends on time takes it as the last
+/// argument, t. The library also has a step, `name`_step(x, r, p, h), and the residual of the implicit form,
+/// `name`_implicit(x, xdot, r, p), with the same kinds of derivatives. Reports why if it cannot; no file is
+/// left half-written.
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,
                      const exporting::casadi_options& chosen = {}) {
   return exporting::detail::write_casadi([] { return derive<System>(); }, folder, name, chosen);
 }
 
-/// The same of what a builder built.
+/// The same for a system built by a builder.
 inline outcome write_casadi(const runtime::builder& of, const std::filesystem::path& folder,
                             const std::string& name, const exporting::casadi_options& chosen = {}) {
   return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name,

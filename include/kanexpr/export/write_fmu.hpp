@@ -11,12 +11,12 @@ namespace kanexpr {
 
 namespace exporting {
 
-/// Whether an FMU was written.
+/// The outcome of writing an FMU.
 class [[nodiscard]] written_fmu : public outcome {
 public:
   using outcome::outcome;
 
-  /// A sentence where it holds sources and no library.
+  /// Explains why the FMU holds sources only; empty if it holds a library.
   const std::string& note() const { return note_; }
   void set_note(std::string why) { note_ = std::move(why); }
 
@@ -38,7 +38,7 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
   const fmu_source source(made.of);
   const std::string header = model.header(),
                     code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
-  // of all that says what the model is
+  // computed from everything that defines the model
   const std::string token = token_of({description.text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
       {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
@@ -61,9 +61,9 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
 
 } // namespace exporting
 
-/// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the machine that one
-/// works on, or says why not; nothing is left half-written. The library is compiled by `chosen.compiler`;
-/// where there is none, the FMU holds sources alone, and `note()` says so. The functions of `chosen` are its
+/// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the host machine, or
+/// reports why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if that
+/// is not available, the FMU holds sources only, and `note()` explains why. The functions of `chosen` are its
 /// outputs.
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
@@ -74,7 +74,7 @@ exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std:
                                       folder, chosen.compiler);
 }
 
-/// The same of what a builder built. Its expressions may be outputs and events.
+/// The same for a system built by a builder. Its expressions may be outputs and events.
 inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
                                         const std::string& name, const exporting::fmu_options& chosen = {}) {
   return exporting::detail::write_fmu(exporting::fmu_maker(

@@ -13,16 +13,15 @@
 
 namespace kanexpr::exporting {
 
-/// Results as code, with what may be singular on the way to them: their measures and scales by pairs, behind
-/// all entries.
+/// Results as code, with their singularity checks: pairs of measure and scale, stored after all entries.
 struct formed {
   std::vector<exported_result> results{};
   std::vector<exported_check> checks{};
   lower::tape code{};
-  int weights = 0; ///< how many numbers the derivatives are given
+  int weights = 0; ///< number of weights, or of entries of the direction, that the derivatives take
 };
 
-/// A vector of values that are written.
+/// A vector of values in generated code.
 struct written_vector {
   using Scalar = lower::written_value;
   std::vector<Scalar> entries{};
@@ -35,19 +34,19 @@ struct written_vector {
   const Scalar& operator()(int i) const { return entries[static_cast<std::size_t>(i)]; }
 };
 
-/// A step on its way.
+/// The code of a step while it is being generated.
 struct step_in_code {
   lower::statements code{};
   std::vector<exported_check> checks{};
-  std::vector<std::pair<lower::written_value, lower::written_value>> measures{}; ///< with their scales
+  std::vector<std::pair<lower::written_value, lower::written_value>> measures{}; ///< paired with their scales
   std::map<std::pair<symbolic::symbol_kind, int>, lower::written_value> arguments{};
   std::map<mechanics::quantity, std::optional<formed>> known{};
 };
 
-/// Forms one result of a system; nothing where it cannot be formed.
+/// Forms one result of a system; empty if it cannot be formed.
 using forming = std::function<std::optional<formed>(mechanics::quantity)>;
 
-/// Equations for `stepping` of which every value is a line of code, and every status a check.
+/// Equations for `stepping` that generate code: every value becomes a line, and every status a check.
 class written_equations {
 public:
   using value = lower::written_value;
@@ -143,7 +142,7 @@ private:
   step_in_code& into_;
 };
 
-/// A step that leaves the state as it is.
+/// A step that leaves the state unchanged.
 struct no_motion {
   template <class Equations, class Time, class State>
   static status advance(const Equations&, const Time&, const State&, const Time&, State&) {
@@ -151,7 +150,7 @@ struct no_motion {
   }
 };
 
-/// Writes the step by the method of this name.
+/// Generates the step by the method of this name.
 template <std::size_t... row>
 void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
                 written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {
@@ -162,7 +161,7 @@ void write_step(const written_equations& of, std::string_view name, const lower:
   (write.template operator()<row>(), ...);
 }
 
-/// A step as a function; it means nothing where a result could not be formed.
+/// Returns a step as a function; it is meaningless if a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
                                       const wanted_step& wanted, const forming& form) {
   step_in_code into;

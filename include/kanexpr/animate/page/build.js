@@ -1,4 +1,4 @@
-// Puts everything into one page: node build.js OUTPUT
+// Bundles everything into one page: node build.js OUTPUT
 import { buildSync, transformSync } from 'esbuild';
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -7,7 +7,7 @@ const beside = (name) => new URL(name, import.meta.url);
 const text = (name) => readFileSync(beside(name), 'utf8');
 
 function put(page, place, content) {
-  if (!page.includes(place)) throw new Error(`page.html does not hold ${place}`);
+  if (!page.includes(place)) throw new Error(`page.html does not contain ${place}`);
   return page.replace(place, () => content);
 }
 

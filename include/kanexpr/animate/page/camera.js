@@ -1,9 +1,9 @@
-// The camera, which is turned about the system by hand and may follow it.
+// The camera, which the user rotates about the system and which may follow it.
 import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 export class Camera {
-  /// `from` is the direction to the eye in the beginning.
+  /// `from` is the initial direction to the eye.
   constructor(view, { size, from, follows, onGround, changed }) {
     this.lens = new PerspectiveCamera(32, 1, 0.02 * size, 80 * size);
     this.orbit = new OrbitControls(this.lens, view);
@@ -26,7 +26,7 @@ export class Camera {
     this.orbit.update();
   }
 
-  /// Where the system is now.
+  /// Sets the current position of the system.
   aim(target) {
     if (this.follows) {
       this.lens.position.add(target).sub(this.target);

@@ -1,9 +1,9 @@
-// Buttons, keys and the time below the picture.
+// The buttons, keys and time below the picture.
 const element = (id) => document.getElementById(id);
 
 const icons = { play: 'M8 5v14l11-7z', pause: 'M7 5h4v14H7zM13 5h4v14h-4z' };
 
-/// Digits behind the point that tell a thousandth of the whole time.
+/// The number of decimals that resolve a thousandth of the duration.
 function digitsFor(duration) {
   return duration > 0 ? Math.max(1, Math.min(9, 3 - Math.floor(Math.log10(duration) + 0.5))) : 1;
 }

@@ -1,4 +1,4 @@
-// Where a system is and how large.
+// The position and size of a system.
 import { Box3, Sphere, Vector3 } from 'three';
 
 function moments(count) {
@@ -9,8 +9,8 @@ function moments(count) {
   return found;
 }
 
-/// `middle(now)` is the middle of the system, of one that travels where it is now; `size` the radius of what
-/// is to be seen about it.
+/// `middle(now)` is the center of the system, for a traveling one at its current position; `size` is the radius of
+/// the region to show around it.
 export function extent(model, solids, count, travels) {
   const boxAt = (now) => {
     for (const object of solids) object.show(now);

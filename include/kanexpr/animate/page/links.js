@@ -1,4 +1,4 @@
-// Shapes between two points. They are built from 0 along z, and `stretch` gives them their length.
+// Shapes between two points. They are built along z, starting at 0; `stretch` sets their length.
 import { CatmullRomCurve3, Group, Mesh, SphereGeometry, TubeGeometry, Vector3 } from 'three';
 import { material } from './materials.js';
 import { alongZ } from './solids.js';
@@ -16,7 +16,7 @@ export function rod([radius], colour, opacity) {
   return link;
 }
 
-/// A wire wound about the z axis, from 0 to 1, that runs into the axis at both ends.
+/// A wire wound about the z axis, from 0 to 1, whose ends lead to the axis.
 function winding(radius, turns) {
   const points = [];
   const steps = Math.max(8, Math.round(24 * turns));

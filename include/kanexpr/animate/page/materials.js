@@ -1,9 +1,9 @@
-// What shapes are made of.
+// The materials of shapes.
 import { Color, MeshStandardMaterial } from 'three';
 
 const palette = ['#4a7fb5', '#d0694a', '#6f9e54', '#dfa63c', '#8568ae', '#3a9d93', '#99705a', '#687488'];
 
-/// A shape without a colour gets the next of these.
+/// Shapes without a colour take the next one of these.
 export function colourOf(shape, index) {
   return new Color(shape.colour ?? palette[index % palette.length]);
 }

@@ -1,4 +1,4 @@
-// Meshes out of the files that the page holds.
+// Meshes from the files that are embedded in the page.
 import { BackSide, Box3, DoubleSide, Group, Mesh, Texture } from 'three';
 import { ColladaComposer } from 'three/addons/loaders/collada/ColladaComposer.js';
 import { ColladaParser } from 'three/addons/loaders/collada/ColladaParser.js';
@@ -6,13 +6,13 @@ import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { material } from './materials.js';
 
-const noTextures = { load: () => new Texture() }; // they lie in other files
+const noTextures = { load: () => new Texture() }; // these are in other files
 
 function text(bytes) {
   return new TextDecoder().decode(bytes);
 }
 
-/// In the axes of the file, whichever it calls up: those who describe robots expect that.
+/// In the axes of the file, regardless of the up axis that it declares, as robot descriptions expect.
 function dae(bytes) {
   const { library, asset, collada } = new ColladaParser().parse(text(bytes));
   const { scene } = new ColladaComposer(library, collada, noTextures, noTextures).compose();
@@ -20,7 +20,7 @@ function dae(bytes) {
   return scene;
 }
 
-/// Without single lines and points: with one of them three.js takes all faces around it for lines, too.
+/// Without separate lines and points: next to one of them, three.js also reads faces as lines.
 function obj(bytes) {
   return new OBJLoader().parse(text(bytes).replace(/^[lp]\s.*$/gm, ''));
 }
@@ -57,20 +57,19 @@ function partsOf({ kind, data }) {
   });
   const box = parts.reduce((all, part) => all.expandByObject(part), new Box3());
   const numbers = [...box.min.toArray(), ...box.max.toArray()];
-  if (!numbers.every(Number.isFinite)) throw new Error('it holds no triangles');
+  if (!numbers.every(Number.isFinite)) throw new Error('it contains no triangles');
   return parts;
 }
 
-/// Only COLLADA says what its parts look like, and is often wrong about how transparent they are. Not all
-/// meshes are wound outwards.
+/// Only COLLADA specifies materials, often with a wrong opacity. Not all meshes have outward-facing triangles.
 function surface(own, isColoured, colour, opacity) {
   const made = material(isColoured && !own.isMeshBasicMaterial ? own.color : colour, opacity);
   made.side = DoubleSide;
-  made.shadowSide = BackSide; // or its own shadow would speckle it
+  made.shadowSide = BackSide; // avoids speckles from self-shadowing
   return made;
 }
 
-/// Reads each file once, when it is first shown.
+/// Reads each file once, when it is first needed.
 export class Meshes {
   #files;
   #read = new Map();

@@ -1,7 +1,7 @@
-// The states of things between the samples.
+// Interpolation between the samples.
 import { Quaternion, Vector3 } from 'three';
 
-/// The last sample at or before a time, and how far the time is on the way to the next one, from 0 to 1.
+/// The last sample at or before a time, and the fraction of the interval to the next one, from 0 to 1.
 export function moment(times, t) {
   let low = 0;
   let high = times.length - 1;

@@ -9,13 +9,13 @@ import { objectOf } from './shapes.js';
 import { stage } from './stage.js';
 import { tell } from './trouble.js';
 
-/// Inertial axes are turned so that y is up. `changed` is called when the picture is to be drawn again.
+/// The inertial axes are rotated so that y is up. `changed` is called when the picture must be redrawn.
 export function picture(motion, draw, view, changed) {
   const model = new Group();
   const meshes = new Meshes(motion.files);
   const objects = motion.shapes.map((shape, index) => objectOf(shape, index, meshes));
   if (meshes.broken.length > 0)
-    tell(`What is in these files cannot be shown: ${meshes.broken.join(', ')}.`, true);
+    tell(`These files cannot be shown: ${meshes.broken.join(', ')}.`, true);
   const solids = objects.filter((_, i) => motion.shapes[i].kind !== 'trace');
   model.quaternion.setFromUnitVectors(new Vector3(...motion.up), new Vector3(0, 1, 0));
   model.add(...objects);
@@ -47,7 +47,7 @@ export function picture(motion, draw, view, changed) {
       const { position, quaternion } = objects[index];
       return { position: position.toArray(), quaternion: quaternion.toArray() };
     },
-    /// The number of triangles, and the box around them.
+    /// The number of triangles, and their bounding box.
     measure(index) {
       let triangles = 0;
       const box = new Box3();

@@ -1,4 +1,4 @@
-// The time that is shown, and its passing.
+// The time that is shown, and its playback.
 export class Player {
   constructor(first, last, changed) {
     this.first = first;

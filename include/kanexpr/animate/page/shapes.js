@@ -1,4 +1,4 @@
-// The shapes of a picture as things that can be shown at any time.
+// The shapes of a picture as objects that can be shown at any time.
 import { Vector3 } from 'three';
 import * as links from './links.js';
 import { colourOf } from './materials.js';

@@ -10,7 +10,7 @@ export function renderer(view) {
   return made;
 }
 
-/// Light from above that goes with the system, so that its shadow is as sharp everywhere.
+/// Light from above that moves with the system, so that its shadow is equally sharp everywhere.
 export function stage(size) {
   const scene = new Scene();
   const sun = new DirectionalLight('#fffaf0', 2.4);

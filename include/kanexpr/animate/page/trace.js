@@ -1,4 +1,4 @@
-// The path of a point, as far as it has come.
+// The path of a point up to the time shown.
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';

@@ -1,4 +1,4 @@
-// What a reader has to be told instead of the picture, or beside it.
+// A message that is shown instead of the picture, or next to it.
 export function tell(sentence, isBeside = false) {
   const trouble = document.getElementById('trouble');
   trouble.textContent = sentence;

@@ -1,4 +1,4 @@
-// A system that moves: reads the motion out of the page and shows it.
+// Reads the motion of a system from the page and shows it.
 import { controls } from './controls.js';
 import { moment } from './motion.js';
 import { picture } from './picture.js';
@@ -12,7 +12,7 @@ document.getElementById('title').textContent = motion.title;
 document.getElementById('text').textContent = motion.text;
 
 function withoutPicture(error) {
-  tell('This browser has no WebGL, which draws the picture; the values at each time are shown all the same.');
+  tell('This browser does not support WebGL, which the picture requires; the values at each time are still shown.');
   document.getElementById('panel').open = true;
   console.warn(error.message);
   return { camera: { follows: false, home() {} }, pose() {}, measure() {}, show() {} };
@@ -51,7 +51,7 @@ function show() {
   showValues(player.time, now);
 }
 
-/// For scripts: the same as the controls; where a shape is, and how far it reaches, in inertial axes.
+/// For scripts: the functions of the controls, and the pose and the extent of a shape in inertial axes.
 window.kanexpr = {
   shapes: motion.shapes.map((shape) => shape.name),
   seek(t) {

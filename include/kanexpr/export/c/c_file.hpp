@@ -15,8 +15,8 @@
 
 namespace kanexpr::exporting {
 
-/// Writes NAME.h and NAME.c: a function of C99 for each of the system, without a branch and without memory of
-/// its own.
+/// Writes NAME.h and NAME.c: a C99 function for each function of the system, without branches and without
+/// allocating memory.
 class c_file {
 public:
   c_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
@@ -38,7 +38,7 @@ public:
 extern "C" {
 #endif
 
-/* Places in the state x, the coordinates and then the speeds; in the parameters p; in the inputs r. */
+/* Indices in the state x (coordinates, then speeds), in the parameters p and in the inputs r. */
 @places@)",
                {{"title", title()}, {"changed", told_of_names()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
@@ -49,17 +49,17 @@ extern "C" {
   std::string source() const {
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
-    std::string text =
-        filled(R"(/* @title@
+    std::string text = filled(
+        R"(/* @title@
 
-   Compilers may fuse multiplications with additions by -ffp-contract=fast, which changes last bits; -ffast-math
-   would break the sines. -fno-math-errno saves a branch in square roots. */
+   -ffp-contract=fast lets the compiler fuse multiplications with additions, which changes the last bits;
+   -ffast-math would break the sines. -fno-math-errno saves a branch in square roots. */
 @own_header@
 
 #include <math.h>
 
 #if defined(__FAST_MATH__)
-#error "compile this file without -ffast-math; -ffp-contract=fast -fno-math-errno is what it gains from"
+#error "compile this file without -ffast-math; it benefits from -ffp-contract=fast -fno-math-errno"
 #endif
 
 #if defined(__GNUC__)
@@ -68,7 +68,7 @@ extern "C" {
 #define @name@_INLINE static inline @name@_FUNCTION
 #endif
 )",
-               {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
+        {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
   }
@@ -90,14 +90,14 @@ private:
     return text;
   }
 
-  /// Nothing that ends the comment.
+  /// The name without characters that would end the comment.
   static std::string in_comment(const std::string& name) {
     std::string text = printable(name);
     for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }
 
-  /// One enumerator after another, and how many there are.
+  /// Enumerators for the indices, followed by the counts.
   std::string places() const {
     const exported_system& s = system();
     std::string text = "enum {\n";
@@ -136,19 +136,19 @@ private:
       text += "\n   " + each.name;
       if (each.is_sparse)
         text += ": " + std::to_string(each.entries()) + " of " + std::to_string(each.rows) + " by " +
-                std::to_string(each.columns) + ", by columns, and the others are zero";
+                std::to_string(each.columns) + ", column-major; the other entries are zero";
       else if (each.columns > 1)
-        text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", by rows";
+        text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", row-major";
       else
         text += ": " + std::to_string(each.rows);
       for (std::size_t i = 0; i < each.of_rows.size(); ++i)
-        text += (i == 0 ? each.columns > 1 ? "; the rows are of " : ", of " : ", ") + each.of_rows[i];
+        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.of_rows[i];
       text += '.';
     }
     const std::vector<std::string> causes = f.causes();
     for (std::size_t i = 0; i < causes.size(); ++i)
-      text += "\n   Bit " + std::to_string(i) + " of what is returned: " + causes[i] + '.';
-    if (causes.empty()) text += "\n   It returns 0: nothing can be singular.";
+      text += "\n   Bit " + std::to_string(i) + " of the status: " + causes[i] + '.';
+    if (causes.empty()) text += "\n   The status is always 0: there are no singularities.";
     return text + " */\n";
   }
 
@@ -231,7 +231,7 @@ private:
     return all.empty() ? "0" : all;
   }
 
-  /// The functions that the bodies call.
+  /// The helper functions that the bodies call.
   std::string helpers(const std::string& bodies) const {
     const auto calls = [&](const std::string& what) {
       return bodies.find(name() + '_' + what + '(') != bodies.npos;
@@ -259,7 +259,7 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
     if (turns) text += sine_and_cosine_in_c(name(), number_);
     if (chooses)
       text += in_text(R"(
-/* The first value where `by` is positive, else the second. */
+/* Returns the first value if `by` is positive, else the second. */
 @name@_INLINE @number@ @name@_choose(@number@ by, @number@ first, @number@ second) {
   const @bits@ is_first = 0 - (@bits@)(by > @zero@);
   @name@_bits one, other;

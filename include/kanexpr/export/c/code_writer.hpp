@@ -10,10 +10,10 @@
 
 namespace kanexpr::exporting {
 
-/// Writes the statements of a function in C, an operation a line.
+/// Writes the statements of a function in C, one operation per line.
 class code_writer {
 public:
-  /// `name` begins what the file defines; `arguments` are the names of symbols by their kinds.
+  /// `name` is the prefix of all names in the file.
   code_writer(const exported_function& of, const exported_system& system, std::string name,
               const scalar& number)
       : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
@@ -24,8 +24,8 @@ public:
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
-  /// All lines; what they give is named by `value`. Each argument is read where it is first needed: compilers
-  /// keep that order, and would put what is read earlier aside on the stack.
+  /// All lines; `value` returns the names of their results. Each argument is read just before its first use:
+  /// compilers keep that order and would spill arguments that are read earlier.
   std::string lines() {
     std::string text;
     const auto count = static_cast<std::size_t>(code_.lines.size());
@@ -34,7 +34,7 @@ public:
       const std::string own = line(i);
       text += read_for(code_.lines[i]) + own;
     }
-    for (int each : code_.results) text += read(each); // before a result is written, which may lie there
+    for (int each : code_.results) text += read(each); // before writing results, which may alias arguments
     return text;
   }
 
@@ -43,7 +43,7 @@ public:
 private:
   using kind = lower::statement::kind;
 
-  /// The line that reads an argument, once.
+  /// The line that reads an argument, unless it has been read already.
   std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
 
   std::string read_for(const lower::statement& s) {
@@ -78,7 +78,7 @@ private:
     return std::string("  const ") + number_.type() + ' ' + value + " = ";
   }
 
-  /// An exact fraction is divided in the type of the numbers.
+  /// An exact fraction is divided in the scalar type.
   std::string number_of(const symbolic::number& n) const {
     if (number_.is_single) return number_.number(static_cast<double>(lower::number_as<float>(n)));
     return number_.number(lower::number_as<double>(n));
@@ -116,7 +116,7 @@ private:
     return declared(own) + vector + '[' + std::to_string(index) + "];\n";
   }
 
-  /// Both at once where one of them comes first.
+  /// Computes sine and cosine of an angle together when the first of them is needed.
   std::string sine_or_cosine(int i, const lower::statement& s) {
     const bool is_sine = s.op == symbolic::operation::sin;
     for (const angle& known : angles_)
@@ -147,7 +147,7 @@ private:
       return called(s.op == symbolic::operation::abs ? "fabs" : std::string(symbolic::function_name(s.op)),
                     first);
     case form::constant:
-    case form::symbol: // have no line
+    case form::symbol: // have no line of code
     case form::selection:
     case form::pair:
     case form::factorization:
@@ -155,7 +155,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure: // are written out
-    case form::call: break;         // is not exported
+    case form::call: break;         // cannot be exported
     }
     return "";
   }
@@ -174,8 +174,8 @@ private:
   std::string name_;
   scalar number_;
   identifiers names_{};
-  std::vector<std::string> values_{}; ///< by line
-  std::vector<std::string> unread_{}; ///< lines of arguments, until they are needed
+  std::vector<std::string> values_{}; ///< one for each line
+  std::vector<std::string> unread_{}; ///< lines that read arguments, until they are needed
   std::vector<angle> angles_{};
   int count_ = 0;
 };

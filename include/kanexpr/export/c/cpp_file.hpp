@@ -24,7 +24,7 @@ public:
     const std::string own = namespaces.of(s.name);
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
-    std::string all = filled(R"(// Equations of motion of @name@, from @name@.c, with names.
+    std::string all = filled(R"(// Named access to the equations of motion of @name@ in @name@.c.
 #ifndef kanexpr_wrote_@name@_hpp
 #define kanexpr_wrote_@name@_hpp
 
@@ -34,7 +34,7 @@ public:
 
 namespace @own@ {
 
-/// Whether a result exists, and the first cause why it does not.
+/// Indicates whether a result exists; if not, `cause` is the first reason.
 struct status {
   unsigned long long bits;
   const char *cause;
@@ -72,7 +72,7 @@ private:
     return std::string("std::numeric_limits<") + number_.type() + ">::quiet_NaN()";
   }
 
-  /// Named numbers, which are read from an array and written to one.
+  /// A structure of named numbers that is read from and written to an array.
   std::string structure(const std::string& name, const std::vector<std::string>& symbols,
                         const std::string& at_first) const {
     identifiers names;
@@ -107,13 +107,13 @@ private:
                    {"written", written}});
   }
 
-  /// A vector that a function of C takes.
+  /// Declares and fills a vector argument of a C function.
   std::string given(const std::string& name, std::size_t entries) const {
     return std::string("  ") + number_.type() + " given_" + name + '[' +
            std::to_string(entries > 0 ? entries : 1) + "];\n  " + name + ".put(given_" + name + ");\n";
   }
 
-  /// A parameter; the last ones need not be given where the system has none of them.
+  /// A parameter of a function; trailing ones have a default if the system has no such quantities.
   static std::string taken(const std::string& type, const char* name, bool is_empty) {
     return "const " + type + " &" + name + (is_empty ? " = " + type + "()" : "");
   }

@@ -7,7 +7,7 @@
 
 namespace kanexpr::exporting {
 
-/// A text in which `@name@` stands for something else.
+/// Replaces each `@name@` in a text by its meaning.
 inline std::string filled(std::string_view text,
                           std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
   std::string all;

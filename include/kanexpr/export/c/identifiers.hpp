@@ -8,11 +8,11 @@
 
 namespace kanexpr::exporting {
 
-/// Names as identifiers of C and C++, none of them twice.
+/// Maps names to unique identifiers of C and C++.
 class identifiers {
 public:
-  /// The name, or one like it: other characters become `u` and their number, and what is taken gets an
-  /// underscore.
+  /// Returns the name or a similar one: other characters become `u` and their code point, and a taken name
+  /// gets an underscore appended.
   std::string of(std::string_view name) {
     std::string plain = spelled(name);
     while (!used_.insert(plain).second) plain += '_';
@@ -21,7 +21,7 @@ public:
 
   void reserve(std::string_view name) { used_.emplace(name); }
 
-  /// What no variable of a function may be called.
+  /// Reserves the words that no variable of a function may have as its name.
   void reserve_words() {
     for (const std::string_view word :
          {"alignas",      "alignof",       "and",          "and_eq",     "asm",          "auto",
@@ -45,7 +45,7 @@ public:
     reserve_all(c_library::macros_of_the_library);
   }
 
-  /// And what no function of a module of Python may be called.
+  /// Reserves the words that no function of a Python module may have as its name.
   void reserve_words_of_python() {
     for (const std::string_view word : {"False",      "None",
                                         "True",       "and",
@@ -75,14 +75,14 @@ public:
       reserve(word);
   }
 
-  /// What math.h has.
+  /// Reserves the names in math.h.
   void reserve_words_of_mathematics() {
     for (const std::string_view end : c_library::ends_of_functions)
       reserve_all(c_library::functions_of_mathematics, end);
     reserve_all(c_library::other_words_of_mathematics);
   }
 
-  /// And what no function may be called that others link with.
+  /// Reserves the names that no function with external linkage may have.
   void reserve_words_of_the_library() { reserve_all(c_library::words_of_the_library); }
 
 private:
@@ -111,7 +111,7 @@ private:
     return plain;
   }
 
-  /// `u03b1` for α, and moves on behind it.
+  /// Returns `u03b1` for α and advances `i` past the character.
   static std::string code_point(std::string_view name, std::size_t& i) {
     const auto lead = static_cast<unsigned char>(name[i++]);
     unsigned point = lead >= 0xf0 ? lead & 0x07u : lead >= 0xe0 ? lead & 0x0fu : lead & 0x1fu;

@@ -10,13 +10,13 @@
 
 namespace kanexpr::exporting {
 
-/// A system with the names that it has in a file of C.
+/// A system with the names that it has in a C file.
 struct system_in_c {
   exported_system system{};
-  std::vector<std::pair<std::string, std::string>> changed{}; ///< names of the model, and what became of them
+  std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
 };
 
-/// All symbols and functions share one list of names: `NAME_` stands before each of them.
+/// Maps all names to C. Symbols and functions share one set of names, as all have the prefix `NAME_`.
 inline system_in_c in_c(exported_system s) {
   identifiers taken;
   for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
@@ -36,7 +36,7 @@ inline system_in_c in_c(exported_system s) {
     taken.reserve(f.name);
     taken.reserve(f.name + "_checks");
     taken.reserve(f.name + "_causes");
-    identifiers arguments; // of that function
+    identifiers arguments; // of this function
     arguments.reserve_words();
     arguments.reserve_words_of_mathematics();
     for (const char* own : {"t", "x", "p", "r", "a", "w"}) arguments.reserve(own);
@@ -47,7 +47,7 @@ inline system_in_c in_c(exported_system s) {
         taken.reserve((each.name == f.name ? f.name : f.name + '_' + each.name) + size);
     }
   }
-  // the same symbols stand in the lists of rows
+  // the lists of rows contain the same symbols
   std::vector<std::pair<std::string, std::string>> symbols;
   for (std::vector<std::string>* names : {&s.coordinates, &s.speeds, &s.parameters, &s.inputs})
     for (std::string& each : *names) {

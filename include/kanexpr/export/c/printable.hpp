@@ -5,8 +5,8 @@
 
 namespace kanexpr::exporting {
 
-/// Text that comments and XML can hold: UTF-8 without control characters; an underscore stands for each byte
-/// that is none.
+/// Makes a text fit for comments and XML: valid UTF-8 without control characters. Each invalid byte becomes
+/// an underscore.
 inline std::string printable(std::string_view text) {
   std::string fit;
   while (!text.empty()) {

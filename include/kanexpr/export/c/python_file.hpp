@@ -9,7 +9,7 @@
 
 namespace kanexpr::exporting {
 
-/// Writes NAME.py, a module that calls the functions of NAME.c by ctypes, with names and plain lists.
+/// Writes NAME.py, a module that calls the functions of NAME.c through ctypes, with names and plain lists.
 class python_file {
 public:
   python_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
@@ -19,11 +19,12 @@ public:
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
     std::string all =
-        filled(R"("""Equations of motion of @name@, from @name@.c compiled as a library beside this file:
+        filled(R"("""Equations of motion of @name@. Compile @name@.c to a library next to this file:
 
     cc -std=c99 -O2 -fno-math-errno -shared -fPIC @name@.c -o lib@name@.so -lm
 
-Vectors are dictionaries by name, or sequences in the order of `states`, `parameters`, `inputs` and `speeds`.
+Vectors are dictionaries with the names as keys, or sequences in the order of `states`,
+`parameters`, `inputs` and `speeds`.
 """
 
 import ctypes
@@ -38,7 +39,7 @@ _library = ctypes.CDLL(str(pathlib.Path(__file__).resolve().with_name("lib@name@
 
 
 class Singular(ArithmeticError):
-    """What was asked for does not exist at this state."""
+    """The requested result does not exist at this state."""
 
 
 def _vector(values, names, what):
@@ -48,11 +49,11 @@ def _vector(values, names, what):
                 raise KeyError(f"{name} is not one of the {what} " + ", ".join(names))
         missing = [name for name in names if name not in values]
         if missing:
-            raise KeyError("no value is given for " + ", ".join(missing) + f" of the {what}")
+            raise KeyError(f"the {what} lack a value for " + ", ".join(missing))
         values = [values[name] for name in names]
     values = list(values)
     if len(values) != len(names):
-        raise ValueError(f"there are {len(names)} {what}, not {len(values)}")
+        raise ValueError(f"expected {len(names)} {what}, got {len(values)}")
     return (ctypes.@number@ * len(names))(*values)
 
 
@@ -116,7 +117,7 @@ def @function@(x@h@, p=(), r=()@a@, t=0.0):
          {"sizes", sizes.substr(0, sizes.size() - 2)}});
   }
 
-  /// What a function takes beside states, parameters and inputs.
+  /// The arguments that a function takes in addition to states, parameters and inputs.
   std::string more_vectors(const exported_function& f) const {
     if (f.takes_step) return std::string("    vectors.insert(1, ctypes.c_") + number_.type() + "(h))\n";
     return f.takes_rates ? "    vectors.append(_vector(a, speeds, \"rates of the speeds\"))\n" : "";

@@ -7,21 +7,21 @@ namespace kanexpr::exporting {
 
 enum class precision : unsigned char { double_precision, single_precision };
 
-/// A type of numbers as C spells it.
+/// A scalar type as spelled in C.
 struct scalar {
   bool is_single = false;
 
   constexpr explicit scalar(precision of) : is_single(of == precision::single_precision) {}
 
   const char* type() const { return is_single ? "float" : "double"; }
-  /// Unsigned integers of the same size.
+  /// The unsigned integer type of the same size.
   const char* bits() const { return is_single ? "unsigned int" : "unsigned long long"; }
   const char* last_bit() const { return is_single ? "31" : "63"; }
   const char* exponent_bits() const { return is_single ? "0x7f800000u" : "0x7ff0000000000000ull"; }
-  /// A function of math.h: `sqrt`, `sqrtf`.
+  /// The name of a function of math.h: `sqrt` or `sqrtf`.
   std::string function(const std::string& name) const { return is_single ? name + 'f' : name; }
 
-  /// All digits of a number, rounded to this type.
+  /// The number rounded to this type, with enough digits to restore it exactly.
   std::string number(double value) const {
     char letters[40];
     char* const end = is_single

@@ -32,7 +32,7 @@ inline constexpr std::string_view reduction_of_double = R"(  {
   }
 )";
 
-// Where there is no arithmetic of `double`, fused operations leave exact remainders.
+// Without hardware for `double`, fused operations give exact remainders.
 inline constexpr std::string_view reduction_of_float = R"(  {
 #if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
     const float q = (along.number = fmaf(magnitude.number, @quadrants@, @integers@)) - @integers@;
@@ -65,9 +65,9 @@ inline constexpr std::string_view sum_of_float = R"(#if defined(__ARM_FEATURE_FM
 )";
 
 inline constexpr std::string_view sine_and_cosine = R"(
-/* Reduction to a quadrant by Cody and Waite's method, then minimax polynomials: less than 1.5 ulp off up to
-   131072 rad, and NaN beyond. With @name@_ANGLES_WITHOUT_END math.h takes over there, with
-   @name@_SINES_OF_THE_LIBRARY everywhere. */
+/* Reduction to a quadrant by Cody and Waite's method, then minimax polynomials: the error is below 1.5 ulp up to
+   131072 rad; the results are NaN beyond. With @name@_ANGLES_WITHOUT_END the functions of math.h are used beyond,
+   with @name@_SINES_OF_THE_LIBRARY everywhere. */
 @name@_INLINE void @name@_sine_and_cosine(@number@ angle, @number@ *sine, @number@ *cosine) {
 #if defined(@name@_SINES_OF_THE_LIBRARY)
   *sine = @sin@(angle);
@@ -102,7 +102,7 @@ inline constexpr std::string_view sine_and_cosine = R"(
 } // namespace detail
 
 /// The routine of numeric/sine_and_cosine.hpp in C, for one angle: the same operations in the same order.
-/// Instead of a branch for angles beyond its reach it gives NaN.
+/// Beyond its range it returns NaN, without a branch.
 inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& of) {
   using numeric::detail::circular;
   const scalar wide(precision::double_precision);

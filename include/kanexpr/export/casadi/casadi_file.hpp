@@ -9,15 +9,15 @@
 
 namespace kanexpr::exporting {
 
-/// Writes functions that CasADi looks for in a shared library, a column and its derivatives, around the
-/// functions of C that compute them.
+/// Writes the functions that CasADi loads from a shared library, a column and its derivatives, as wrappers of
+/// the C functions that compute them.
 ///
-/// CasADi, core/external.cpp: a null argument is zero, a null result is not wanted, and a function returns 0,
-/// or else there is no result.
+/// CasADi, core/external.cpp: a null argument is zero, a null result is not requested, and a nonzero return
+/// value means that there is no result.
 class casadi_file {
 public:
-  /// The rates as the function `library`, or the residual as `library`_implicit. `kernels` has the functions
-  /// of `casadi_kernels`.
+  /// Exports the rates as the function `library`, or the residual as `library`_implicit. `kernels` has the
+  /// functions of `casadi_kernels`.
   casadi_file(const std::string& library, bool of_residual, const exported_system& kernels,
               const std::vector<casadi_argument>& arguments)
       : library_(library), name_(library + (of_residual ? "_implicit" : "")),
@@ -38,11 +38,11 @@ public:
 private:
   using ports = std::vector<casadi_port>;
 
-  /// A result of a function of C, and where CasADi wants it.
+  /// A result of a C function, and its place in CasADi's results.
   struct asked {
-    std::size_t place = 0; ///< in `res`
+    std::size_t place = 0; ///< index in `res`
     int entries = 0;
-    bool is_basic = false; ///< known without the derivatives by all arguments
+    bool is_basic = false; ///< available without the derivatives by all arguments
   };
 
   int states() const { return arguments_[0].size; }
@@ -54,7 +54,7 @@ private:
     return nullptr;
   }
 
-  /// Of a result, empty where it has no entries for lack of arguments.
+  /// The sparsity of a result; empty if the result is missing for lack of arguments.
   casadi_sparsity shape_of(const std::string& function, const std::string& result, int rows,
                            int columns) const {
     for (const exported_result& each : find(begin_ + function + (has_more() ? "_by_all" : ""))->results)
@@ -80,12 +80,12 @@ private:
   std::string given_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
   std::string weights() const { return given_at(arguments_.size() + 1); }
 
-  /// The function of C of a derivative, or of the column itself.
+  /// The C function of a derivative, or of the column itself.
   std::string kernel(const std::string& derivative) const {
     return derivative.empty() ? casadi_kernels::name_of_column(!begin_.empty()) : begin_ + derivative;
   }
 
-  /// The call of a function of C: other than 0 where there is no result.
+  /// The call of a C function as a condition that is true if there is no result.
   std::string call(const std::string& function, const std::string& weights,
                    const std::vector<std::string>& results) const {
     std::string text, time = "0";
@@ -99,8 +99,8 @@ private:
     return text + ") != 0";
   }
 
-  /// Calls the function of the basic arguments alone where that is enough: where nothing else is wanted and
-  /// `needs_more` is zero. What is not wanted goes to `w`, from `scratch` on.
+  /// Calls the function of the basic arguments if that suffices: if no other result is requested and
+  /// `needs_more` is zero. Results that are not requested go to `w`, from `scratch` on.
   std::string call_for(const std::string& function, const std::string& weights, const std::vector<asked>& all,
                        int scratch = 0, std::string needs_more = {}) const {
     std::vector<std::string> basic, more;
@@ -151,8 +151,8 @@ private:
     return f;
   }
 
-  /// Declares `i`, and `more` where there are arguments that are not basic: whether the direction has entries
-  /// of these. The direction fills the first numbers of `w`.
+  /// Declares `i` and, if some arguments are not basic, `more`, which is nonzero if the direction has nonzero
+  /// entries for these. The direction fills the first entries of `w`.
   std::string take_direction(int& size_of_all) const {
     std::string text = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
     for (std::size_t k = 0; k < arguments_.size(); ++k) {
@@ -181,8 +181,8 @@ private:
     return f;
   }
 
-  /// The derivatives of a directional one by each argument, by the column, on which nothing depends, and by
-  /// the direction, which are the first derivatives.
+  /// The derivatives of the directional derivative by each argument, by the column (zero) and by the
+  /// direction (the first derivatives).
   casadi_function jacobian_of_forward() const {
     casadi_function f{.name = "jac_fwd1_" + name_, .in = given()};
     f.in.push_back(of_column("out_"));
@@ -222,8 +222,8 @@ private:
     return f;
   }
 
-  /// The derivatives of each adjoint by each argument, by the column, on which nothing depends, and by the
-  /// weights, which are the transposed first derivatives.
+  /// The derivatives of each adjoint by each argument, by the column (zero) and by the weights (the
+  /// transposed first derivatives).
   casadi_function jacobian_of_adjoint() const {
     casadi_function f{.name = "jac_adj1_" + name_, .in = given()};
     f.in.push_back(of_column("out_"));
@@ -254,7 +254,7 @@ private:
     return count;
   }
 
-  /// Gives the derivatives of the adjoints by the weights, by way of `w`.
+  /// Returns the code for the derivatives of the adjoints by the weights; it uses `w` as scratch space.
   std::string transposed_jacobian() const {
     std::string wanted, more, taken;
     std::vector<std::string> to, basic;

@@ -15,14 +15,14 @@ struct casadi_port {
   casadi_sparsity shape{};
 };
 
-/// A function as CasADi finds it in a shared library: by its names and shapes.
+/// A function in a shared library with the names and shapes that CasADi queries.
 struct casadi_function {
   std::string name{};
   std::vector<casadi_port> in{}, out{};
-  int scratch = 0;    ///< numbers in `w`
-  std::string body{}; ///< of `arg`, `res` and `w`; it returns 0, or else there is no result
+  int scratch = 0;    ///< number of entries of `w`
+  std::string body{}; ///< code in terms of `arg`, `res` and `w`; returns nonzero if there is no result
 
-  /// `library` begins the names of what all functions share.
+  /// `library` is the prefix of the names that all functions share.
   std::string text(const std::string& library) const {
     return filled(R"(
 static int @name@_found(const double **arg, double **res, double *w) {

@@ -7,8 +7,8 @@
 
 namespace kanexpr::exporting {
 
-/// Gives sparse results of the same name in two functions the same entries, some of which are zero then: two
-/// ways to a derivative may differ in which entries they show to be zero.
+/// Gives sparse results of the same name in two functions the same sparsity by adding explicit zeros: two
+/// derivations of a derivative may find different entries to be zero.
 class common_shapes {
 public:
   static void give(exported_function& one, exported_function& other) {
@@ -33,7 +33,7 @@ private:
     lower::statements& code = f.code;
     const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
     symbolic::sequence<int> results;
-    int next = 0; // of the results before
+    int next = 0; // entry of the previous results
     for (exported_result& each : f.results) {
       each.first = results.size();
       if (each.name != name) {
@@ -48,7 +48,7 @@ private:
         each.column_of.push_back(at.first), each.row_of.push_back(at.second);
       }
     }
-    while (next < code.results.size()) results.push(code.results[next++]); // of checks
+    while (next < code.results.size()) results.push(code.results[next++]); // those of the checks
     code.results = results;
   }
 };

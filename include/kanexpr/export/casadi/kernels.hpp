@@ -7,14 +7,13 @@
 
 namespace kanexpr::exporting {
 
-/// One of the vectors that a function of CasADi is given: the state x, its rates, the inputs r, the
-/// parameters p, the time t.
+/// An argument of a CasADi function: the state x, its rates, the inputs r, the parameters p, or the time t.
 struct casadi_argument {
   std::string name{};
   symbols are{};
   int size = 0;
 
-  /// Parameters and time come behind these: derivatives by them are computed where they are asked for.
+  /// False for parameters and time, which come last: derivatives by them are computed only on request.
   bool is_basic() const { return are != symbols::parameters && are != symbols::time; }
 };
 
@@ -24,8 +23,9 @@ inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments)
   return count;
 }
 
-/// What CasADi may ask for beside a column, the rates of the state or the residual of the implicit form, as
-/// functions of C: derivatives by the basic arguments, and by all, which cost more.
+/// The C functions that CasADi may request for a column (the rates of the state or the residual of the
+/// implicit form): the column itself, its derivatives by the basic arguments, and its derivatives by all
+/// arguments, which cost more.
 class casadi_kernels {
 public:
   casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
@@ -68,7 +68,7 @@ private:
     std::vector<symbols> all;
     all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
-    // Beside derivatives by the parameters those of the graph share more.
+    // Together with derivatives by the parameters, those from the graph share more operations.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();
     const auto to_second_order = [&](wanted_result found, quantity by, std::vector<symbols> part) {
       if (of_residual_ || is_by_parameters) return found;
@@ -101,7 +101,8 @@ private:
       wanted.push_back(each);
   }
 
-  /// Of rates that of the linearized equations, where these have it: it costs less than the chain rule.
+  /// The Jacobian by one argument. That of the rates is taken from the linearized equations if they have it,
+  /// as this costs less than the chain rule.
   wanted_result jacobian_by(const casadi_argument& by) const {
     wanted_result found = derived("by_" + by.name, {.is = kind::jacobian, .by = by.are});
     if (of_residual_ || !by.is_basic()) return found;

@@ -8,8 +8,8 @@
 
 namespace kanexpr::exporting {
 
-/// The shape of an input or output of a function of CasADi: dense, or the places of its entries in the order
-/// of columns.
+/// The sparsity of an input or output of a CasADi function: dense, or the positions of its entries in column
+/// order.
 struct casadi_sparsity {
   int rows = 0, columns = 0;
   bool is_dense = false;
@@ -26,7 +26,7 @@ struct casadi_sparsity {
 
   int entries() const { return is_dense ? rows * columns : static_cast<int>(places.size()); }
 
-  /// The transposed one, and where its entries stand in this one.
+  /// The transpose, and the index of each of its entries in this one.
   std::pair<casadi_sparsity, std::vector<int>> transposed() const {
     std::vector<std::pair<std::pair<int, int>, int>> exchanged;
     exchanged.reserve(places.size());
@@ -42,7 +42,7 @@ struct casadi_sparsity {
     return {found, from};
   }
 
-  /// As CasADi reads it: rows, columns and 1, or compressed columns.
+  /// The encoding that CasADi reads: rows, columns and 1, or compressed columns.
   std::vector<int> numbers() const {
     std::vector<int> all{rows, columns};
     if (is_dense) {

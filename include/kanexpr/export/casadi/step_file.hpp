@@ -9,8 +9,8 @@
 
 namespace kanexpr::exporting {
 
-/// Writes a step of a fixed length as a function of CasADi, `library`_step(x, r, p, h), and its derivatives,
-/// around the functions of C that compute the rates and theirs.
+/// Writes a step of fixed length as a CasADi function, `library`_step(x, r, p, h), and its derivatives, based
+/// on the C functions that compute the rates and their derivatives.
 class casadi_step : private step_writer {
 public:
   using step_writer::step_writer;
@@ -36,13 +36,13 @@ private:
     return f;
   }
 
-  /// A block of derivatives, with the places of its entries in a matrix of all.
+  /// A block of derivatives, with the index of each entry in the full matrix.
   struct block {
     casadi_sparsity shape{};
     std::vector<int> from{};
   };
 
-  /// By what is given at a place, of the next state or of an adjoint.
+  /// The derivatives of the next state or of an adjoint by argument `by`.
   block by_given(const pattern& all, int first_row, int rows, std::size_t by) const {
     block found{casadi_sparsity::empty(rows, given_[by].size), {}};
     for (int j = 0; j < given_[by].size; ++j)
@@ -50,7 +50,7 @@ private:
         const int row = first_row + i, column = begin_[by] + j;
         if (!all(row, column)) continue;
         found.shape.places.emplace_back(j, i);
-        const bool is_below = &all == &shapes_.second && row > column; // which is not filled
+        const bool is_below = &all == &shapes_.second && row > column; // which is not computed
         found.from.push_back(is_below ? column * columns_ + row : row * columns_ + column);
       }
     return found;
@@ -68,7 +68,7 @@ private:
     return found;
   }
 
-  /// Adds a result, and gives what it takes where it is wanted.
+  /// Adds a result and returns the code that copies it if it is requested.
   static std::string add(casadi_function& to, const std::string& name, const block& one,
                          const std::string& all) {
     const std::string place = std::to_string(to.out.size());
@@ -85,7 +85,7 @@ private:
                    {"all", all}});
   }
 
-  /// Whether one of these results is wanted, in C.
+  /// The C condition that one of these results is requested.
   static std::string any_of(const std::vector<std::size_t>& places) {
     std::string text;
     for (std::size_t each : places)
@@ -151,7 +151,7 @@ private:
     return f;
   }
 
-  /// By what is given, by the step, on which nothing depends, and by the direction.
+  /// The derivatives by the arguments, by the next state (zero) and by the direction.
   casadi_function jacobian_of_forward() const {
     casadi_function f = named("jac_fwd1_");
     add_given(f.in, "fwd_");
@@ -209,7 +209,7 @@ private:
     return f;
   }
 
-  /// By what is given, by the step, on which nothing depends, and by the weights.
+  /// The derivatives by the arguments, by the next state (zero) and by the weights.
   casadi_function jacobian_of_adjoint() const {
     casadi_function f = named("jac_adj1_");
     f.in.push_back(next("adj_"));

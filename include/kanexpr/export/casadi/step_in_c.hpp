@@ -2,20 +2,20 @@
 
 #include <string_view>
 
-/// What the functions of a step share, in C. `@s@` begins its names; a column of derivatives belongs to an
-/// entry of what the step is given: of x, r, h, p and t, in this order, so that those without parameters come
-/// first.
+/// C code shared by the functions of a step. `@s@` is the prefix of its names. Each column of derivatives
+/// belongs to an entry of the arguments x, r, h, p and t, in this order, so that the derivatives without
+/// parameters come first.
 namespace kanexpr::exporting {
 
 inline constexpr std::string_view step_in_c = R"(
-/* A step: its stages evaluate the rates k at points y = x + h a k, with the rates of the stage before, and the state
-   after it is x + sum of h b k. Coordinates and speeds have an a and a b each. Derivatives follow by the chain rule
-   from those of the rates. */
+/* A step: each stage evaluates the rates at the point y = x + h a k, where k are the rates of the previous stage, and
+   the state after the step is x + sum of h b k. Coordinates and speeds have separate a and b. Derivatives follow from
+   those of the rates by the chain rule. */
 enum { @s@_n = @n@, @s@_h = @h@, @s@_t = @t@, @s@_columns = @columns@, @s@_stages = @stages@, @s@_slopes = @slopes@ };
 static const double @s@_a[@stages@][2] = {@a@};
 static const double @s@_b[@stages@][2] = {@b@};
 static const double @s@_when[@stages@] = {@when@};
-/* Where the entries of derivatives stand: row and column of each. */
+/* Row and column of each entry of the derivatives. */
 static const int @s@_slope_at[][2] = {@slope_at@};
 
 typedef struct { const double *x, *p, *r; double h, t; } @s@_arguments;
@@ -33,7 +33,7 @@ static @s@_arguments @s@_take(const double **arg) {
 static double @s@_a_of(int stage, int i) { return @s@_a[stage][i >= @coordinates@]; }
 static double @s@_b_of(int stage, int i) { return @s@_b[stage][i >= @coordinates@]; }
 
-/* Of each stage the point and the rates. */
+/* The point and the rates of each stage. */
 static int @s@_points(const @s@_arguments *at, double *points) {
   int s, i;
   for (s = 0; s < @s@_stages; ++s) {
@@ -45,7 +45,7 @@ static int @s@_points(const @s@_arguments *at, double *points) {
   return 0;
 }
 
-/* The derivatives of a stage's rates by what the stage is given; there are `entries`. */
+/* The derivatives of a stage's rates by the arguments of the stage. */
 static int @s@_slope(const @s@_arguments *at, int s, int by_all, const double *points, double *slope) {
   const double *y = points + 2 * s * @s@_n;
   const double t = at->t + @s@_when[s] * at->h;
@@ -53,7 +53,7 @@ static int @s@_slope(const @s@_arguments *at, int s, int by_all, const double *p
 @jacobian@  return 0;
 }
 
-/* Adds the derivatives that follow from some by a stage's arguments, of which those of the point are `by`. */
+/* Applies the chain rule to derivatives by a stage's arguments; `by` are the derivatives of the stage's point. */
 static void @s@_chain(int s, const int (*places)[2], int entries, const double *slope, const double *by, int columns,
                       double *sum) {
   int e, c;
@@ -70,7 +70,7 @@ static void @s@_chain(int s, const int (*places)[2], int entries, const double *
   }
 }
 
-/* Of each stage the derivatives of its point, and behind them those of the step. */
+/* The derivatives of the point of each stage, followed by those of the step. */
 static int @s@_moved(const @s@_arguments *at, int by_all, const double *points, double *slopes, double *by, double *w) {
   const int size = @s@_n * @s@_columns, columns = by_all ? @s@_columns : @basic@;
   int s, i, c;
@@ -96,7 +96,7 @@ static int @s@_moved(const @s@_arguments *at, int by_all, const double *points, 
   return 0;
 }
 
-/* What a weight of the state after the step makes of a stage's rates, but for h; `of_next` is that of the next point. */
+/* The weights of a stage's rates, without the factor h; `of_next` are those of the next point. */
 static void @s@_weigh(int s, const double *weights, const double *of_next, double *weight) {
   int i;
   for (i = 0; i < @s@_n; ++i)
@@ -104,12 +104,12 @@ static void @s@_weigh(int s, const double *weights, const double *of_next, doubl
 }
 )";
 
-/// ∂²(λᵀ x⁺)/∂z²: the sum over the stages of Wᵀ H W, with W the derivatives of what the stage is given and H
-/// those of its rates, weighted, and the products of h with the rates.
+/// ∂²(λᵀ x⁺)/∂z²: the sum over the stages of Wᵀ H W, where W are the derivatives of the stage's arguments and
+/// H the weighted second derivatives of its rates, plus the terms from the product of h and the rates.
 inline constexpr std::string_view second_order_of_step_in_c = R"(
 static const int @s@_curve_at[][2] = {@curve_at@};
 
-/* The second derivatives of the weighted state after the step, of which it fills those above the diagonal. */
+/* The second derivatives of the weighted state after the step; only the upper triangle is filled. */
 static int @s@_curved(const @s@_arguments *at, int by_all, const double *points, const double *slopes, const double *by,
                       const double *weights, double *all, double *w) {
   const int columns = by_all ? @s@_columns : @basic@, entries = by_all ? @curves@ : @basic_curves@;
@@ -149,7 +149,8 @@ static int @s@_curved(const @s@_arguments *at, int by_all, const double *points,
 }
 )";
 
-/// The points, slopes and derivatives of all stages; `after` has those of the step, and `rest` is free.
+/// Computes the points, slopes and derivatives of all stages; `after` holds those of the step, and `rest` is
+/// free.
 inline constexpr std::string_view moved_in_c =
     R"(  const @s@_arguments given = @s@_take(arg), *const at = &given;
   double *slopes = w + 2 * @s@_stages * @s@_n, *by = slopes + @s@_stages * @s@_slopes,
@@ -157,8 +158,8 @@ inline constexpr std::string_view moved_in_c =
   if (@s@_points(at, w) || @s@_moved(at, by_all, w, slopes, by, rest)) return 1;
 )";
 
-/// The derivatives of a directional derivative, `total`: those of a stage's rates follow from the second
-/// derivatives of the rates along the stage's direction, and from what moves that.
+/// Computes the derivatives `total` of a directional derivative: those of a stage's rates follow from the
+/// second derivatives of the rates along the stage's direction, and from the derivatives of that direction.
 inline constexpr std::string_view moved_along_in_c =
     R"(  const @s@_arguments given = @s@_take(arg), *const at = &given;
   enum { size = @s@_n * @s@_columns };

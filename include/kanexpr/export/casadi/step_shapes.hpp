@@ -9,7 +9,7 @@
 
 namespace kanexpr::exporting {
 
-/// Which entries of a matrix may not be zero.
+/// The entries of a matrix that may be nonzero.
 struct pattern {
   int rows = 0, columns = 0;
   std::vector<char> entries{};
@@ -29,14 +29,14 @@ private:
   }
 };
 
-/// Row and column of the entries of derivatives of the rates, in the order of what a step is given.
+/// Row and column of each entry of the derivatives of the rates, in the order of the arguments of a step.
 using entry_places = std::vector<std::pair<int, int>>;
 
-/// What the derivatives of a step depend on, found by its chain rule over entries that are zero or not.
+/// The sparsity of the derivatives of a step, found by applying its chain rule to sparsity patterns.
 class step_shapes {
 public:
   step_shapes() = default;
-  /// `h` and `t` are the columns of the length and of the time, this −1 where there is none.
+  /// `h` and `t` are the columns of the step length and of the time; `t` is −1 if there is no time argument.
   step_shapes(const stepping::tableau& method, int coordinates, int states, int columns, int h, int t,
               const entry_places& slope, const entry_places& bend, const entry_places& curve)
       : first(states, columns), along(states, columns), second(columns, columns), states_(states),
@@ -64,7 +64,7 @@ public:
   pattern first{}, along{}, second{}; ///< ∂x⁺/∂z, ∂((∂x⁺/∂z) v)/∂z and ∂²(λᵀx⁺)/∂z²
 
 private:
-  /// The derivatives by what the step is given from those by what a stage is given.
+  /// The derivatives by the arguments of the step, from those by the arguments of a stage.
   pattern chained(const entry_places& places, const pattern& point, int rows) const {
     pattern all(rows, columns_);
     for (const auto& [row, column] : places) {

@@ -12,11 +12,11 @@
 
 namespace kanexpr::exporting {
 
-/// What the functions of a step share: in which order derivatives stand, and which functions of C compute
+/// The common base of the functions of a step: the order of the derivatives, and the C functions that compute
 /// those of the rates.
 class step_writer {
 public:
-  /// `arguments` are those of the rates, and `kernels` has the functions of `casadi_kernels`.
+  /// `arguments` are those of the rates; `kernels` has the functions of `casadi_kernels`.
   step_writer(const std::string& library, const stepping::tableau& method, const exported_system& kernels,
               const std::vector<casadi_argument>& arguments)
       : library_(library), name_(library + "_step"), method_(method), kernels_(kernels), of_rates_(arguments),
@@ -40,13 +40,13 @@ public:
   }
 
 protected:
-  static constexpr std::size_t basic = 2; ///< of the rates' arguments: the state and the inputs
+  static constexpr std::size_t basic = 2; ///< basic arguments of the rates: the state and the inputs
 
-  /// The sparse results of a function of C, one behind another, those by the state and the inputs first.
+  /// The sparse results of a C function, one after another, those by the state and the inputs first.
   struct sparse_results {
     std::string function{};
     entry_places places{};
-    std::size_t basic = 0; ///< entries
+    std::size_t basic = 0; ///< number of basic entries
     std::map<std::string, std::size_t> begin{};
 
     int size() const { return static_cast<int>((std::max)(places.size(), std::size_t(1))); }
@@ -56,7 +56,7 @@ protected:
   int stages() const { return method_.stages; }
   bool takes_time() const { return of_rates_.size() > 3; }
   bool has_more() const { return columns_ > h_ + 1; }
-  /// Whether derivatives by what is given there follow without those of the rates by parameters and time.
+  /// Whether derivatives by argument i follow without those of the rates by parameters and time.
   bool is_basic(std::size_t i) const { return i < basic || (i == 3 && !takes_time()); }
 
   const exported_function& kernel(const std::string& called) const {
@@ -73,7 +73,7 @@ protected:
     if (is_by_basic) into.basic = into.places.size();
   }
 
-  // The text of C
+  // The C code
 
   static std::string number(std::size_t value) { return std::to_string(value); }
   static std::string number(int value) { return std::to_string(value); }
@@ -89,7 +89,7 @@ protected:
   }
   std::string given_at(std::size_t place) const { return library_ + "_given(arg[" + number(place) + "])"; }
 
-  /// Leaves the function where a function of C has no result. `given` follows the inputs.
+  /// The call of a C function; the generated code returns if that has no result. `given` follows the inputs.
   std::string call(const std::string& function, const std::string& given, const std::string& into,
                    const std::map<std::string, std::size_t>& begin) const {
     const auto one = [&](const std::string& called) {
@@ -110,7 +110,7 @@ protected:
     return takes_time() ? filled(text, {{"s", name_}, {"t", number(t_)}}) : std::string();
   }
 
-  /// Takes the direction, in the order of the arguments of the rates, but for the state.
+  /// The code that reads the direction, in the order of the arguments of the rates except the state.
   std::string direction_in_c() const {
     const std::size_t first = given_.size() + 1;
     std::string text =
@@ -130,7 +130,7 @@ protected:
     return text + (takes_time() ? "  by_all |= along_h != 0;\n" : "");
   }
 
-  /// The point of stage s and the direction there.
+  /// The code for the point of stage s and the direction there.
   std::string directed_in_c() const {
     std::string text = filled(R"(    const double *y = w + 2 * s * @s@_n;
     const double t = at->t + @s@_when[s] * at->h;
@@ -200,8 +200,8 @@ protected:
   const stepping::tableau& method_;
   const exported_system& kernels_;
   const std::vector<casadi_argument>& of_rates_;
-  std::vector<casadi_argument> given_; ///< to a step: x, r, p, h, t
-  std::vector<int> begin_{};           ///< the first column of each
+  std::vector<casadi_argument> given_; ///< the arguments of a step: x, r, p, h, t
+  std::vector<int> begin_{};           ///< the first column of each argument
   int h_ = 0, t_ = -1, columns_ = 0;
   sparse_results slope_{.function = "jacobian"}, bend_{.function = "directional_jacobian"},
       curve_{.function = "hessian"};

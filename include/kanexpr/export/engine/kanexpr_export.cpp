@@ -1,4 +1,4 @@
-// kanexpr-export: writes a robot of a file, or a model of a header, for other languages.
+// kanexpr-export: exports a robot from a file, or a model from a header, to other languages.
 #include <kanexpr/export/by_words.hpp>
 #include <kanexpr/export/shell.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
@@ -25,7 +25,7 @@ namespace files = std::filesystem;
 
 using exporting::in_quotes;
 
-/// A program that the environment chooses.
+/// The program that an environment variable names, or the default.
 std::string program_of(const char* variable, const char* otherwise) {
   const char* const chosen = std::getenv(variable);
   return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
@@ -64,12 +64,12 @@ robots::read_robot robot_of(const std::string& file) {
 #ifdef KANEXPR_ROBOTS_READ_SDF
   return robots::read_sdf(file, {});
 #else
-  return robots::read_robot(file + " is an SDF file, and kanexpr-export was compiled without libsdformat 12, "
-                                   "which reads these; Debian has it in libsdformat-dev");
+  return robots::read_robot(file + " is an SDF file, but kanexpr-export was compiled without libsdformat 12, "
+                                   "which reads them; the Debian package is libsdformat-dev");
 #endif
 }
 
-/// Those of a file, and of a robot at rest, where the command tells no others.
+/// Adds the start values from the file and those of the robot at rest, unless the command line sets them.
 void add_start_values(std::vector<std::string>& words, const request& r, const robots::robot_builder& of) {
   const auto add = [&](const std::string& symbol, double value) {
     for (const auto* told : {&r.start, &r.bound})
@@ -84,7 +84,8 @@ void add_start_values(std::vector<std::string>& words, const request& r, const r
 }
 
 int write_robot(const request& r) {
-  if (!r.expressions.empty()) return refuse("the file of a robot has no words for an expression");
+  if (!r.expressions.empty())
+    return refuse("--expression applies to headers; a robot file does not support expressions");
   robots::model_options model;
   model.base = r.base == "floating" ? robots::base_kind::floating : robots::base_kind::fixed;
   model.bind = r.bind_robot == "parameters" ? robots::binding::parameters : robots::binding::numbers;
@@ -101,7 +102,7 @@ int write_robot(const request& r) {
   return written ? 0 : refuse(written.cause());
 }
 
-/// Whether an expression has a name, and what behind it.
+/// Whether the text has the form name=expression.
 bool is_named(const std::string& expression) {
   const std::size_t end =
       expression.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
@@ -114,7 +115,7 @@ bool is_clang() {
   return std::system((compiler() + " -dM -E -x c++ /dev/null 2>/dev/null | grep -q __clang__").c_str()) == 0;
 }
 
-/// Options for the compiler: those of kanexpr's target, and where headers are.
+/// The compiler options: those of kanexpr's CMake target, and the include folders.
 std::string options(const request& r) {
   std::string all = is_clang() ? " -fconstexpr-steps=1000000000 -fbracket-depth=1024"
                                : " -fconstexpr-ops-limit=1000000000 -fconstexpr-loop-limit=10000000";
@@ -127,7 +128,7 @@ std::string options(const request& r) {
   return all + " -isystem " + in_quotes(KANEXPR_EIGEN);
 }
 
-/// The program that writes a model; it finds the words of expressions where the system is.
+/// The source of the program that exports a model. Expressions are looked up in the namespace of the system.
 std::string program_for(const request& r) {
   std::string text = "#include <kanexpr/export/by_words.hpp>\n\n#include \"" +
                      files::absolute(r.file).string() + "\"\n\nint main(int count, char** words) {\n";
@@ -145,32 +146,33 @@ std::string program_for(const request& r) {
 
 int write_model(const request& r) {
   if (r.system.empty())
-    return refuse("which system of " + r.file + " is to be exported? --system arm::System says so");
+    return refuse("specify the system of " + r.file + " to export, as in --system arm::System");
   std::error_code unknown;
   if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
   if (const exporting::by_words given(r.words()); !given.mistake().empty()) return refuse(given.mistake());
   for (const std::string& each : r.expressions)
-    if (!is_named(each)) return refuse(each + " is not name=expression");
+    if (!is_named(each)) return refuse(each + " is not of the form name=expression");
   const exporting::temporary_folder with;
-  if (with.path().empty()) return refuse("no folder can be made for the program that writes");
+  if (with.path().empty()) return refuse("the temporary folder for the export program cannot be created");
   const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
   std::ofstream(source) << program_for(r);
   if (std::system(
           (compiler() + options(r) + ' ' + in_quotes(source) + " -o " + in_quotes(program)).c_str()) != 0)
-    return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() + " says why");
+    return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() +
+                  " reports the errors");
   std::string call = in_quotes(program);
   for (const std::string& each : r.words()) call += ' ' + in_quotes(each);
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
-/// Which option does not go with the file, as a sentence; empty: all do.
+/// A sentence about an option that does not apply to the file; empty if all do.
 std::string misplaced(const CLI::App& given, const request& r) {
   for (const char* option : {"--system", "--include"})
     if (r.is_robot() && given.count(option) != 0)
-      return std::string(option) + " is for headers, and " + r.file + " is the file of a robot";
+      return std::string(option) + " applies to headers, but " + r.file + " is a robot file";
   for (const char* option : {"--base", "--values"})
     if (!r.is_robot() && given.count(option) != 0)
-      return std::string(option) + " is for robots, and " + r.file + " is a header";
+      return std::string(option) + " applies to robots, but " + r.file + " is a header";
   return {};
 }
 
@@ -178,56 +180,55 @@ std::string misplaced(const CLI::App& given, const request& r) {
 
 int main(int count, char** arguments) {
   request r;
-  CLI::App app("Writes the equations of motion of a robot or of a model for other languages.");
-  app.add_option(
-         "file", r.file,
-         "a robot, which ends with .urdf, .sdf or .world, or the header of a model, which $CXX compiles")
+  CLI::App app("Exports the equations of motion of a robot or a model to other languages.");
+  app.add_option("file", r.file,
+                 "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
       ->required();
-  app.add_option("-s,--system", r.system, "the system of a header, as in arm::System");
-  app.add_option("-n,--name", r.name, "what is written begins with it; without this the name of the file");
-  app.add_option("-o,--output", r.folder, "the folder")->required();
-  app.add_option("--format", r.format, "what is written; c without this")
+  app.add_option("-s,--system", r.system, "the system in the header, as in arm::System");
+  app.add_option("-n,--name", r.name,
+                 "the name of the exported system; default: the file name without its extension");
+  app.add_option("-o,--output", r.folder, "the output folder")->required();
+  app.add_option("--format", r.format, "the output format; default: c")
       ->check(CLI::IsMember({"c", "casadi", "fmi"}))
       ->option_text("c|casadi|fmi");
-  app.add_option("--scalar", r.scalar, "the type of numbers; double without this")
+  app.add_option("--scalar", r.scalar, "the scalar type; default: double")
       ->check(CLI::IsMember({"double", "float"}))
       ->option_text("double|float");
-  app.add_option("--bind", r.bound, "a parameter that becomes a number; for each anew")
+  app.add_option("--bind", r.bound, "a parameter to replace by a number; may be repeated")
       ->option_text("PARAMETER=NUMBER")
       ->expected(1)
       ->take_all();
   app.add_option("--start", r.start,
-                 "the value with which a parameter, an input or a state of an FMU starts; for each anew")
+                 "the start value of a parameter, an input or a state of an FMU; may be repeated")
       ->option_text("SYMBOL=NUMBER")
       ->expected(1)
       ->take_all();
-  app.add_option("--step", r.step, "the internal step of an FMU's co-simulation, in s; 0.001 without this")
+  app.add_option("--step", r.step, "the internal step of an FMU's co-simulation, in s; default: 0.001")
       ->option_text("NUMBER");
-  app.add_option("--results", r.results,
-                 "a function of one result, or of several with spaces between them, of an FMU an output; for "
-                 "each anew")
+  app.add_option(
+         "--results", r.results,
+         "a function of one result, or of several separated by spaces; in an FMU, an output; may be repeated")
       ->option_text("RESULTS")
       ->expected(1)
       ->take_all();
   app.add_option("--expression", r.expressions,
-                 "a function of an expression in the words of a header's model; for each anew")
+                 "a function that evaluates an expression of the header's model; may be repeated")
       ->option_text("NAME=EXPRESSION")
       ->expected(1)
       ->take_all();
-  app.add_flag("--with-python", r.with_python, "also a module of Python");
-  app.add_flag("--with-cpp", r.with_cpp, "also a header for C++ with the names of the model");
-  app.add_option("-I,--include", r.include, "a folder of headers that the header includes")
+  app.add_flag("--with-python", r.with_python, "also write a Python module");
+  app.add_flag("--with-cpp", r.with_cpp, "also write a C++ header with the names of the model");
+  app.add_option("-I,--include", r.include, "a folder to search for included headers; may be repeated")
       ->expected(1)
       ->take_all();
-  app.add_option("--base", r.base,
-                 "what becomes of the root of a robot: it is fixed, as without this, or moves")
+  app.add_option("--base", r.base, "the base of the robot: fixed (default) or floating")
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->option_text("fixed|floating");
   app.add_option("--values", r.bind_robot,
-                 "what the masses and lengths of a robot are: numbers, as without this, or parameters")
+                 "export the masses and lengths of the robot as numbers (default) or as parameters")
       ->check(CLI::IsMember({"numbers", "parameters"}))
       ->option_text("numbers|parameters");
-  app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file of a robot");
+  app.add_flag("-q,--quiet", r.quiet, "suppress the notes about the robot file");
   CLI11_PARSE(app, count, arguments);
   if (const std::string wrong = misplaced(app, r); !wrong.empty()) return refuse(wrong);
   if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();

@@ -7,7 +7,7 @@
 
 namespace kanexpr::exporting {
 
-/// Text as a value of an attribute.
+/// Escapes text for use as an attribute value.
 inline std::string in_xml(std::string_view text) {
   std::string escaped;
   for (const char c : printable(text)) switch (c) {

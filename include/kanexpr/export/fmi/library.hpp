@@ -10,15 +10,15 @@
 
 namespace kanexpr::exporting {
 
-/// Sources of C as a library of the machine that one works on.
+/// A shared library for the host machine, compiled from C sources.
 struct library {
   std::string bytes{};
-  std::string note{};    ///< why there is none, where none can be had
+  std::string note{};    ///< why there is no library, if none can be built here
   std::string mistake{}; ///< why it could not be compiled
 
   static std::string ending() { return is_apple ? ".dylib" : ".so"; }
 
-  /// As FMI calls it; empty: it knows none.
+  /// The FMI name of the platform; empty if FMI defines none.
   static std::string platform() {
     const std::string system = is_apple ? "-darwin" : "-linux";
     if (!has_shell || (!is_apple && !is_linux)) return {};
@@ -44,16 +44,16 @@ private:
 #endif
 };
 
-/// Compiled by what a shell calls `compiler`. No file has a folder.
+/// Compiles the files, whose paths contain no folder, with the shell command `compiler`.
 inline library compiled_library(const std::string& name, const std::vector<file_text>& files,
                                 const std::string& compiler) {
   if (library::platform().empty())
-    return {.note = "holds sources alone, as kanexpr compiles no library for this system"};
-  if (compiler.empty()) return {.note = "holds sources alone, as no compiler is given"};
+    return {.note = "holds sources only, because kanexpr compiles no library for this platform"};
+  if (compiler.empty()) return {.note = "holds sources only, because no compiler is specified"};
   if (std::system(("command -v " + compiler + " >/dev/null 2>&1").c_str()) != 0)
-    return {.note = "holds sources alone, as there is no compiler " + compiler};
+    return {.note = "holds sources only, because there is no compiler " + compiler};
   const temporary_folder folder;
-  if (folder.path().empty()) return {.mistake = "no folder can be made to compile in"};
+  if (folder.path().empty()) return {.mistake = "the temporary folder for compilation cannot be created"};
   const std::string made = (folder.path() / (name + library::ending())).string();
   std::string command =
       compiler + " -std=c99 -O2 -fno-math-errno -fvisibility=hidden -fPIC -shared -s -o " + in_quotes(made);
@@ -64,7 +64,7 @@ inline library compiled_library(const std::string& name, const std::vector<file_
   }
   if (const outcome written = write_files(there); !written) return {.mistake = written.cause()};
   if (std::system((command + " -lm").c_str()) != 0)
-    return {.mistake = name + " does not compile as C; " + compiler + " says why"};
+    return {.mistake = name + " does not compile as C; " + compiler + " reports the errors"};
   std::ifstream from(made, std::ios::binary);
   return {.bytes = {std::istreambuf_iterator<char>(from), {}}};
 }

@@ -4,7 +4,7 @@
 
 namespace kanexpr::exporting::in_c_of_fmu {
 
-/// The life of an instance.
+/// Creation, modes and steps of an instance.
 inline constexpr std::string_view life = R"(
 static void start(instance *of) {
   int i;
@@ -12,7 +12,7 @@ static void start(instance *of) {
   for (i = 0; i < parameters; ++i) of->p[i] = start_of_parameters[i];
   for (i = 0; i < inputs; ++i) of->r[i] = start_of_inputs[i];
   of->t = 0;
-  of->tolerance = 1e-8; /* where none is told */
+  of->tolerance = 1e-8; /* default */
   of->mode = instantiated;
   of->known = 0;
   of->may_be_off = false;
@@ -22,7 +22,7 @@ static instance *made(const char *given_token, void *environment, log_message lo
   instance *of;
   if (given_token == NULL || strcmp(given_token, token) != 0) {
     if (log != NULL)
-      log(environment, fmi3Error, "logStatusError", "the instantiation token is that of another model description");
+      log(environment, fmi3Error, "logStatusError", "the instantiation token belongs to a different model description");
     return NULL;
   }
   of = (instance *)calloc(1, sizeof(instance));
@@ -55,7 +55,7 @@ EXPORTED void *fmi3InstantiateScheduledExecution(const char *name, const char *g
                                                  bool visible, bool logging, void *environment, log_message log,
                                                  void (*clock)(void), void (*lock)(void), void (*unlock)(void)) {
   (void)name, (void)given_token, (void)resources, (void)visible, (void)logging, (void)clock, (void)lock, (void)unlock;
-  if (log != NULL) log(environment, fmi3Error, "logStatusError", "there is no scheduled execution");
+  if (log != NULL) log(environment, fmi3Error, "logStatusError", "scheduled execution is not supported");
   return NULL;
 }
 
@@ -66,7 +66,7 @@ EXPORTED fmi3Status fmi3SetDebugLogging(void *of, bool on, size_t count, const c
   return fmi3OK;
 }
 
-/* Goes from one mode to another, or tells that this is not the mode to do so. */
+/* Changes the mode; reports an error if the current mode is not `from`. */
 static fmi3Status go(instance *of, enum mode from, enum mode to, const char *function) {
   if (of->mode != from) return say(of, fmi3Error, function);
   of->mode = to;
@@ -77,7 +77,8 @@ EXPORTED fmi3Status fmi3EnterInitializationMode(void *given, bool has_tolerance,
                                                 double end) {
   instance *const of = (instance *)given;
   const fmi3Status status =
-      go(of, instantiated, initialization, "fmi3EnterInitializationMode is for what was instantiated or reset");
+      go(of, instantiated, initialization,
+         "fmi3EnterInitializationMode requires an instance that was instantiated or reset");
   (void)has_end, (void)end;
   if (status != fmi3OK) return status;
   if (has_tolerance && tolerance > 0) of->tolerance = tolerance;
@@ -90,24 +91,24 @@ EXPORTED fmi3Status fmi3ExitInitializationMode(void *given) {
   instance *const of = (instance *)given;
   fmi3Status status;
   if (of->mode != initialization)
-    return say(of, fmi3Error, "fmi3ExitInitializationMode is for initialization mode");
+    return say(of, fmi3Error, "fmi3ExitInitializationMode requires initialization mode");
   if (prepare(of) != fmi3OK || (indicators > 0 && begin_indicators(of) != fmi3OK)) return fmi3Error;
   status = go(of, initialization, of->is_stepped ? step_mode : event_mode, "");
   return status;
 }
 
 EXPORTED fmi3Status fmi3EnterEventMode(void *given) {
-  return go((instance *)given, continuous_time, event_mode, "fmi3EnterEventMode is for continuous-time mode");
+  return go((instance *)given, continuous_time, event_mode, "fmi3EnterEventMode requires continuous-time mode");
 }
 
 EXPORTED fmi3Status fmi3EnterContinuousTimeMode(void *given) {
-  return go((instance *)given, event_mode, continuous_time, "fmi3EnterContinuousTimeMode is for event mode");
+  return go((instance *)given, event_mode, continuous_time, "fmi3EnterContinuousTimeMode requires event mode");
 }
 
 EXPORTED fmi3Status fmi3Terminate(void *given) {
   instance *const of = (instance *)given;
   if (of->mode < event_mode || of->mode == terminated)
-    return say(of, fmi3Error, "fmi3Terminate is for what was initialized");
+    return say(of, fmi3Error, "fmi3Terminate requires an initialized instance");
   of->mode = terminated;
   return fmi3OK;
 }
@@ -122,7 +123,7 @@ EXPORTED fmi3Status fmi3UpdateDiscreteStates(void *given, bool *again, bool *end
   instance *const of = (instance *)given;
   *again = *ends = *nominals_changed = *states_changed = *has_next_event = false;
   *next_event = 0;
-  if (of->mode != event_mode) return say(of, fmi3Error, "fmi3UpdateDiscreteStates is for event mode");
+  if (of->mode != event_mode) return say(of, fmi3Error, "fmi3UpdateDiscreteStates requires event mode");
   if (drifts) {
     const fmi3Status status = look_for_drift(of, states_changed);
     if (status != fmi3OK) return status;
@@ -142,7 +143,7 @@ EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *e
   (void)is_final;
   *enter_event_mode = *ends = false;
   if (((instance *)of)->mode != continuous_time)
-    return say((instance *)of, fmi3Error, "fmi3CompletedIntegratorStep is for continuous-time mode");
+    return say((instance *)of, fmi3Error, "fmi3CompletedIntegratorStep requires continuous-time mode");
   if (drifts) status = look_for_drift((instance *)of, &is_far);
   if (status == fmi3OK) status = follow_indicators((instance *)of, &any);
   *enter_event_mode = is_far || any;
@@ -152,20 +153,20 @@ EXPORTED fmi3Status fmi3CompletedIntegratorStep(void *of, bool is_final, bool *e
 EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_final, bool *event, bool *ends, bool *early,
                                double *reached) {
   instance *const of = (instance *)given;
-  const double most = 1e10; /* internal steps, years of a computer's time */
+  const double most = 1e10; /* internal steps: years of computing time */
   double count, i;
   fmi3Status status;
   (void)is_final;
   *event = *ends = *early = false;
   *reached = of->t;
-  if (of->mode != step_mode) return say(of, fmi3Error, "fmi3DoStep is for step mode");
-  if (!(length > 0) || !isfinite(length)) return say(of, fmi3Error, "a step has a positive, finite length");
+  if (of->mode != step_mode) return say(of, fmi3Error, "fmi3DoStep requires step mode");
+  if (!(length > 0) || !isfinite(length)) return say(of, fmi3Error, "the length of a step must be positive and finite");
   if (!isfinite(from) || !(fabs(from - of->t) <= 1e-9 * (length + fabs(from))))
-    return say(of, fmi3Error, "a step begins where the last one ended");
+    return say(of, fmi3Error, "a step must begin at the end of the last one");
   count = fmax(1, ceil(length / internal_step - 1e-9));
-  if (count > most) return say(of, fmi3Error, "a step holds at most 1e10 internal steps");
+  if (count > most) return say(of, fmi3Error, "a step may consist of at most 1e10 internal steps");
   if (!(from + length / count > from))
-    return say(of, fmi3Error, "an internal step is shorter than what numbers can add to the time");
+    return say(of, fmi3Error, "the internal step is below the resolution of the time");
   status = prepare(of);
   for (i = 0; i < count && status == fmi3OK && !*ends; ++i) status = step_with_events(of, length / count, ends);
   if (status == fmi3OK && !*ends) of->t = from + length;
@@ -176,7 +177,7 @@ EXPORTED fmi3Status fmi3DoStep(void *given, double from, double length, bool is_
 
 /// Values and derivatives.
 inline constexpr std::string_view values = R"(
-static const char after_the_end[] = "after fmi3Terminate nothing can be set";
+static const char after_the_end[] = "no variable can be set after fmi3Terminate";
 
 static bool is_among(int reference, int first, int end) { return reference >= first && reference < end; }
 
@@ -210,13 +211,13 @@ EXPORTED fmi3Status fmi3GetFloat64(void *given, const fmi3ValueReference *of_var
   instance *const of = (instance *)given;
   fmi3Status status;
   size_t i;
-  if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
+  if (count != size) return say(of, fmi3Error, "array variables are not supported");
   if ((status = prepare(of)) != fmi3OK) return status;
   for (i = 0; i < count && status == fmi3OK; ++i) status = value(of, of_variables[i], &found[i]);
   return status;
 }
 
-/* The value of a variable that a tool may set; null: it may not. */
+/* The value of a variable that a tool may set; null if it may not. */
 static double *settable(instance *of, fmi3ValueReference of_variable) {
   const int i = (int)of_variable;
   if (is_among(i, FIRST_STATE, FIRST_RATE)) return of->mode == step_mode ? NULL : &of->x[i - FIRST_STATE];
@@ -228,12 +229,12 @@ EXPORTED fmi3Status fmi3SetFloat64(void *given, const fmi3ValueReference *of_var
                                    const double *values, size_t size) {
   instance *const of = (instance *)given;
   size_t k;
-  if (count != size) return say(of, fmi3Error, "there are scalar variables alone");
+  if (count != size) return say(of, fmi3Error, "array variables are not supported");
   if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
   for (k = 0; k < count; ++k)
     if (settable(of, of_variables[k]) == NULL)
       return say(of, fmi3Error, is_among((int)of_variables[k], FIRST_STATE, FIRST_RATE)
-                                    ? "the state of a co-simulation goes on by steps"
+                                    ? "the state of a co-simulation changes only by steps"
                                     : "this variable cannot be set");
   for (k = 0; k < count; ++k) *settable(of, of_variables[k]) = values[k];
   of->known = 0;
@@ -243,7 +244,7 @@ EXPORTED fmi3Status fmi3SetFloat64(void *given, const fmi3ValueReference *of_var
 
 EXPORTED fmi3Status fmi3SetTime(void *given, double time) {
   instance *const of = (instance *)given;
-  if (of->is_stepped) return say(of, fmi3Error, "the time of a co-simulation goes on by steps");
+  if (of->is_stepped) return say(of, fmi3Error, "the time of a co-simulation advances only by steps");
   if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
   of->t = time;
   of->known = 0;
@@ -253,9 +254,9 @@ EXPORTED fmi3Status fmi3SetTime(void *given, double time) {
 EXPORTED fmi3Status fmi3SetContinuousStates(void *given, const double *x, size_t count) {
   instance *const of = (instance *)given;
   int i;
-  if (of->is_stepped) return say(of, fmi3Error, "the state of a co-simulation goes on by steps");
+  if (of->is_stepped) return say(of, fmi3Error, "the state of a co-simulation changes only by steps");
   if (of->mode == terminated) return say(of, fmi3Error, after_the_end);
-  if (count != states) return say(of, fmi3Error, "these are not as many states as there are");
+  if (count != states) return say(of, fmi3Error, "the number of states does not match the model");
   for (i = 0; i < states; ++i) of->x[i] = x[i];
   of->known = 0;
   return fmi3OK;
@@ -263,7 +264,7 @@ EXPORTED fmi3Status fmi3SetContinuousStates(void *given, const double *x, size_t
 
 static fmi3Status copied(instance *of, size_t count, int present, const double *from, double *to) {
   int i;
-  if (count != (size_t)present) return say(of, fmi3Error, "these are not as many values as there are");
+  if (count != (size_t)present) return say(of, fmi3Error, "the number of values does not match the model");
   for (i = 0; i < present; ++i) to[i] = from[i];
   return fmi3OK;
 }
@@ -287,14 +288,14 @@ EXPORTED fmi3Status fmi3GetEventIndicators(void *given, double *found, size_t co
   fmi3Status status = prepare(of);
   if (status == fmi3OK && indicators > 0) status = find_measured(of);
   if (status == fmi3OK && count != indicators)
-    status = say(of, fmi3Error, "these are not as many indicators as there are");
+    status = say(of, fmi3Error, "the number of event indicators does not match the model");
   for (i = 0; status == fmi3OK && i < indicators; ++i) found[i] = indicator(of, i);
   return status;
 }
 
 EXPORTED fmi3Status fmi3GetNominalsOfContinuousStates(void *given, double *nominals, size_t count) {
   size_t i;
-  if (count != states) return say((instance *)given, fmi3Error, "these are not as many states as there are");
+  if (count != states) return say((instance *)given, fmi3Error, "the number of states does not match the model");
   for (i = 0; i < count; ++i) nominals[i] = 1;
   return fmi3OK;
 }
@@ -311,13 +312,13 @@ EXPORTED fmi3Status fmi3GetNumberOfContinuousStates(void *of, size_t *count) {
   return fmi3OK;
 }
 
-/* ∂unknown/∂known of variables by their value references. */
+/* ∂unknown/∂known for two variables, given by their value references. */
 static fmi3Status partial(instance *of, fmi3ValueReference unknown, fmi3ValueReference known, double *found) {
   const int y = (int)unknown, z = (int)known;
   const bool is_state = is_among(z, FIRST_STATE, FIRST_RATE), is_input = is_among(z, FIRST_INPUT, FIRST_OUTPUT);
   fmi3Status status = fmi3OK;
   if (z != 0 && !is_state && !is_input)
-    return say(of, fmi3Error, "there are derivatives by states, inputs and the time alone");
+    return say(of, fmi3Error, "derivatives are available only with respect to states, inputs and the time");
   if (is_among(y, FIRST_STATE, FIRST_RATE)) {
     *found = y == z;
   } else if (is_among(y, FIRST_RATE, FIRST_PARAMETER)) {
@@ -333,7 +334,7 @@ static fmi3Status partial(instance *of, fmi3ValueReference unknown, fmi3ValueRef
                : is_input ? of->measured_by_inputs[row * inputs + z - FIRST_INPUT]
                           : of->measured_by_time[row];
   } else {
-    return say(of, fmi3Error, "there are derivatives of states, their rates and outputs alone");
+    return say(of, fmi3Error, "derivatives are available only of states, their rates and outputs");
   }
   return status;
 }
@@ -345,7 +346,8 @@ static fmi3Status products(instance *of, const fmi3ValueReference *unknowns, siz
   size_t i, j;
   fmi3Status status;
   if (drifts && of->mode <= initialization)
-    return say(of, fmi3Error, "until the initialization is over there are no derivatives, as states follow from others");
+    return say(of, fmi3Error,
+               "derivatives are not available before the end of initialization, because dependent states follow from others");
   status = prepare(of);
   for (i = 0; i < size; ++i) found[i] = 0;
   for (i = 0; i < unknown_count && status == fmi3OK; ++i)
@@ -362,7 +364,7 @@ EXPORTED fmi3Status fmi3GetDirectionalDerivative(void *given, const fmi3ValueRef
                                                  const double *seed, size_t seed_size, double *found, size_t size) {
   instance *const of = (instance *)given;
   if (seed_size != known_count || size != unknown_count)
-    return say(of, fmi3Error, "there are scalar variables alone");
+    return say(of, fmi3Error, "array variables are not supported");
   return products(of, unknowns, unknown_count, knowns, known_count, seed, found, false);
 }
 
@@ -371,7 +373,7 @@ EXPORTED fmi3Status fmi3GetAdjointDerivative(void *given, const fmi3ValueReferen
                                              size_t seed_size, double *found, size_t size) {
   instance *const of = (instance *)given;
   if (seed_size != unknown_count || size != known_count)
-    return say(of, fmi3Error, "there are scalar variables alone");
+    return say(of, fmi3Error, "array variables are not supported");
   return products(of, unknowns, unknown_count, knowns, known_count, seed, found, true);
 }
 )";

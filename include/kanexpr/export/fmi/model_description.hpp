@@ -8,7 +8,7 @@
 
 namespace kanexpr::exporting {
 
-/// Writes modelDescription.xml of FMI 3.0, and what tells how to compile the sources.
+/// Writes modelDescription.xml and buildDescription.xml of FMI 3.0.
 class model_description {
 public:
   explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
@@ -23,8 +23,8 @@ public:
   <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
     fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
   <LogCategories>
-    <Category name="logStatusDiscard" description="what cannot be computed at a state"/>
-    <Category name="logStatusError" description="calls that are not understood"/>
+    <Category name="logStatusDiscard" description="results that cannot be computed at a state"/>
+    <Category name="logStatusError" description="invalid calls"/>
   </LogCategories>
   <ModelVariables>
 @variables@  </ModelVariables>
@@ -41,7 +41,7 @@ public:
          {"structure", structure()}});
   }
 
-  /// buildDescription.xml, which stands beside the sources.
+  /// The text of buildDescription.xml, which is stored with the sources.
   std::string build() const {
     return filled(R"(<?xml version="1.0" encoding="UTF-8"?>
 <fmiBuildDescription fmiVersion="3.0">
@@ -97,7 +97,7 @@ private:
     return text;
   }
 
-  /// Each unknown with what it depends on.
+  /// Lists each unknown with its dependencies.
   std::string structure() const {
     std::string text;
     for (int i = 0; i < of_.count_of_states(); ++i)
@@ -121,8 +121,8 @@ private:
     return std::string("    <") + kind + " valueReference=\"" + std::to_string(reference) +
            "\" dependencies=\"" + (on.empty() ? on : on.substr(1)) + "\"/>\n";
   }
-  /// At the start parameters count too, and what the constraints give depends on all states: so on whatever
-  /// is known then, which CasADi wants to read in full.
+  /// During initialization, parameters matter too, and values that follow from the constraints depend on all
+  /// states; CasADi requires the full list, so all known variables are listed.
   std::string initial_unknown(int reference) const {
     std::string on;
     for (int i = 0; i < of_.count_of_states(); ++i)
@@ -139,7 +139,7 @@ private:
     return depends_on(by_all, by_all, i);
   }
 
-  /// The columns of a row that do not vanish.
+  /// The columns of the nonzero entries in a row.
   std::string depends_on(const exported_function* by_state, const exported_function* by_time, int row) const {
     std::string on;
     const auto look = [&](const exported_function* f, const char* matrix, int first) {

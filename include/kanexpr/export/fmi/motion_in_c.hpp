@@ -2,11 +2,11 @@
 
 #include <string_view>
 
-/// The parts of an FMU's C that are the same for all models, which begin with the counts of what there is.
-/// Memory is taken where an instance is made, and nowhere else; nothing is shared between instances.
+/// The parts of an FMU's C code that are the same for all models; they rely on the counts defined before
+/// them. Memory is allocated only when an instance is created; instances share nothing.
 namespace kanexpr::exporting::in_c_of_fmu {
 
-/// Types of FMI 3.0 as the standard describes them, and an instance.
+/// Types of FMI 3.0 as defined by the standard, and the instance.
 inline constexpr std::string_view declarations = R"(
 #if defined(_WIN32)
 #define EXPORTED __declspec(dllexport)
@@ -24,7 +24,7 @@ typedef void (*log_message)(void *environment, fmi3Status status, const char *ca
 
 enum mode { instantiated, initialization, event_mode, continuous_time, step_mode, terminated };
 
-/* What belongs to the values of an instance as they are. */
+/* Flags for the results that are up to date with the values of an instance. */
 enum { rates_are_known = 1, measured_is_known = 2, jacobian_is_known = 4, measured_jacobian_is_known = 8,
        is_on_constraints = 16 };
 
@@ -41,10 +41,10 @@ typedef struct {
   double measured_by_time[ROOM(measured_count)];
   double next[ROOM(states)];
   double tolerance; /* of the solver */
-  bool may_be_off; /* the constraints, as something was set since the last step */
-  bool is_positive[ROOM(indicators)]; /* by indicator, when events were looked for last */
-  bool is_zero[ROOM(indicators)];     /* then: what leaves zero does not pass it */
-  double level[ROOM(indicators)];     /* what counts as zero of it, where it is about to pass zero or to return */
+  bool may_be_off; /* the constraints may be violated, as a value was set since the last step */
+  bool is_positive[ROOM(indicators)]; /* sign of each indicator at the last check for events */
+  bool is_zero[ROOM(indicators)];     /* at that check; leaving zero is not a crossing */
+  double level[ROOM(indicators)];     /* treated as zero while an indicator is about to cross zero or to return */
 } instance;
 
 static fmi3Status say(const instance *of, fmi3Status status, const char *message) {
@@ -61,9 +61,9 @@ static fmi3Status finite(const instance *of, const double *values, int count) {
 }
 )";
 
-/// For functions that have something to check.
+/// Used by functions that have checks.
 inline constexpr std::string_view failure = R"(
-/* Says which of the checks failed. */
+/* Reports the checks that failed. */
 static fmi3Status failed(const instance *of, unsigned long long status, const char *const *causes, int count) {
   int i;
   for (i = 0; i < count; ++i)
@@ -72,9 +72,9 @@ static fmi3Status failed(const instance *of, unsigned long long status, const ch
 }
 )";
 
-/// Constraints, events and steps of a fixed length, on functions that evaluate the model.
+/// Constraints, events and steps of fixed length, based on the functions that evaluate the model.
 inline constexpr std::string_view motion = R"(
-/* How far the next state is from this one, each entry by its size. */
+/* The largest change from this state to the next, each entry relative to its size. */
 static double way_to_next(const instance *of) {
   double longest = 0;
   int i;
@@ -93,7 +93,7 @@ static void go_to_next(instance *of) {
 
 static const double close_to_constraints = 1e-9;
 
-/* Steps of Newton's method, each of which squares what is left. Where they fail, nothing has moved. */
+/* Newton's method, which converges quadratically. If it fails, the state is unchanged. */
 static fmi3Status to_constraints(instance *of) {
   enum { most_steps = 100 };
   double way = drifts ? 2 * close_to_constraints : 0, before[ROOM(states)];
@@ -106,7 +106,7 @@ static fmi3Status to_constraints(instance *of) {
     go_to_next(of);
   }
   if (status == fmi3OK && !(way <= close_to_constraints))
-    status = say(of, fmi3Discard, "Newton's method finds no state that satisfies the constraints");
+    status = say(of, fmi3Discard, "Newton's method found no state that satisfies the constraints");
   if (status == fmi3OK) {
     of->known |= is_on_constraints;
   } else {
@@ -116,8 +116,8 @@ static fmi3Status to_constraints(instance *of) {
   return status;
 }
 
-/* Until the initialization is over, and after a tool has changed a parameter or an input of a co-simulation, what is
-   asked for follows from what is independent. A state on the constraints stays as it is, to the last bit. */
+/* Before the end of initialization, and after a tool has changed a parameter or an input of a co-simulation, dependent
+   states are computed from independent ones. A state on the constraints is not changed, not even in the last bit. */
 static fmi3Status prepare(instance *of) {
   fmi3Status status = fmi3OK;
   if (of->mode <= initialization) return (of->known & is_on_constraints) ? fmi3OK : to_constraints(of);
@@ -128,7 +128,7 @@ static fmi3Status prepare(instance *of) {
   return status;
 }
 
-/* Whether a solver lost the constraints by more than its tolerance; the next state has them. */
+/* Checks whether a solver violates the constraints by more than its tolerance; `next` satisfies them. */
 static fmi3Status look_for_drift(instance *of, bool *is_far) {
   const fmi3Status status = find_correction(of);
   *is_far = status == fmi3OK && way_to_next(of) > of->tolerance;
@@ -137,7 +137,7 @@ static fmi3Status look_for_drift(instance *of, bool *is_far) {
 
 static double indicator(const instance *of, int i) { return of->measured[outputs + i] - of->level[i]; }
 
-/* Notes on which side of zero an indicator is. */
+/* Records on which side of zero an indicator is. */
 static void look_at(instance *of, int i) {
   const double found = of->measured[outputs + i], level = of->level[i];
   if (!((level < found && found <= 0) || (0 <= found && found <= level && level > 0))) of->level[i] = 0;
@@ -153,7 +153,7 @@ static fmi3Status look_at_indicators(instance *of) {
   return status;
 }
 
-/* How much an indicator changes where the state and the time change by what cannot be told from rounding. */
+/* The change of an indicator when the state and the time change by rounding errors. */
 static double rounding_of(const instance *of, int i) {
   const int row = outputs + i;
   double sum = fabs(of->measured_by_time[row]) * (1 + fabs(of->t));
@@ -163,15 +163,15 @@ static double rounding_of(const instance *of, int i) {
   return 1e-12 * sum;
 }
 
-/* Lets an indicator that is zero, as far as can be told, pass zero again: it counts as on the side from which it would
-   come. The derivatives are known. */
+/* Lets an indicator that is zero up to rounding cross zero again: it counts as being on the side from which it would
+   come. Requires up-to-date derivatives. */
 static void wait_for(instance *of, int i, int direction_of_passing) {
   const double found = of->measured[outputs + i], rounding = rounding_of(of, i);
   if (fabs(found) <= 1000 * rounding)
     of->level[i] = direction_of_passing < 0 ? fmin(found, 0) - rounding : fmax(found, 0) + rounding;
 }
 
-/* At the start there is nothing to pass from: an indicator that is zero there passes zero if it leaves it in the
+/* At the start there is no previous sign: an indicator that is zero there crosses zero if it leaves zero in the
    direction of its event. */
 static fmi3Status begin_indicators(instance *of) {
   fmi3Status status = find_measured(of);
@@ -187,7 +187,7 @@ static fmi3Status begin_indicators(instance *of) {
   return status == fmi3OK ? look_at_indicators(of) : status;
 }
 
-/* In which direction an indicator has passed zero, or come to it; 0: it has not, or not as its event wants. */
+/* The direction in which an indicator has crossed or reached zero; 0 if it has not, or not in the event's direction. */
 static int passed(const instance *of, int i) {
   const double found = indicator(of, i);
   const bool is_positive = found == 0 ? !of->is_positive[i] : found > 0;
@@ -195,7 +195,7 @@ static int passed(const instance *of, int i) {
   return is_positive ? 1 : -1;
 }
 
-/* The rates of indicators while inputs hold. */
+/* The rates of the indicators at constant inputs. */
 static fmi3Status find_slopes(instance *of, double *slopes) {
   fmi3Status status = find_rates(of);
   int i, j;
@@ -208,8 +208,8 @@ static fmi3Status find_slopes(instance *of, double *slopes) {
   return status;
 }
 
-/* All that happens at this instant. The values of all changes are those of the state before. An indicator that its
-   event has turned round, or brought to rest, may pass zero again at once. */
+/* Handles all events at this instant. All new values are computed from the state before. An indicator whose rate its
+   event has reversed or set to zero may cross zero again immediately. */
 static fmi3Status handle_events(instance *of, bool *is_changed, bool *ends) {
   fmi3Status status = find_measured(of);
   int happened[ROOM(indicators)], has_changed[ROOM(indicators)];
@@ -246,7 +246,7 @@ static fmi3Status pass_any(instance *of, bool *any) {
   return status;
 }
 
-/* Between events an indicator may pass zero the other way. */
+/* Between events, an indicator may cross zero in the other direction. */
 static fmi3Status follow_indicators(instance *of, bool *any) {
   const fmi3Status status = pass_any(of, any);
   int i;
@@ -268,8 +268,7 @@ static fmi3Status advance(instance *of, const double *from, double t, double h) 
   return fmi3OK;
 }
 
-/* A step with the events that it holds, each found by halving. Where it fails, nothing has moved since the last of
-   these. */
+/* A step with the events in it, each located by bisection. If the step fails, the state is left at the last event. */
 static fmi3Status step_with_events(instance *of, double h, bool *ends) {
   enum { most_events = 100, most_halvings = 60 };
   double left = h, before[ROOM(states)];

@@ -9,13 +9,13 @@
 
 namespace kanexpr::exporting {
 
-/// Writes NAME_fmi.c: the functions of FMI 3.0 on those of NAME.c.
+/// Writes NAME_fmi.c: the functions of FMI 3.0, based on those of NAME.c.
 class fmu_source {
 public:
   explicit fmu_source(const fmu& of) : of_(of), name_(of.system.name) {}
 
   std::string text(const std::string& token) const {
-    std::string text = "/* " + name_ + " by the functions of FMI 3.0. */\n#include \"" + name_ + ".h\"\n\n";
+    std::string text = "/* The functions of FMI 3.0 for " + name_ + ". */\n#include \"" + name_ + ".h\"\n\n";
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
@@ -41,7 +41,7 @@ enum {
   indicators = @indicators@,
   measured_count = outputs + indicators,
   change_count = @changes@,
-  drifts = @drifts@ /* whether constraints or norms are lost on the way */
+  drifts = @drifts@ /* whether constraints or norms drift during integration */
 };
 
 /* Value references: 0 is the time. */
@@ -61,7 +61,7 @@ enum {
          {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
-  /// An array, of one entry where there is none.
+  /// An array; it gets one entry if there is none.
   static std::string array(const char* type, const char* called, const std::vector<std::string>& entries) {
     std::string text = std::string("static const ") + type + ' ' + called + "[] = {";
     for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "" : ", ") + entries[i];
@@ -108,10 +108,10 @@ enum {
 
   struct call {
     const char* function;
-    std::vector<std::string> into; ///< entries of the instance
+    std::vector<std::string> into; ///< members of the instance
   };
 
-  /// A function of C that evaluates some of the system into entries of an instance.
+  /// A C function that evaluates parts of the system into members of an instance.
   std::string evaluation(const std::string& called, const std::string& known, const std::vector<call>& calls,
                          const std::string& given = "instance *of") const {
     std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;
@@ -125,8 +125,8 @@ enum {
     return text + "  return fmi3OK;\n}\n";
   }
 
-  /// Where several results fill one entry of the instance, they stand there one behind another; where there
-  /// are no inputs, there is no derivative by them.
+  /// Several results that share a member of the instance are stored there one after another. Without inputs
+  /// there is no derivative with respect to them.
   std::string evaluated(const exported_function& f, const std::vector<std::string>& into) const {
     const std::string whole = name_ + '_' + f.name;
     const char* const step = !f.takes_step ? "" : f.name == fmu::step ? "h, " : "0, ";

@@ -6,13 +6,13 @@
 
 namespace kanexpr::exporting::in_c_of_fmu {
 
-/// A function of FMI 3.0 that has to be there, and the types of what it is given behind the instance.
+/// A function that FMI 3.0 requires, and the types of its arguments after the instance.
 struct unsupported {
   std::string_view name{};
-  std::string_view given{}; ///< one behind another, with `|` between them
+  std::string_view given{}; ///< separated by `|`
 };
 
-/// `T` stands for each of the types of values that no variable has.
+/// `T` is replaced by each value type that no variable has.
 inline constexpr unsupported of_each_type[]{
     {"fmi3Get", "const fmi3ValueReference *|size_t|T *|size_t"},
     {"fmi3Set", "const fmi3ValueReference *|size_t|const T *|size_t"},
@@ -54,7 +54,7 @@ inline constexpr unsupported others[]{
     {"fmi3ActivateModelPartition", "fmi3ValueReference|double"},
 };
 
-/// A function that does nothing but report that. `T` in its arguments stands for a type of values.
+/// A function that only reports that it is not supported. `T` in its arguments is replaced by `of_values`.
 inline std::string refusal(const std::string& name, std::string_view given, std::string_view of_values = {}) {
   std::string signature = "EXPORTED fmi3Status " + name + "(void *of", unused;
   for (char letter = 'a'; !given.empty(); ++letter) {
@@ -70,7 +70,7 @@ inline std::string refusal(const std::string& name, std::string_view given, std:
 }
 
 inline std::string all_refusals() {
-  std::string text = "\n/* What FMI has and this does not. */\n";
+  std::string text = "\n/* Functions of FMI that are not supported. */\n";
   for (const unsupported& type : types_of_values)
     for (const unsupported& each : of_each_type)
       text += refusal(std::string(each.name) + std::string(type.name), each.given, type.given);
