@@ -12,7 +12,7 @@
 
 namespace kanexpr::simulated {
 
-/// The manifold of the constraints and quaternions of a system. A projection makes the smallest correction:
+/// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction:
 /// first of the coordinates, by Newton's method, then of the speeds, in which the constraints are linear
 /// (Eich 1993).
 ///

@@ -85,7 +85,7 @@ struct watched {
 
 } // namespace simulated
 
-/// Returns the event that an expression of the model passes zero, or that an equation holds: `when<System,
+/// Returns the event in which an expression of the model passes zero or an equation holds: `when<System,
 /// dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
 template <class System, auto expression>
 event<System> when(std::string name, crossing direction = crossing::either,

@@ -240,7 +240,7 @@ private:
     return around_.name_of_state(i) + " overflows double";
   }
 
-  /// Rejects functions that stay at zero: integrators report an arbitrary time at which they are zero.
+  /// Rejects functions that stay at zero, for which integrators report an arbitrary time.
   bool is_passing(const std::vector<int>& passed) {
     const int resting = departures_.resting(result_.time, state_, passed);
     return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +

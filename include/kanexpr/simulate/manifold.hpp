@@ -42,7 +42,7 @@ public:
   /// there.
   virtual bool project(double t, const vector& x, const vector& r, const vector& weights) = 0;
   virtual const vector& correction() const = 0;
-  /// Removes from an error estimate its component normal to the manifold, at the last projection.
+  /// Removes from an error estimate its component normal to the manifold at the last projection.
   virtual void project_error(double* error) const = 0;
 };
 

@@ -11,8 +11,8 @@
 
 namespace kanexpr::simulated {
 
-/// An outlook on the beginning of a motion: steps of the classic Runge-Kutta method from the start, each
-/// longer than the one before, as long as they can be trusted.
+/// Explores the beginning of a motion by steps of the classic Runge-Kutta method from the start, each longer
+/// than the one before, as long as they can be trusted.
 class trial_steps {
 public:
   using state = Eigen::VectorXd;
@@ -98,7 +98,7 @@ private:
       for (const outlook& o : seen_)
         if (std::abs(o.change(i)) > farthest) farthest = std::abs(o.change(i));
       if (std::abs(start_(i)) <= std::numeric_limits<double>::epsilon() * farthest)
-        continue; // practically zero
+        continue; // effectively zero
       const auto changed = std::ranges::find_if(
           seen_, [&](const outlook& o) { return std::abs(o.change(i)) >= std::abs(start_(i)); });
       times.push_back(changed != seen_.end() ? changed->ahead : all);
