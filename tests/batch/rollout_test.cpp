@@ -153,7 +153,7 @@ TEST(rollout, refuses_what_does_not_fit) {
   many<eom::state> x = pendulums<double>(4);
   rollout<runge_kutta_4<System>> ahead(5, {.step = 1e-2, .steps = 20});
   EXPECT_EQ(ahead.run(x, some, eom::inputs(0.2)).cause(),
-            "the arguments are of another number of systems than the rollout");
+            "the arguments and the rollout have different numbers of systems");
   EXPECT_EQ(ahead.failures(), 5);
   rollout<runge_kutta_4<System>> backward(4, {.step = 1e-2, .steps = -1});
   EXPECT_EQ(backward.run(x, some, eom::inputs(0.2)).cause(), "the number of steps is negative");

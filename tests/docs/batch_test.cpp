@@ -1,4 +1,4 @@
-// Many systems at once: docs/guide/batch.md.
+// Many systems in parallel: docs/guide/batch.md.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <models/double_pendulum.hpp>

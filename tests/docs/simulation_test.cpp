@@ -48,7 +48,7 @@ TEST(simulation, is_of_a_pendulum) {
   EXPECT_EQ(read["q"].size(), 1001);
   EXPECT_EQ(read["v"].cause(), "the table has no column v; it has t, q, u and T");
 #include <docs/simulation/column.cpp>
-  EXPECT_EQ(table.add("energy", path.energies().total).cause(), "there is a column energy already");
+  EXPECT_EQ(table.add("energy", path.energies().total).cause(), "column energy already exists");
 }
 
 TEST(simulation, prescribes_an_angle) {

@@ -141,7 +141,7 @@ TEST(ensemble, goes_on_where_a_run_fails) {
   EXPECT_EQ(found.failures[1].run, 2u);
   EXPECT_THAT(found.failures[1].cause,
               testing::AllOf(testing::StartsWith("the simulation ended at t = 0.638550862 with h = "),
-                             testing::EndsWith("events happen ever faster; a handler must end that")));
+                             testing::EndsWith("events occur faster and faster; a handler must stop this")));
   EXPECT_NEAR(found.failures[1].time, std::sqrt(4 / 9.81), 1e-6);
   ASSERT_EQ(found.failures[1].state.size(), 2u);
   EXPECT_NEAR(found.failures[1].state[0], 0, 1e-9);
@@ -263,7 +263,7 @@ TEST(ensemble, says_what_was_told_wrongly) {
   told = bouncing_balls(), told.keep.push_back(times_of("flip", "flips"));
   EXPECT_EQ(refusal(told), "the simulations of the study have no event flip");
   told = bouncing_balls(), told.keep.push_back(at_end<v>("g"));
-  EXPECT_EQ(refusal(told), "of what the study keeps, there is a column g already");
+  EXPECT_EQ(refusal(told), "of what the study keeps, column g already exists");
   told = bouncing_balls(), told.keep.push_back(at_end<height>());
   EXPECT_EQ(refusal(told), "of what the study keeps, a column has no name");
   told = bouncing_balls(), told.units.push_back({"hh", "m"});

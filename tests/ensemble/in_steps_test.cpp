@@ -149,8 +149,8 @@ TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
   EXPECT_EQ(held.failed, 3u);
   ASSERT_GT(held.failures.size(), 0u);
   EXPECT_EQ(held.failures[0].cause,
-            "coordinate q1, which is dependent, was given 1 and is 1.93649167; leave it "
-            "out, name others dependent<...>, or set guesses_dependent");
+            "coordinate q1, which is dependent, was given as 1, but the constraints require 1.93649167; omit "
+            "it, declare others dependent<...>, or set guesses_dependent");
   told.guesses_dependent = true;
   const auto found = ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run();
   ASSERT_TRUE(found) << found.cause();
@@ -173,14 +173,14 @@ TEST(ensemble_in_steps, holds_what_dependent_variables_are_given) {
   ASSERT_EQ(found.failed, 1u) << found.cause();
   EXPECT_EQ(found.failures[0].run, 1u);
   EXPECT_THAT(found.failures[0].cause,
-              testing::StartsWith("coordinate q1, which is dependent, was given 1.5 and is 1.6; "));
+              testing::StartsWith(
+                  "coordinate q1, which is dependent, was given as 1.5, but the constraints require 1.6; "));
   told.for_each_run = [](const run_values&, auto& one) { one.x[u1] = 9; };
   found = run();
   EXPECT_EQ(found.failed, 2u);
-  EXPECT_EQ(
-      found.cause().find("all 2 runs failed, the first of them: speed u1, which is dependent, was given "
-                         "9 and is -0.075; "),
-      0u)
+  EXPECT_EQ(found.cause().find("all 2 runs failed, the first of them: speed u1, which is dependent, was "
+                               "given as 9, but the constraints require -0.075; "),
+            0u)
       << found.cause();
 }
 
@@ -194,7 +194,7 @@ TEST(ensemble_in_steps, takes_no_rates_that_are_not_those_of_what_is_prescribed)
       .step = 1e-2,
       .steps = 100};
   const std::string all = "the run failed, the first of them: prescribed quantity theta ";
-  EXPECT_EQ(ensemble_in_steps(told).run().cause(), all + "is given as constant, with the rate 2");
+  EXPECT_EQ(ensemble_in_steps(told).run().cause(), all + "is constant, but its rate is given as 2");
   told.inputs = {};
   const auto turning_at = [](double rate) {
     return [=](double t, const auto& x) {
@@ -206,7 +206,7 @@ TEST(ensemble_in_steps, takes_no_rates_that_are_not_those_of_what_is_prescribed)
   };
   EXPECT_TRUE(ensemble_in_steps(told, turning_at(2)).run());
   EXPECT_EQ(ensemble_in_steps(told, turning_at(0)).run().cause(),
-            all + "changes at the rate 2 at t = 0.001, and its rate is given as 0");
+            all + "changes at the rate 2 at t = 0.001, but its rate is given as 0");
 }
 
 TEST(ensemble_in_steps, says_what_was_told_wrongly) {

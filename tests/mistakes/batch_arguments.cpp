@@ -26,22 +26,22 @@ const eom::state one = eom::state::Zero();
 const eom::parameters p(1);
 const eom::inputs r(0);
 
-// expect: evaluate is given `many` of one precision for results of another
+// expect: the precision of the `many` arguments differs from that of the results
 const status of_float = results.evaluate(of_less_precision, p, r);
 
-// expect: evaluate takes `many` states: of one state, call the function itself
+// expect: evaluate takes `many` states; for one state, call the function itself
 const status of_one = results.evaluate(one, p, r);
 
-// expect: run is given `many` of one precision for states of another
+// expect: the precision of the `many` arguments differs from that of the states
 const status by_float = ahead.run(x, p_of_less_precision, r);
 
-// expect: run moves `many` states of its system and precision, which must not be constant
+// expect: run requires non-const `many` states of its system and precision
 const status of_constant = ahead.run(constant, p, r);
 
-// expect: run takes `many` states: of one state, call the step itself
+// expect: run takes `many` states; for one state, call the step itself
 const status moved_one = ahead.run(one, p, r);
 
-// expect: the inputs are neither those of one system nor `many` nor a function (t, x) that is constant, a
-// expect: lambda without `mutable`
+// expect: the inputs must be those of one system, `many`, or a const function (t, x), such as a lambda
+// expect: without `mutable`
 const status by_mutable =
     ahead.run(x, p, [calls = 0](double, const eom::state&) mutable { return eom::inputs(++calls); });

@@ -45,19 +45,22 @@ TEST(constrained, keeps_what_is_given) {
     return std::string(run.cause());
   };
   const double angle = std::acos(1.5 - std::cos(0.3)), rate = -std::sin(0.3) / std::sin(angle);
-  const char* advice = "; leave it out, name others dependent<...>, or set guesses_dependent";
+  const char* advice = "; omit it, declare others dependent<...>, or set guesses_dependent";
   const simulation_options<System> still{.inputs = led_at(1.5, 0)};
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 1}, {u2, rate}}, still), "");
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle + 2e-5}, {u1, 1}}, still), "");
   EXPECT_EQ(said({{q1, 0.3}, {q2, -0.5}, {u1, 0}}, still),
-            "coordinate q2, which is dependent, was given -0.5 and is " + simulated::digits(-angle) + advice);
+            "coordinate q2, which is dependent, was given as -0.5, but the constraints require " +
+                simulated::digits(-angle) + advice);
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 0}, {u2, 30}}, still),
-            "speed u2, which is dependent, was given 30 and is 0" + std::string(advice));
+            "speed u2, which is dependent, was given as 30, but the constraints require 0" +
+                std::string(advice));
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 0}, {u2, 30}},
                  {.inputs = led_at(1.5, 0), .guesses_dependent = true}),
             "");
   EXPECT_EQ(said(state<System>(0.3, angle, 1, 0), still),
-            "speed u2, which is dependent, was given 0 and is " + simulated::digits(rate) + advice);
+            "speed u2, which is dependent, was given as 0, but the constraints require " +
+                simulated::digits(rate) + advice);
 }
 
 TEST(constrained, keeps_what_a_handler_changes) {
@@ -74,8 +77,10 @@ TEST(constrained, keeps_what_a_handler_changes) {
                      }}}});
   };
   const auto changed = run(7);
-  EXPECT_THAT(changed.cause(), testing::HasSubstr("speed u2, which is dependent, was given 7 and is "));
-  EXPECT_THAT(changed.cause(), testing::EndsWith(", after the handler of an event"));
+  EXPECT_THAT(
+      changed.cause(),
+      testing::HasSubstr("speed u2, which is dependent, was given as 7, but the constraints require "));
+  EXPECT_THAT(changed.cause(), testing::EndsWith("after the handler of an event"));
 }
 
 // By the other methods in singular_positions_test.cpp: with sanitizers they take minutes.

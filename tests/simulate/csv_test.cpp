@@ -131,18 +131,19 @@ TEST(csv, says_what_is_wrong_and_where) {
   expect_refused("t,q1\n1,+-2\n", "line 2 of run.csv: '+-2' in column q1 is not a number");
   expect_refused("t,q1\n1,1e999\n",
                  "line 2 of run.csv: '1e999' in column q1 is too large or too small for a double");
-  expect_refused("a,b,c,d,e\n1,2,3,4,5\n1,2,3,4\n", "line 3 of run.csv has 4 fields, the header 5");
-  expect_refused("a,b\n1\n", "line 2 of run.csv has 1 field, the header 2");
-  expect_refused("a,b\n1,2,\n", "line 2 of run.csv has 3 fields, the header 2");
+  expect_refused("a,b,c,d,e\n1,2,3,4,5\n1,2,3,4\n", "line 3 of run.csv has 4 fields; expected 5");
+  expect_refused("a,b\n1\n", "line 2 of run.csv has 1 field; expected 2");
+  expect_refused("a,b\n1,2,\n", "line 2 of run.csv has 3 fields; expected 2");
   expect_refused("a,b\n1,2\n\n3,4\n", "line 3 of run.csv is empty");
   expect_refused("\n\na,b\n1,2\n", "line 1 of run.csv is empty");
-  expect_refused("t,q1,t\n", "line 1 of run.csv is not a header: there is a column t already");
+  expect_refused("t,q1,t\n", "line 1 of run.csv is not a header: column t already exists");
   expect_refused("t,,u1\n", "line 1 of run.csv is not a header: a column has no name");
-  expect_refused("1,2\n3,4\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
-  expect_refused("nan\n", "line 1 of run.csv holds numbers; it must hold the names of the columns");
-  expect_refused("t;q1\n0,5;1,5\n", "line 1 of run.csv is separated by semicolons; it must be by commas");
-  expect_refused("1;2\n3;4\n", "line 1 of run.csv is separated by semicolons; it must be by commas");
-  expect_refused("t\tq1\n1\t2\n", "line 1 of run.csv is separated by tabs; it must be by commas");
+  expect_refused("1,2\n3,4\n",
+                 "line 1 of run.csv contains numbers; it must contain the names of the columns");
+  expect_refused("nan\n", "line 1 of run.csv contains numbers; it must contain the names of the columns");
+  expect_refused("t;q1\n0,5;1,5\n", "line 1 of run.csv uses semicolons as separators; it must use commas");
+  expect_refused("1;2\n3;4\n", "line 1 of run.csv uses semicolons as separators; it must use commas");
+  expect_refused("t\tq1\n1\t2\n", "line 1 of run.csv uses tabs as separators; it must use commas");
   expect_refused("t,\"q1\n1,2\n", "line 1 of run.csv opens a quote that is not closed");
   expect_refused("t,\"q\"1\n", "line 1 of run.csv has text after a closing quote");
   expect_refused("\"two\nlines\",b\n1,2\n1,x\n", "line 4 of run.csv: 'x' in column b is not a number");
@@ -152,11 +153,11 @@ TEST(csv, says_what_is_wrong_and_where) {
 TEST(csv, refuses_carriage_returns_alone) {
   for (const char* text : {"t,q1\r0,1\r2,3\r", "t\r0\r1", "\"t\",\"q1\"\r0,1", "\"t\",\"q1\"\r,1",
                            "t,\r0,1\n", "t,q1\r\"0\",1\n"})
-    EXPECT_EQ(read(text).cause(), "line 1 of run.csv holds a carriage return within; lines end with a line "
-                                  "feed, or with both")
+    EXPECT_EQ(read(text).cause(),
+              "line 1 of run.csv contains a carriage return; lines must end with LF or CR LF")
         << text;
-  EXPECT_EQ(read("t\n0\r1\n").cause(), "line 2 of run.csv holds a carriage return within; lines end with a "
-                                       "line feed, or with both");
+  EXPECT_EQ(read("t\n0\r1\n").cause(),
+            "line 2 of run.csv contains a carriage return; lines must end with LF or CR LF");
   EXPECT_TRUE(read("t,q1\r\r\n0,1\r\n2,3\r"));
   EXPECT_EQ(read("\"two\r\nlines\"\r\n1\r\n").names()[0], "two\r\nlines");
 }
@@ -187,11 +188,10 @@ TEST(csv, refuses_utf_16) {
     const std::string mark = small_end_first ? "\xFF\xFE" : "\xFE\xFF",
                       text = in_utf_16("t\n1\n", small_end_first);
     EXPECT_EQ(read(mark + text).cause(), "line 1 of run.csv is not UTF-8 but UTF-16 or UTF-32");
-    EXPECT_EQ(read(text).cause(),
-              "line 1 of run.csv holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
+    EXPECT_EQ(read(text).cause(), "line 1 of run.csv contains a zero byte: it is not text in UTF-8");
   }
   EXPECT_EQ(read(std::string("t\n1\n\0\n", 6)).cause(),
-            "line 3 of run.csv holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
+            "line 3 of run.csv contains a zero byte: it is not text in UTF-8");
 }
 
 TEST(csv, names_a_stream_without_a_name) {
@@ -267,11 +267,11 @@ TEST(csv_writer, refuses_a_row_of_wrong_length_and_what_follows) {
   csv_writer writer(out, {"t", "q1"});
   EXPECT_TRUE(writer.row({0, 1}));
   EXPECT_FALSE(writer.row({3}));
-  EXPECT_EQ(writer.cause(), "row 2 has 1 number, the header 2 names");
+  EXPECT_EQ(writer.cause(), "row 2 has 1 number, but the header has 2 names");
   EXPECT_FALSE(writer.row({4, 5}));
   EXPECT_FALSE(writer.finish());
   EXPECT_FALSE(writer);
-  EXPECT_EQ(writer.cause(), "row 2 has 1 number, the header 2 names");
+  EXPECT_EQ(writer.cause(), "row 2 has 1 number, but the header has 2 names");
   EXPECT_EQ(out.str(), "t,q1\n0,1\n");
 }
 
@@ -279,7 +279,7 @@ TEST(csv_writer, refuses_a_row_of_wrong_length_and_what_follows) {
 TEST(csv_writer, refuses_a_header_that_is_none) {
   std::ostringstream out;
   csv_writer doubled(out, {"t", "q", "t"}), nameless(out, {"t", ""});
-  EXPECT_EQ(doubled.cause(), "there is a column t already");
+  EXPECT_EQ(doubled.cause(), "column t already exists");
   EXPECT_FALSE(doubled.row({0, 1, 2}));
   EXPECT_EQ(nameless.cause(), "a column has no name");
   EXPECT_EQ(out.str(), "");

@@ -33,7 +33,7 @@ TEST(fast_math, tells_what_is_not_finite_of_simulations) {
   EXPECT_EQ(check_span({none(), 1}), "the time span is not finite");
   EXPECT_EQ(check_tolerance(none()), "a tolerance is not finite");
   EXPECT_EQ(check_output_every(none(), {0, 1}, 8), "the time between two samples is not finite");
-  EXPECT_EQ(check_step(none()), "the size of a step is not finite");
+  EXPECT_EQ(check_step(none()), "a step size is not finite");
   EXPECT_NE(check_output_times({0.5, none()}, {0, 1}), "");
   EXPECT_EQ(check_span({0, 1}) + check_tolerance(1e-6) + check_output_every(0.1, {0, 1}, 8) +
                 check_step(0.1) + check_output_times({0.5}, {0, 1}),

@@ -79,9 +79,9 @@ TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
   };
   EXPECT_EQ(cause({.inputs = {{x, 1}, {dot(x), 0}, {dot(dot(x)), 0}}}), "");
   EXPECT_EQ(cause({.inputs = {{x, 0}, {dot(x), 2}, {dot(dot(x)), 0}}}),
-            "prescribed quantity x is given as constant, with the rate 2");
+            "prescribed quantity x is constant, but its rate is given as 2");
   EXPECT_EQ(cause({.inputs = {{x, 0}, {dot(x), 0}, {dot(dot(x)), -1}}}),
-            "prescribed quantity dot(x) is given as constant, with the rate -1");
+            "prescribed quantity dot(x) is constant, but its rate is given as -1");
 
   const auto given = [](auto value, auto rate, auto second) {
     return [=](double t, const state<System>&, input_values<System>& r) {
@@ -93,11 +93,11 @@ TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
   const auto cosine = [](double t) { return 40 * std::cos(40 * t); };
   const auto second = [](double t) { return -1600 * std::sin(40 * t); };
   EXPECT_EQ(cause({.inputs = given([](double t) { return 2 * t; }, zero, zero)}),
-            "prescribed quantity x changes at the rate 2 at t = 0.005, and its rate is given as 0");
+            "prescribed quantity x changes at the rate 2 at t = 0.005, but its rate is given as 0");
   EXPECT_EQ(
       cause({.inputs =
                  [](double t) { return input_values<System>{{x, 2 * t}, {dot(x), 0}, {dot(dot(x)), 0}}; }}),
-      "prescribed quantity x changes at the rate 2 at t = 0.005, and its rate is given as 0");
+      "prescribed quantity x changes at the rate 2 at t = 0.005, but its rate is given as 0");
   EXPECT_EQ(cause({.inputs = given(sine, cosine, second)}), "");
   EXPECT_THAT(cause({.inputs = given(
                          sine, [&](double t) { return cosine(t) / 40; }, second)}),
@@ -107,7 +107,7 @@ TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
   // What happens later alone.
   const auto late = [](double t) { return t > 1 ? (t - 1) * (t - 1) : 0.0; };
   EXPECT_EQ(cause({.inputs = given(late, zero, zero)}),
-            "prescribed quantity x changes at the rate 2 at t = 2, and its rate is given as 0");
+            "prescribed quantity x changes at the rate 2 at t = 2, but its rate is given as 0");
 }
 
 TEST(inputs, are_prescribed_by_tables_with_corners_and_steps) {
@@ -215,7 +215,7 @@ TEST(inputs, that_a_function_forgets_are_told) {
   const auto run = simulate<System>({{q, 0}, {u, 0}}, controlled::numbers, {0, 1},
                                     {.inputs = [](double, const state<System>&, input_values<System>&) {}});
   EXPECT_FALSE(run);
-  EXPECT_THAT(run.cause(), testing::HasSubstr("the function of the inputs gives input T no finite value"));
+  EXPECT_THAT(run.cause(), testing::HasSubstr("the input function leaves input T without a finite value"));
 }
 
 TEST(inputs, whose_function_throws_end_a_simulation) {
@@ -225,7 +225,7 @@ TEST(inputs, whose_function_throws_end_a_simulation) {
                                       return input_values<System>(0.0);
                                     }});
   EXPECT_FALSE(run);
-  EXPECT_THAT(run.cause(), testing::EndsWith("the function of the inputs threw: no more torque"));
+  EXPECT_THAT(run.cause(), testing::EndsWith("the input function threw: no more torque"));
   EXPECT_GT(run.trajectory.size(), 10u);
   EXPECT_LE(run.trajectory.back().t, 1);
   EXPECT_EQ(run.time, run.trajectory.back().t);

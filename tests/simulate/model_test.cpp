@@ -161,7 +161,7 @@ TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
   EXPECT_EQ(cause(start, numbers, {}), "input T has no value");
   EXPECT_EQ(cause(start, numbers, {.inputs = {{"S", 0}}}), "the model has no input S");
   EXPECT_EQ(cause(start, numbers, {.inputs = {{"T", 0}}, .absolute_tolerances = {{"w", 1}}}),
-            "of the tolerances, the model has no coordinate or speed w");
+            "in the tolerances, the model has no coordinate or speed w");
 }
 
 TEST(simulated_model, tells_of_names_that_functions_ask_for) {
@@ -171,16 +171,16 @@ TEST(simulated_model, tells_of_names_that_functions_ask_for) {
   };
   const std::string at_start = "the simulation ended at t = 0 with q = 0.3, u = 0: ";
   EXPECT_EQ(cause({.inputs = [](double, const state<model>& x, input_values<model>& r) { r["T"] = x["w"]; }}),
-            at_start + "the function of the inputs: the model has no coordinate or speed w");
+            at_start + "the input function: the model has no coordinate or speed w");
   EXPECT_EQ(cause({.inputs = [](double, const state<model>&, input_values<model>& r) { r["S"] = 0; }}),
-            at_start + "the function of the inputs: the model has no input S");
+            at_start + "the input function: the model has no input S");
   EXPECT_EQ(cause({.inputs = [](double) { return input_values<model>(Eigen::Vector2d(1, 2)); }}),
-            at_start + "the function of the inputs: the input vector of the model has 1 entry, not 2");
+            at_start + "the input function: the input vector of the model has 1 entry, not 2");
   EXPECT_EQ(cause({.inputs = [](double, const state<model>&, input_values<model>&) {}}),
-            at_start + "the function of the inputs gives input T no finite value");
+            at_start + "the input function leaves input T without a finite value");
   EXPECT_EQ(
       cause({.inputs = [](double) -> input_values<model> { throw std::runtime_error("no more torque"); }}),
-      at_start + "the function of the inputs threw: no more torque");
+      at_start + "the input function threw: no more torque");
   const event<model> odd(
       "odd", [](double, const auto&, const parameter_values<model>& p, const auto&) { return p["k"]; });
   EXPECT_THAT(cause({.inputs = {{"T", 0}}, .events = {odd}}),
@@ -259,7 +259,7 @@ TEST(simulated_model, bounces_as_the_system) {
   EXPECT_EQ(run.trajectory.at(1.3)->x, compiled.trajectory.at(1.3)->x);
   builder other("N");
   EXPECT_EQ(simulate(ball, start, numbers, {0, 3}, {.events = {when(ball, other.time(), "odd")}}).cause(),
-            "the event odd has no function whose zeros it is");
+            "the event odd has no function");
 }
 
 TEST(simulated_model, is_led_by_a_prescribed_quantity) {
@@ -285,11 +285,11 @@ TEST(simulated_model, is_led_by_a_prescribed_quantity) {
     return simulate(derive<System>(), start, numbers, {0, 2}, {.inputs = inputs}).cause();
   };
   EXPECT_EQ(cause({{"theta", 0}, {"theta'", 2}, {"theta''", 0}}),
-            "prescribed quantity theta is given as constant, with the rate 2");
+            "prescribed quantity theta is constant, but its rate is given as 2");
   EXPECT_EQ(cause([](double t, const state<model>&, input_values<model>& r) {
               r["theta"] = t * t, r["theta'"] = 2 * t, r["theta''"] = -2;
             }),
-            "prescribed quantity dot(theta) changes at the rate 2 at t = 0.002, and its rate is given as -2");
+            "prescribed quantity dot(theta) changes at the rate 2 at t = 0.002, but its rate is given as -2");
 }
 
 TEST(simulated_model, takes_no_inertia_that_no_body_has) {
@@ -369,7 +369,8 @@ TEST(simulated_model, keeps_four_bars_together_as_the_system) {
 
 TEST(simulated_model, takes_no_guess_for_a_value) {
   EXPECT_THAT(simulate(built(), start, numbers, {0, 2}, {.inputs = {{"T", 0}}}).cause(),
-              testing::StartsWith("coordinate q2, which is dependent, was given 0.3 and is -0.146"));
+              testing::StartsWith(
+                  "coordinate q2, which is dependent, was given as 0.3, but the constraints require -0.146"));
 }
 
 TEST(simulated_model, cannot_begin_where_its_bars_do_not_meet) {

@@ -105,14 +105,14 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
   const auto cause = [](const kanexpr::operating_point_options<System>& options) {
     return operating_point({{q, 0.5}}, some_parameters(), options).cause();
   };
-  EXPECT_EQ(cause({.held = {"Q"}}), "Q is named as held, and the system System does not have it");
-  EXPECT_EQ(cause({.held = {q, u, q}}), "coordinate q is named twice as held");
+  EXPECT_EQ(cause({.held = {"Q"}}), "Q is listed as held, but the system System does not have it");
+  EXPECT_EQ(cause({.held = {q, u, q}}), "coordinate q is listed twice as held");
   EXPECT_EQ(cause({.held = {q, T}, .freed = {l, T}}), "input T is both held and freed");
-  EXPECT_EQ(cause({.changing = {l}}), "parameter l is named as changing, and is not part of the state");
-  EXPECT_EQ(cause({.rates = {{u, 3}}}), "u is asked for as a rate, and is not a rate of the system System");
-  EXPECT_EQ(cause({.rates = {{dot(q), 3}, {"q'", 3}}}), "the rate of coordinate q is asked for twice");
+  EXPECT_EQ(cause({.changing = {l}}), "parameter l is listed as changing, but it is not part of the state");
+  EXPECT_EQ(cause({.rates = {{u, 3}}}), "u is given as a rate, but it is not a rate of the system System");
+  EXPECT_EQ(cause({.rates = {{dot(q), 3}, {"q'", 3}}}), "the rate of coordinate q is given twice");
   EXPECT_EQ(cause({.rates = {{dot(u), std::nan("")}}}),
-            "the value asked of the rate of speed u is not finite");
+            "the value given for the rate of speed u is not finite");
   EXPECT_EQ(cause({.inputs = {{q, 1}}}), "coordinate q has no place in the input vector of System");
   EXPECT_EQ(operating_point({{q, std::nan("")}}, some_parameters()).cause(),
             "the value of coordinate q is not a number");
@@ -130,7 +130,7 @@ TEST(operating_point, refuses_options_that_make_no_sense) {
     EXPECT_EQ(cause({.tolerance = tolerance}), "the tolerance must be positive");
   for (const double tolerance : {infinite, std::nan("")})
     EXPECT_EQ(cause({.tolerance = tolerance}), "the tolerance is not finite");
-  EXPECT_EQ(cause({.most_iterations = 0}), "the most iterations that are allowed must be positive");
+  EXPECT_EQ(cause({.most_iterations = 0}), "the maximum number of iterations must be positive");
   EXPECT_EQ(cause({.t = infinite}), "the time is not finite");
 }
 

@@ -60,11 +60,11 @@ TEST(table, refuses_columns_that_do_not_fit) {
     EXPECT_EQ(added.cause(), cause);
     EXPECT_EQ(run.columns(), 2u);
   };
-  expect_refused("q1", {1, 2, 3}, "there is a column q1 already");
-  expect_refused("u1", {1}, "column u1 has 1 number, the columns before it 3");
-  expect_refused("u1", {}, "column u1 has 0 numbers, the columns before it 3");
+  expect_refused("q1", {1, 2, 3}, "column q1 already exists");
+  expect_refused("u1", {1}, "column u1 has 1 number, but the columns before it have 3");
+  expect_refused("u1", {}, "column u1 has 0 numbers, but the columns before it have 3");
   expect_refused("", {1, 2, 3}, "a column has no name");
-  expect_refused(std::string("q\0r", 3), {1, 2, 3}, "the name of a column holds a zero byte");
+  expect_refused(std::string("q\0r", 3), {1, 2, 3}, "the name of a column contains a zero byte");
 }
 
 TEST(table, may_have_no_rows) {

@@ -12,11 +12,11 @@ namespace kanexpr {
 
 namespace batches {
 
-/// How many numbers fill a vector of the processor.
+/// The number of scalars in one vector of the processor.
 template <class Number>
 inline constexpr std::size_t widest = (std::max)(numeric::widest_vector / sizeof(Number), std::size_t{1});
 
-/// The number in a lane; of a plain number, that number.
+/// Returns the number in a lane; a plain number is returned unchanged.
 template <class Pack>
 auto lane_of(const Pack& pack, [[maybe_unused]] std::size_t lane) {
   if constexpr (lower::vector_extension<Pack>)
@@ -34,20 +34,20 @@ void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& numbe
 
 } // namespace batches
 
-/// Systems side by side: what a compiled function takes and gives is then `width` numbers wide, `x[q1]` of a
-/// `batch<4>::state<System>` is the coordinate of four systems, and each lane has the bits of its own
-/// evaluation. A status is that of all lanes: good where each of them is.
+/// Several systems side by side: the arguments and results of a compiled function hold `width` numbers per
+/// entry, so `x[q1]` of a `batch<4>::state<System>` is the coordinate of four systems. Each lane has the same
+/// bits as a separate evaluation. A status covers all lanes: it is good if each of them is.
 ///
-/// Without a width as many as fill a vector of the processor for which a file is compiled.
+/// The default width fills one vector of the processor for which the file is compiled.
 template <std::size_t width = batches::widest<double>, class Number = double>
 struct batch {
-  static_assert(std::has_single_bit(width), "a batch has 1, 2, 4, 8 or another power of two of lanes");
+  static_assert(std::has_single_bit(width), "the number of lanes of a batch must be a power of two");
   static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
-                "the numbers of a batch are of type double or float");
+                "the numbers of a batch must be of type double or float");
 
   static constexpr std::size_t lanes = width;
   using element = Number;
-  /// As many numbers, one of the compiler's own vectors.
+  /// A pack of `width` numbers, one of the compiler's vector types.
   using number = typename numeric::detail::vector_of<Number, width>::type;
 
   template <class System>
@@ -57,14 +57,14 @@ struct batch {
   template <class System>
   using inputs = input_values<System, number>;
 
-  /// The state, parameters, inputs or result of the system in a lane.
+  /// Returns the state, parameters, inputs or result of the system in a lane.
   template <class Vector>
   static auto get(const Vector& all, std::size_t lane) {
     batches::with_scalar<Vector, Number> one;
     for (Eigen::Index i = 0; i < all.size(); ++i) one.data()[i] = batches::lane_of(all.data()[i], lane);
     return one;
   }
-  /// Gives those of one system to a lane.
+  /// Stores those of one system in a lane.
   template <class Vector>
   static void set(Vector& all, std::size_t lane, const batches::with_scalar<Vector, Number>& one) {
     for (Eigen::Index i = 0; i < all.size(); ++i) batches::set_lane(all.data()[i], lane, one.data()[i]);

@@ -8,20 +8,20 @@
 #include <cstdint>
 #include <utility>
 
-/// Work on many systems, in chunks that threads may share.
+/// The division of work on many systems into chunks that threads can share.
 namespace kanexpr::batches {
 
-/// Everything on the thread that calls.
+/// Runs everything on the calling thread.
 struct on_this_thread {};
 
-/// How many systems are divided, whoever runs the chunks.
+/// The division of systems into chunks; it does not depend on the executor.
 struct chunks {
   static constexpr int most = 256;
   int count = 0;
-  Eigen::Index length = 0; ///< of each but the last
+  Eigen::Index length = 0; ///< of each chunk except the last
 
-  /// Of so many systems, with no less than `least` of them in a chunk but the last. Chunks end with a cache
-  /// line, and with a batch of `width`.
+  /// Divides `systems` into chunks of at least `least` systems each, except the last. Chunks are whole cache
+  /// lines and whole batches of `width`.
   static constexpr chunks of(Eigen::Index systems, Eigen::Index least, Eigen::Index width) {
     if (systems <= 0) return {};
     const Eigen::Index unit = (std::max)(Eigen::Index{16}, width); // both are powers of two
@@ -31,15 +31,15 @@ struct chunks {
   }
 };
 
-/// The numbers of all chunks, for what goes over a range.
+/// The indices of all chunks, for algorithms that take a range.
 inline constexpr auto chunk_numbers = [] {
   std::array<std::int16_t, chunks::most> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int16_t>(i);
   return all;
 }();
 
-/// Calls work(i) for the first `count` numbers: here, by a callable, or by an execution policy of the
-/// standard library, which is known to whoever passes it.
+/// Calls work(i) for i = 0 … count − 1: on this thread, through a callable, or through an execution policy of
+/// the standard library, whose header the caller includes.
 template <class Executor, class Work>
 void run_chunks([[maybe_unused]] Executor&& by, int count, const Work& work) {
   if constexpr (std::same_as<std::remove_cvref_t<Executor>, on_this_thread>)

@@ -9,10 +9,10 @@
 #include <tuple>
 #include <utility>
 
-/// One evaluation of a compiled function of as many systems as a pack has lanes.
+/// One evaluation of a compiled function for as many systems as a pack has lanes.
 namespace kanexpr::batches {
 
-/// Whether packs are finite in all lanes, looked at once for all of them.
+/// Accumulates whether packs are finite in all lanes; the lanes are combined only once, at the end.
 template <class Pack>
 class finiteness {
 public:
@@ -43,7 +43,7 @@ private:
   bool is_wrong_ = false;
 };
 
-/// What of a function is evaluated, and whether its results must be finite.
+/// The results of a function to be evaluated, and whether they must be finite.
 template <class Function>
 struct evaluated;
 template <class System_, auto... wanted>
@@ -61,11 +61,11 @@ struct evaluated<finite_function<System, wanted...>> : evaluated<function<System
   static constexpr bool must_be_finite = true;
 };
 
-/// What `decltype` says of a function that is a constant.
+/// For the type that `decltype` yields for a constant function.
 template <class Function>
 struct evaluated<const Function> : evaluated<Function> {};
 
-/// Where a result of some systems goes: entry i of the first is at `first[i * stride]`.
+/// The destination of a result of several systems: entry i of the first system is at `first[i * stride]`.
 template <class Number>
 struct place {
   Number* first;
@@ -94,8 +94,8 @@ template <class Pack, class Number, class Result, int... index>
   (one(index), ...);
 }
 
-/// Evaluates a function and leaves its results in their places. The status is that of the first result that
-/// could not be formed in all lanes.
+/// Evaluates a function and stores its results. The status is that of the first result that could not be
+/// computed in all lanes.
 template <class Function, class Pack, class Number, class... Arguments>
 [[gnu::noinline]] status evaluate_pack(const place<Number>* to, const Arguments&... arguments) noexcept {
   using described = evaluated<Function>;
@@ -119,7 +119,7 @@ template <class Function, class Pack, class Number, class... Arguments>
   return first;
 }
 
-/// The cause of a failure as the function of one system would say it.
+/// Returns the cause of a failure as the function of one system would report it.
 template <class Function, class State, class Parameters = compiled::not_given,
           class Inputs = compiled::not_given, class... Rates>
 status cause_of(const status& failure, const State& x, const Parameters& p = {}, const Inputs& r = {},

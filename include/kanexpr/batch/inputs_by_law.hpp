@@ -24,8 +24,8 @@ constexpr bool takes(...) {
 
 } // namespace detail
 
-/// Whether a function (t, x) of the inputs takes the states of a batch: one that says of which type x is
-/// takes that alone, another takes any.
+/// Whether an input function (t, x) takes the states of a batch. A function that specifies the type of x
+/// takes only that type; a generic one takes any.
 template <class Law, class State>
 constexpr bool takes_batches() {
   if constexpr (requires { &Law::operator(); })
@@ -34,7 +34,7 @@ constexpr bool takes_batches() {
     return std::is_class_v<Law>;
 }
 
-/// Whether something can stand for inputs: those of one system or of many, none, or a function (t, x).
+/// Whether an argument can serve as inputs: those of one system or of many, none, or a function (t, x).
 template <class Given, class State, class Batch>
 inline constexpr bool serves_as_inputs = [] {
   if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||

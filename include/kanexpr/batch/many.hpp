@@ -22,7 +22,8 @@ constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, con
   return compiled::place_in<System, which, Symbol>::place;
 }
 
-/// By its bits: with -ffast-math compilers take it that no number is NaN, and leave out what writes one.
+/// Writes NaN by its bits: with -ffast-math, compilers assume that no number is NaN and may omit code that
+/// writes one.
 inline void leave_no_number(double* to) {
   constexpr std::uint64_t none = 0x7ff8'0000'0000'0000;
   std::memcpy(to, &none, sizeof none);
@@ -34,30 +35,31 @@ inline void leave_no_number(float* to) {
 
 } // namespace batches
 
-/// The states, parameters, inputs or results of many systems as a structure of arrays: the numbers that an
-/// entry has in all of them lie one after another, as a row, `x[q1]`.
+/// The states, parameters, inputs or results of many systems as a structure of arrays: the values of an entry
+/// in all systems are contiguous in memory, as a row, `x[q1]`.
 ///
 ///     many<eom::state> x(1000);
-///     x[q1] = 0.3;              // of all
-///     x[u1][17] = 2;            // of one
+///     x[q1] = 0.3;              // in all systems
+///     x[u1][17] = 2;            // in one
 ///     eom::state one = x.get(17);
 ///
-/// It takes memory when it is made. Rows begin on a cache line, at distances that do not crowd a cache.
+/// Memory is allocated on construction. Rows begin on a cache line, at strides that avoid cache conflicts.
 template <class Vector>
 class many {
 public:
   using number = typename Vector::Scalar;
   static_assert(std::is_same_v<number, double> || std::is_same_v<number, float>,
-                "many systems have numbers of type double or float");
-  static_assert(Vector::SizeAtCompileTime != Eigen::Dynamic, "many need vectors or matrices of a fixed size");
+                "the numbers of `many` systems must be of type double or float");
+  static_assert(Vector::SizeAtCompileTime != Eigen::Dynamic,
+                "`many` requires vectors or matrices of fixed size");
   static constexpr int rows = Vector::RowsAtCompileTime, columns = Vector::ColsAtCompileTime,
                        entries = rows * columns;
 
   using row = Eigen::Map<Eigen::Array<number, 1, Eigen::Dynamic>>;
   using const_row = Eigen::Map<const Eigen::Array<number, 1, Eigen::Dynamic>>;
 
-  /// All are the same at first: states zero, parameters and inputs not numbers until they are set. None where
-  /// their number is negative.
+  /// Constructs `count` equal systems: states are zero, parameters and inputs are NaN until they are set. A
+  /// negative count gives no systems.
   explicit many(Eigen::Index count) : many(count, at_first()) {}
   many(Eigen::Index count, const Vector& each)
       : size_((std::max)(count, Eigen::Index{0})), lines_in_row_(lines_for(size_)),
@@ -67,7 +69,7 @@ public:
 
   many(const many&) = default;
   many& operator=(const many&) = default;
-  /// What is moved from has no systems.
+  /// The moved-from object has no systems.
   many(many&& from) noexcept
       : size_(std::exchange(from.size_, 0)), lines_in_row_(std::exchange(from.lines_in_row_, 0)),
         lines_(std::move(from.lines_)) {}
@@ -78,10 +80,10 @@ public:
     return *this;
   }
 
-  /// How many systems there are.
+  /// Returns the number of systems.
   Eigen::Index size() const { return size_; }
 
-  /// What a symbol is in all systems.
+  /// Returns the row of a symbol: its values in all systems.
   template <describe::expression_of_a_model Symbol>
   row operator[](const Symbol& symbol) {
     return row_at(batches::place_of(static_cast<const Vector*>(nullptr), symbol));
@@ -91,11 +93,11 @@ public:
     return row_at(batches::place_of(static_cast<const Vector*>(nullptr), symbol));
   }
 
-  /// What an entry is in all systems.
+  /// Returns the row of an entry: its values in all systems.
   row operator()(int i, int j = 0) { return row_at(i + rows * j); }
   const_row operator()(int i, int j = 0) const { return row_at(i + rows * j); }
 
-  /// That of one system.
+  /// Returns the vector of one system.
   Vector get(Eigen::Index system) const {
     Vector one;
     for (int i = 0; i < entries; ++i) one.data()[i] = data()[i * stride() + system];
@@ -110,7 +112,7 @@ public:
     for (int i = 0; i < entries; ++i) row_at(i) = all;
   }
 
-  /// Leaves no number in the entries of the systems [begin, end).
+  /// Sets all entries of the systems [begin, end) to NaN.
   void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
     for (int i = 0; i < entries; ++i)
       for (Eigen::Index system = begin; system < end; ++system)
@@ -134,7 +136,7 @@ private:
     else
       return Vector::Zero();
   }
-  /// An odd number, so that rows are not mapped to the same few lines of a cache.
+  /// Returns an odd number of cache lines, so that rows do not compete for the same few lines of a cache.
   static Eigen::Index lines_for(Eigen::Index count) { return ((count + in_line - 1) / in_line) | 1; }
 
   row row_at(int i) { return row(data() + i * stride(), size_); }
@@ -151,13 +153,13 @@ inline constexpr bool is_many = false;
 template <class Vector>
 inline constexpr bool is_many<many<Vector>> = true;
 
-/// Whether what is given to systems of these numbers has such numbers, if it is `many`.
+/// Whether an argument has the scalar type `Number`; true for everything except `many`.
 template <class Given, class Number>
 inline constexpr bool is_of_numbers = true;
 template <class Vector, class Number>
 inline constexpr bool is_of_numbers<many<Vector>, Number> = std::is_same_v<typename Vector::Scalar, Number>;
 
-/// One vector or matrix in the place of many.
+/// A single vector or matrix, as opposed to `many`.
 template <class Type>
 concept single = !is_many<Type> && requires { typename Type::Scalar; };
 

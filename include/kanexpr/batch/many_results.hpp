@@ -8,16 +8,17 @@
 
 namespace kanexpr {
 
-/// The results of a compiled function for many systems, with a status of each of them:
+/// The results of a compiled function for many systems, with a status for each:
 ///
 ///     many_results rates(eom::udot, 1000);
 ///     rates.evaluate(x, p, r);             // many<eom::state> x(1000); one p for all, or one for each; …
 ///     rates(2);                            // the third entry of all systems, as a row
 ///     if (!rates.status_of(17)) …
 ///
-/// Memory is taken when it is made; an evaluation takes none and throws nothing. Systems are evaluated in
-/// batches, and a batch in which something fails system by system: so the others keep their results, those of
-/// a system that failed are not numbers, and neither depends on its neighbours or on the threads.
+/// Memory is allocated on construction; an evaluation allocates none and throws nothing. Systems are
+/// evaluated in batches; a batch in which a system fails is evaluated again, system by system. So the other
+/// systems keep their results, those of a failed system are NaN, and neither depends on adjacent systems or
+/// on the threads.
 template <class Function, class Number = double, std::size_t lanes = batches::widest<Number>>
 class many_results {
   using described = batches::evaluated<Function>;
@@ -33,19 +34,20 @@ public:
   Eigen::Index size() const { return statuses_.size(); }
 
   /// Evaluates the function for all systems: evaluate(x), (x, p), (x, p, r) or (x, p, r, a), with the time in
-  /// front where it needs that. The states are `many`; parameters, inputs and rates are `many` or one for
-  /// all. The status is that of the first system that failed.
+  /// front if the function needs it. The states are `many`; parameters, inputs and rates are `many` or one
+  /// for all. Returns the status of the first system that failed.
   ///
-  /// Before them may stand what shares the work among threads: an execution policy of the standard library,
-  /// `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 … count − 1, in
-  /// any order, on any threads, and returns when all calls have.
+  /// An optional first argument distributes the work among threads: an execution policy of the standard
+  /// library, such as `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 …
+  /// count − 1, in any order, on any threads, and returns when all calls have returned.
   template <class First, class... More>
   status evaluate(First&& first, const More&... more) {
     constexpr bool are_many = !batches::single<std::remove_cvref_t<First>>;
     constexpr bool have_one_precision = batches::is_of_numbers<std::remove_cvref_t<First>, Number> &&
                                         (batches::is_of_numbers<More, Number> && ...);
-    static_assert(are_many, "evaluate takes `many` states: of one state, call the function itself");
-    static_assert(have_one_precision, "evaluate is given `many` of one precision for results of another");
+    static_assert(are_many, "evaluate takes `many` states; for one state, call the function itself");
+    static_assert(have_one_precision,
+                  "the precision of the `many` arguments differs from that of the results");
     if constexpr (!are_many || !have_one_precision)
       return {};
     else if constexpr (is_argument<std::remove_cvref_t<First>>)
@@ -54,17 +56,17 @@ public:
       return evaluate_by(std::forward<First>(first), more...);
   }
 
-  /// The result, of several one of them: entry (i, j) of it in all systems is a row.
+  /// Returns the result with index `which`; its entry (i, j) in all systems is a row.
   template <std::size_t which = 0>
   const auto& result() const {
     return std::get<which>(results_);
   }
-  /// An entry of the first result in all systems.
+  /// Returns an entry of the first result in all systems.
   auto operator()(int i = 0, int j = 0) const { return result()(i, j); }
 
-  /// Why a system has no result.
+  /// Returns the status of a system, with the cause if it has no result.
   const status& status_of(Eigen::Index system) const { return statuses_.of(system); }
-  /// How many have none.
+  /// Returns the number of systems without a result.
   Eigen::Index failures() const { return statuses_.failures(); }
 
 private:
@@ -79,7 +81,7 @@ private:
   template <class Executor, class... Arguments>
   status evaluate_by(Executor&& by, const Arguments&... arguments) {
     if (!(... && batches::is_for(arguments, size())))
-      return refuse(status("the arguments are of another number of systems than the results"));
+      return refuse(status("the arguments and the results have different numbers of systems"));
     statuses_.run(
         std::forward<Executor>(by), chunk_of_systems, width,
         [&](Eigen::Index begin, Eigen::Index end) { return evaluate_range(begin, end, arguments...); },
@@ -109,7 +111,7 @@ private:
     return places_at(system, std::make_index_sequence<described::results>{});
   }
 
-  /// How many of them failed.
+  /// Evaluates the systems [begin, end); returns how many of them failed.
   template <class... Arguments>
   Eigen::Index evaluate_range(Eigen::Index begin, Eigen::Index end, const Arguments&... arguments) noexcept {
     Eigen::Index failed = 0;
@@ -126,7 +128,7 @@ private:
     return failed;
   }
 
-  /// Systems from `first` on; lanes that are left over are given the last.
+  /// Evaluates `count` systems from `first` on; surplus lanes repeat the last.
   template <class... Arguments>
   status evaluate_copies(Eigen::Index first, Eigen::Index count, Eigen::Index last,
                          const Arguments&... arguments) noexcept {
@@ -141,7 +143,7 @@ private:
     return found;
   }
 
-  /// The same system in all lanes.
+  /// Evaluates one system in all lanes.
   template <class... Arguments>
   bool evaluate_one(Eigen::Index system, const Arguments&... arguments) noexcept {
     const status found = evaluate_copies(system, 1, system, arguments...);
@@ -170,7 +172,7 @@ private:
     return sum;
   }();
 
-  /// Room for the results of one batch.
+  /// Storage for the results of one batch.
   struct scratch {
     alignas(pack) Number numbers[all_entries > 0 ? all_entries : 1][lanes];
 

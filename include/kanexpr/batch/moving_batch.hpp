@@ -10,7 +10,7 @@
 
 namespace kanexpr::batches {
 
-/// What is given for a batch of systems: one for all of them, or one for each, side by side.
+/// An argument of a batch of systems: one value for all of them, or one for each, side by side.
 template <class Batch, class Given>
 class given_to_batch {
 public:
@@ -25,7 +25,7 @@ private:
 template <class Batch, class Vector>
 class given_to_batch<Batch, many<Vector>> {
 public:
-  /// Lanes behind the last system are given the same as it.
+  /// Lanes after the last system repeat its values.
   given_to_batch(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
     for (std::size_t lane = 0; lane < Batch::lanes; ++lane)
       Batch::set(values_, lane, all.get((std::min)(first + static_cast<Eigen::Index>(lane), last)));
@@ -38,8 +38,8 @@ private:
   with_scalar<Vector, typename Batch::number> values_{};
 };
 
-/// A batch of systems on its way through steps of a fixed length. A system of which a step fails leaves it,
-/// and its lane goes on as a copy of another.
+/// A batch of systems that advances by steps of a fixed length. A system whose step fails leaves the batch,
+/// and its lane continues as a copy of another.
 template <class Step, class Batch, class GivenParameters, class GivenInputs>
 class moving_batch {
   static constexpr std::size_t lanes = Batch::lanes;
@@ -57,8 +57,8 @@ public:
   Eigen::Index living() const { return std::count(lives_.begin(), lives_.end(), true); }
   auto state_in(std::size_t lane) { return Batch::get(x_.get(), lane); }
 
-  /// False: some systems could not make the step, and the others have not yet made it. Of those that could
-  /// not, leave(lane, why) is called.
+  /// Advances all systems by one step. Returns false if some of them failed: leave(lane, why) has been called
+  /// for these, and the others have not yet made the step.
   template <class Leave>
   bool step(double h, const Leave& leave) {
     const status all = made(t_, x_.get(), h, p_.get(), r_.get());
@@ -67,7 +67,7 @@ public:
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (lives(lane))
         if (const status own = try_alone(lane, h); !own) remove(lane, own, leave);
-    if (living() == before) // inputs that differ from call to call
+    if (living() == before) // the inputs differ from call to call
       for (std::size_t lane = 0; lane < lanes; ++lane)
         if (lives(lane)) remove(lane, all, leave);
     const auto other = std::find(lives_.begin(), lives_.end(), true);
@@ -77,13 +77,15 @@ public:
     return false;
   }
 
-  /// What a function of t, x, p and r is now, in all lanes; r are the inputs or what gives them.
+  /// Returns the current value of a function of t, x, p and r in all lanes; r is the inputs or the input
+  /// function.
   template <class Function>
   auto at_present(const Function& of) {
     return of(t_, x_.get(), p_.get(), r_.get());
   }
 
-  /// The states of those that live; others are not numbers. The lanes behind `count` are of no systems.
+  /// Stores the states of the systems still in the batch, and NaN for the others. Lanes from `count` on hold
+  /// no systems.
   template <class State>
   void put_into(many<State>& all, Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -105,7 +107,7 @@ private:
       return Step{}(t, x, h, p, lane_by_lane<Batch, typename Step::eom::inputs, Inputs>{r});
   }
 
-  /// The step of one system, which is in all lanes then; nothing is kept of it but its status.
+  /// Tries the step of one system, copied to all lanes; only its status is kept.
   status try_alone(std::size_t lane, double h) const {
     moving_batch alone = *this;
     for (std::size_t other = 0; other < lanes; ++other)

@@ -9,23 +9,24 @@
 
 namespace kanexpr {
 
-/// How far a rollout goes.
+/// Options of a rollout.
 struct rollout_options {
-  double step = 0; ///< in seconds, as the unit of time of the model is
+  double step = 0; ///< in seconds, the model's unit of time
   int steps = 0;
-  int store_every = 0; ///< so many steps; 0: only the last state is kept
-  double start = 0;    ///< the time at which it begins
+  int store_every = 0; ///< steps between two stored states; 0: only the last state is kept
+  double start = 0;    ///< the start time
 };
 
-/// Moves many systems by steps of a fixed length, a batch at a time:
+/// Advances many systems by steps of a fixed length, one batch at a time:
 ///
 ///     rollout<runge_kutta_4<System>> ahead(1000, {.step = 1e-3, .steps = 500, .store_every = 50});
 ///     ahead.run(x, p, r);                  // many<eom::state> x(1000) are 500 steps further
 ///     ahead.stored(0)[q1];                 // after 50 steps, of all systems
 ///
-/// Every system goes through the states that single steps `step(t, x, h, p, r)` give it. Memory is taken when
-/// it is made; a run takes none and throws nothing. A system of which a step fails stays at its last sound
-/// state, has a status, and is not a number where states are stored later; the others go on.
+/// Every system passes through the same states as with single steps `step(t, x, h, p, r)`. Memory is
+/// allocated on construction; a run allocates none and throws nothing. A system whose step fails stays at its
+/// last valid state, its status holds the cause, and its states stored later are NaN; the other systems
+/// continue.
 template <class Step, class Number = double, std::size_t lanes = batches::widest<Number>>
 class rollout {
   using side_by_side = batch<lanes, Number>;
@@ -43,20 +44,19 @@ public:
 
   Eigen::Index size() const { return statuses_.size(); }
 
-  /// Moves the states x: run(x), (x, p) or (x, p, r). Parameters are `many` or one for all; the inputs are
-  /// too, and hold all the time, or come from a function (t, x). The latter is asked for a batch of states at
-  /// once if x may be of any type, `[](double t, const auto& x) { … }`, else for one state after another.
-  /// Before them may stand what shares the work among threads, as in `many_results::evaluate`. The status is
-  /// that of the first system that failed.
+  /// Advances the states x: run(x), (x, p) or (x, p, r). Parameters are `many` or one for all. Inputs are
+  /// `many` or one for all, constant over the run, or a function (t, x). The function is called with a batch
+  /// of states if x may have any type, `[](double t, const auto& x) { … }`, otherwise with one state after
+  /// another. An optional first argument distributes the work among threads, as in `many_results::evaluate`.
+  /// Returns the status of the first system that failed.
   template <class First, class... More>
   status run(First&& first, More&&... more) {
     using given = std::remove_reference_t<First>;
     constexpr bool are_many = !batches::single<std::remove_cv_t<given>>;
     constexpr bool can_move =
         !batches::is_many<std::remove_cv_t<given>> || std::is_same_v<given, many<state>>;
-    static_assert(are_many, "run takes `many` states: of one state, call the step itself");
-    static_assert(can_move,
-                  "run moves `many` states of its system and precision, which must not be constant");
+    static_assert(are_many, "run takes `many` states; for one state, call the step itself");
+    static_assert(can_move, "run requires non-const `many` states of its system and precision");
     if constexpr (!are_many || !can_move)
       return {};
     else if constexpr (std::is_same_v<given, many<state>>)
@@ -65,16 +65,16 @@ public:
       return run_by(std::forward<First>(first), more...);
   }
 
-  /// How many times states were stored, and those of the k-th with the time.
+  /// The number of times at which states were stored, and the states and time of the k-th.
   int stored() const { return static_cast<int>(stored_.size()); }
   const many<state>& stored(int k) const { return stored_[static_cast<std::size_t>(k)]; }
   double time(int k) const { return times_[static_cast<std::size_t>(k)]; }
 
-  /// Why a system did not go on.
+  /// Returns the status of a system, with the cause if it stopped early.
   const status& status_of(Eigen::Index system) const { return statuses_.of(system); }
-  /// How many did not.
+  /// Returns the number of systems that stopped early.
   Eigen::Index failures() const { return statuses_.failures(); }
-  /// How many steps a system has made.
+  /// Returns the number of steps that a system has made.
   int steps_of(Eigen::Index system) const { return steps_[static_cast<std::size_t>(system)]; }
 
 private:
@@ -85,9 +85,10 @@ private:
     constexpr bool have_one_precision =
         batches::is_of_numbers<Parameters, Number> && batches::is_of_numbers<Inputs, Number>;
     constexpr bool have_inputs = batches::serves_as_inputs<Inputs, state, side_by_side>;
-    static_assert(have_one_precision, "run is given `many` of one precision for states of another");
-    static_assert(have_inputs, "the inputs are neither those of one system nor `many` nor a function (t, x) "
-                               "that is constant, a lambda without `mutable`");
+    static_assert(have_one_precision,
+                  "the precision of the `many` arguments differs from that of the states");
+    static_assert(have_inputs, "the inputs must be those of one system, `many`, or a const function (t, x), "
+                               "such as a lambda without `mutable`");
     if constexpr (!have_one_precision || !have_inputs)
       return {};
     else
@@ -97,7 +98,7 @@ private:
   template <class Executor, class Parameters, class Inputs>
   status run_given(Executor&& by, many<state>& x, const Parameters& p, const Inputs& r) {
     if (x.size() != size() || !batches::is_for(p, size()) || !batches::is_for(r, size()))
-      return refuse(status("the arguments are of another number of systems than the rollout"));
+      return refuse(status("the arguments and the rollout have different numbers of systems"));
     if (how_.steps < 0) return refuse(status("the number of steps is negative"));
     double t = how_.start;
     for (std::size_t k = 0; k < times_.size(); ++k) {
@@ -123,12 +124,12 @@ private:
     return statuses_.refuse(why);
   }
 
-  /// Where states are stored.
+  /// Sets the stored states of the systems [begin, end) to NaN.
   void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
     for (many<state>& each : stored_) each.leave_no_numbers(begin, end);
   }
 
-  /// Moves the systems from `first` on; how many of them did not reach the end.
+  /// Advances `count` systems from `first` on; returns how many of them did not reach the end.
   template <class Parameters, class Inputs>
   Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const Parameters& p,
                     const Inputs& r) {
@@ -146,7 +147,7 @@ private:
       ++made;
       if (store != stored_.end() && made % how_.store_every == 0) all.put_into(*store++, first, count);
     }
-    while (store != stored_.end()) all.put_into(*store++, first, count); // none lives
+    while (store != stored_.end()) all.put_into(*store++, first, count); // no system is left
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (all.lives(lane)) leave(lane, {});
     return count - all.living();

@@ -19,8 +19,8 @@ template <class Pack, class Number>
   std::memcpy(first, &pack, sizeof pack);
 }
 
-/// The vectors of neighbouring systems, one in each lane, read from the rows where they lie: an argument of a
-/// compiled function.
+/// The vectors of adjacent systems, one in each lane, read directly from the rows: an argument of a compiled
+/// function.
 template <class Vector, class Pack>
 struct side_by_side {
   using Scalar = Pack;
@@ -37,8 +37,7 @@ using compiled::belonging_of;
 template <class Vector, class Pack>
 decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const side_by_side<Vector, Pack>*);
 
-/// What the lanes of a batch are given in one argument, in memory of its own: some lanes may be copies of
-/// others.
+/// One argument of a batch in separate memory; some lanes may be copies of others.
 template <class Vector, class Pack>
 struct gathered {
   using number = typename Vector::Scalar;
@@ -46,7 +45,7 @@ struct gathered {
   static constexpr std::size_t entries = static_cast<std::size_t>(many<Vector>::entries);
   alignas(Pack) number numbers[entries > 0 ? entries : 1][lanes];
 
-  /// Lane i is given system first + i, but none behind the last.
+  /// Lane i receives system first + i, but at most `last`.
   gathered(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
     for (std::size_t i = 0; i < entries; ++i)
       for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -55,7 +54,7 @@ struct gathered {
   }
 };
 
-/// An argument of a compiled function for the systems from `first` on.
+/// Returns an argument of a compiled function for the systems from `first` on.
 template <class Pack, class Vector>
 side_by_side<Vector, Pack> from_rows(const many<Vector>& all, Eigen::Index first) {
   return {all.data() + first, all.stride()};
@@ -65,7 +64,7 @@ const Given& from_rows(const Given& given, Eigen::Index) {
   return given;
 }
 
-/// The same of copies.
+/// The same with copies of the systems.
 template <class Pack, class Vector>
 gathered<Vector, Pack> gather(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
   return {all, first, last};
@@ -83,7 +82,7 @@ const Given& from_copies(const Given& given) {
   return given;
 }
 
-/// Whether there is a vector for each of so many systems.
+/// Whether an argument has one vector for each of `systems` systems.
 template <class Given>
 bool is_for(const Given&, Eigen::Index) {
   return true;
@@ -93,7 +92,7 @@ bool is_for(const many<Vector>& all, Eigen::Index systems) {
   return all.size() == systems;
 }
 
-/// That of one system.
+/// Returns the argument of one system.
 template <class Vector>
 Vector of_system(const many<Vector>& all, Eigen::Index system) {
   return all.get(system);

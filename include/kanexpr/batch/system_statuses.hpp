@@ -9,7 +9,7 @@
 
 namespace kanexpr::batches {
 
-/// A status for each of many systems, of which chunks of work set those that failed.
+/// A status for each of many systems; the chunks of work set those of the systems that fail.
 class system_statuses {
 public:
   explicit system_statuses(Eigen::Index systems)
@@ -20,7 +20,7 @@ public:
   void set(Eigen::Index system, const status& s) { all_[static_cast<std::size_t>(system)] = s; }
 
   Eigen::Index failures() const { return failures_; }
-  /// Of the first system that failed.
+  /// Returns the status of the first system that failed.
   status first() const {
     if (failures_ > 0)
       for (const status& s : all_)
@@ -28,9 +28,9 @@ public:
     return {};
   }
 
-  /// Runs work(begin, end) for all systems, with no less than `least` of them in a chunk, and chunks that are
-  /// whole batches of `width`. It returns how many failed. Of chunks that are not run to their end, where
-  /// something threw too, left_out(begin, end) is called; one that is run again does nothing.
+  /// Calls work(begin, end), which returns how many systems failed, for all systems, in chunks of at least
+  /// `least` systems and of whole batches of `width`. For each chunk that does not run to completion, for
+  /// example because something threw, it calls left_out(begin, end); a chunk that is run again does nothing.
   template <class Executor, class Work, class LeftOut>
   void run(Executor&& by, Eigen::Index least, Eigen::Index width, const Work& work, const LeftOut& left_out) {
     if (failures_ > 0) std::fill(all_.begin(), all_.end(), status());
@@ -43,7 +43,7 @@ public:
     });
   }
 
-  /// All have failed, for one reason.
+  /// Marks all systems as failed, with one cause.
   status refuse(const status& why) {
     std::fill(all_.begin(), all_.end(), why);
     failures_ = size();
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  /// How many failed in each chunk; at its end, whatever happened, the failures of all are known.
+  /// Counts the failures in each chunk; its destructor sums them, even after an exception.
   template <class LeftOut>
   class tally {
   public:
@@ -77,7 +77,7 @@ private:
 
     Eigen::Index leave(Eigen::Index begin, Eigen::Index end) {
       for (Eigen::Index system = begin; system < end; ++system)
-        of_.set(system, status("the chunk of this system was not run, or not to its end"));
+        of_.set(system, status("the chunk of this system was not run to completion"));
       left_out_(begin, end);
       return end - begin;
     }

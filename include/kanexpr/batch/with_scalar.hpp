@@ -20,7 +20,8 @@ exchanged(const Eigen::Matrix<Before, rows, columns, options, most_rows, most_co
 
 } // namespace detail
 
-/// A vector of a system, or a matrix, with another scalar type; of a result with a status the result.
+/// The type of a vector of a system, or of a matrix, with a different scalar type; a result with a status
+/// becomes a plain matrix.
 template <class Vector, class Scalar>
 using with_scalar = typename decltype(detail::exchanged<Scalar>(static_cast<const Vector*>(nullptr)))::type;
 

@@ -14,10 +14,10 @@
 
 #include <unistd.h>
 
-/// What is wrong with the way a simulation is asked for, before its first step.
+/// Checks of the options of a simulation, before its first step.
 namespace kanexpr::simulated {
 
-/// In bytes; unlimited where the system does not tell.
+/// Returns the physical memory in bytes; infinite if the system does not report it.
 inline double memory_of_machine() {
 #ifdef _SC_PHYS_PAGES
   return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
@@ -26,7 +26,7 @@ inline double memory_of_machine() {
 #endif
 }
 
-/// Shorter steps would be lost to rounding.
+/// Returns the shortest step that is not lost to rounding.
 inline double shortest_step(const time_span& span) {
   return 4 * std::numeric_limits<double>::epsilon() * (span.to - span.from);
 }
@@ -36,12 +36,12 @@ inline std::string check_span(const time_span& span) {
   if (span.to < span.from)
     return "the time span ends at " + digits(span.to) + ", before it begins at " + digits(span.from);
   const double length = span.to - span.from, latest = (std::max)(std::abs(span.from), std::abs(span.to));
-  if (!numeric::is_finite(length)) return "the time span is longer than numbers can say";
+  if (!numeric::is_finite(length)) return "the time span overflows double";
   if (length > 0 && length < 1000 * std::numeric_limits<double>::epsilon() * latest)
-    return "the time span, " + digits(length) + " s, is too short: times up to " + digits(latest) +
-           " can be told apart to " + digits(std::nextafter(latest, 2 * latest) - latest) + " s";
+    return "the time span, " + digits(length) + " s, is too short: doubles near " + digits(latest) + " are " +
+           digits(std::nextafter(latest, 2 * latest) - latest) + " s apart";
   if (length > 0 && shortest_step(span) < (std::numeric_limits<double>::min)())
-    return "the time span, " + digits(length) + " s, is shorter than numbers can divide";
+    return "the time span, " + digits(length) + " s, is too short to be divided into steps";
   return {};
 }
 
@@ -50,7 +50,7 @@ inline std::string check_tolerance(double tolerance) {
   return tolerance > 0 ? "" : "a tolerance must be positive";
 }
 
-/// Regular samples that the times of the span can tell apart and, if they are kept, that memory can hold.
+/// Checks that regular samples can be resolved in the time span and, if they are kept, fit into memory.
 inline std::string check_output_every(double every, const time_span& span, std::size_t bytes_each) {
   if (!numeric::is_finite(every)) return "the time between two samples is not finite";
   if (numeric::equal(every, 0.0)) return {};
@@ -58,18 +58,19 @@ inline std::string check_output_every(double every, const time_span& span, std::
   const std::string samples_every = "samples every " + digits(every) + " s";
   const double latest = (std::max)(std::abs(span.from), std::abs(span.to));
   if (span.from < span.to && every < 4 * std::numeric_limits<double>::epsilon() * latest)
-    return samples_every + " are closer than times up to " + digits(latest) + " can be told apart";
+    return samples_every + " are too closely spaced for times near " + digits(latest) +
+           " in double precision";
   const double bytes = (span.to - span.from) / every * static_cast<double>(bytes_each);
   if (const double room = memory_of_machine(); bytes > room)
     return samples_every + " take " + digits(bytes / 1e9) + " GB, and the machine has " + digits(room / 1e9) +
-           " GB; hand them on by each_sample, with keep = false";
+           " GB; pass them to each_sample, with keep = false";
   return {};
 }
 
-/// The size of a step, of which 0 leaves the choice to the integrator.
+/// Checks a step size; 0 leaves the choice to the integrator.
 inline std::string check_step(double size) {
-  if (!numeric::is_finite(size)) return "the size of a step is not finite";
-  return size >= 0 ? "" : "the size of a step must be positive";
+  if (!numeric::is_finite(size)) return "a step size is not finite";
+  return size >= 0 ? "" : "a step size must be positive";
 }
 
 inline std::string check_output_times(const std::vector<double>& times, const time_span& span) {
@@ -77,7 +78,7 @@ inline std::string check_output_times(const std::vector<double>& times, const ti
   for (double t : times) {
     if (!(numeric::is_finite(t) && t >= span.from && t <= span.to))
       return "the output time " + digits(t) + " is outside the time span";
-    if (t < last) return "the output time " + digits(t) + " comes after " + digits(last);
+    if (t < last) return "the output time " + digits(t) + " is listed after " + digits(last);
     last = t;
   }
   return {};
@@ -94,7 +95,7 @@ inline std::string check_options(const settings& o, const time_span& span) {
       !mistake.empty())
     return mistake;
   if (o.output_every > 0 && !o.output_times.empty())
-    return "samples are asked for at regular and at particular times; give output_every or output_times";
+    return "output_every and output_times are both set; set only one of them";
   for (const double step : {o.first_step, o.least_step, o.greatest_step})
     if (std::string mistake = check_step(step); !mistake.empty()) return mistake;
   if (o.greatest_step > 0 && o.least_step > o.greatest_step)
@@ -103,14 +104,14 @@ inline std::string check_options(const settings& o, const time_span& span) {
   if (o.greatest_step > 0 && o.greatest_step < shortest_step(span))
     return "the greatest step, " + digits(o.greatest_step) + ", is lost to rounding in a span of " +
            digits(span.to - span.from) + " s";
-  if (o.most_steps <= 0) return "the most steps that are allowed must be positive";
-  if (!o.keep && !o.shows_samples) return "samples are neither kept nor handed to a function";
+  if (o.most_steps <= 0) return "the maximum number of steps must be positive";
+  if (!o.keep && !o.shows_samples) return "samples are neither kept nor passed to a function";
   for (const watched_event& each : o.events)
-    if (!each.has_value) return "the event " + each.name + " has no function whose zeros it is";
+    if (!each.has_value) return "the event " + each.name + " has no function";
   return check_output_times(o.output_times, span);
 }
 
-/// The absolute tolerance of each entry of a state, `sizes` being how large they are.
+/// Sets the absolute tolerance of each entry of a state; `sizes` are the magnitudes of the entries.
 inline std::string read_tolerances(const system& of, const settings& o, const Eigen::VectorXd& sizes,
                                    std::vector<double>& tolerances) {
   Eigen::VectorXd each = sizes;
@@ -120,7 +121,7 @@ inline std::string read_tolerances(const system& of, const settings& o, const Ei
                                  each.data());
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
   reader.look_for_infinite();
-  if (reader.mistake()) return "of the tolerances, " + std::string(reader.mistake().view());
+  if (reader.mistake()) return "in the tolerances, " + std::string(reader.mistake().view());
   if (!std::ranges::all_of(each, [](double size) { return size > 0; })) return "a tolerance must be positive";
   tolerances.assign(each.begin(), each.end());
   return {};

@@ -13,8 +13,8 @@
 
 namespace kanexpr::simulated {
 
-/// A system of types with the parameters and options of a simulation. Only what the method asks for is
-/// derived.
+/// A compile-time system with the parameters and options of a simulation. Only the functions that the method
+/// needs are derived.
 template <class System, integrator by>
 class compiled_system final : public system {
   using quantity = mechanics::quantity;
@@ -34,9 +34,9 @@ public:
       : system(of, System::record, type_name<System>(), maker_of_manifold()), p_(p), options_(options),
         kept_(kept) {}
 
-  /// By which the system is known again as it moves here.
+  /// Returns a hash by which the system and its equations of motion are identified.
   static std::uint64_t digest() {
-    constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // that is derived anyway
+    constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // derived in any case
     return out_of_line<function<System, first>>::digest();
   }
 
@@ -204,7 +204,7 @@ private:
     return s;
   }
 
-  /// Interpreted, as it is needed near singular positions alone.
+  /// Interpreted, since these equations are needed only near singular positions.
   static auto unreduced_equations() {
     if constexpr (m != 0 && !compiled::is_linked<System>)
       return runtime::table_interpreter<double>(

@@ -12,10 +12,11 @@
 
 namespace kanexpr::simulated {
 
-/// The constraints and quaternions of a system. A correction is the least one: first of the coordinates by
-/// Newton's method, then of the speeds, in which constraints are linear (Eich 1993).
+/// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction:
+/// first of the coordinates, by Newton's method, then of the speeds, in which the constraints are linear
+/// (Eich 1993).
 ///
-/// A template, as what follows from it, so that systems without constraints compile nothing of this.
+/// A template, like everything that depends on it, so that systems without constraints compile none of it.
 template <class System>
 class constraint_manifold final : public manifold {
 public:
@@ -47,7 +48,7 @@ public:
     const vector left = constraints.redundant_residual(x);
     vector terms = constraints.redundant_terms(x), beside = x;
     if ((left.cwiseAbs().array() <= tolerance * terms.array()).all()) return {};
-    for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here, and are usually so large
+    for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here may be larger nearby
       for (int i = 0; i < n_; ++i) beside(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
       terms = terms.cwiseMax(constraints.redundant_terms(beside)).eval();
     }
@@ -69,7 +70,7 @@ public:
   }
   void come_to(double t, const vector& x, const vector& r, double least) override {
     const double distinctness = look(t, x, r).distinctness(x);
-    if (!is_near_) clear_ = 2 * least; // so that it does not change at every step
+    if (!is_near_) clear_ = 2 * least; // so that it does not switch at every step
     is_near_ = distinctness < (is_near_ ? clear_ : least);
   }
   bool is_near_singular() const override { return is_near_; }
@@ -89,7 +90,8 @@ public:
     return true;
   }
   const vector& correction() const override { return correction_; }
-  /// Near a singular position the whole error stays, as rows of J do not tell what of it is across.
+  /// Near a singular position the whole error is kept, since the rows of J do not determine its normal
+  /// component.
   void project_error(double* error) const override {
     if (!is_by_rows_) return;
     Eigen::Map<vector> of_q(error, n_), of_u(error + n_, o_);
@@ -98,7 +100,8 @@ public:
   }
 
 private:
-  /// D Jᵀ (J D Jᵀ)⁻¹ b, the least vector that J takes to b, for the entries of the state from `first` on.
+  /// Returns D Jᵀ (J D Jᵀ)⁻¹ b, the smallest vector that J maps to b, for the entries of the state from
+  /// `first` on.
   vector along(const matrix& j, int first, vector b) const {
     matrix spread = j.transpose();
     for (Eigen::Index k = 0; k < spread.rows(); ++k) spread.row(k) *= units_(first + k);
@@ -107,7 +110,7 @@ private:
     return spread.lazyProduct(b);
   }
 
-  /// What `constrained_motion` asks of the system, at a time with its inputs.
+  /// The system in the form that `constrained_motion` requires, at a fixed time with its inputs.
   struct all_speeds {
     using number = double;
     static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
@@ -133,15 +136,15 @@ private:
   };
   using unreduced_motion = numeric::constrained_motion<all_speeds>;
 
-  /// The motion by the equations of all speeds, at a time with its inputs.
+  /// Returns the motion from the equations of all speeds, at a time with its inputs.
   unreduced_motion& look(double t, const vector& x, const vector& r) {
     equations_.t = t, equations_.r = r;
     if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);
     return *unreduced_;
   }
 
-  /// What the configuration constraints leave, then the norms of quaternions, with the derivatives by all
-  /// coordinates.
+  /// Returns the residuals of the configuration constraints followed by those of the quaternion norms, and
+  /// evaluates their derivatives with respect to all coordinates.
   vector kept_by_coordinates(double t, const vector& x, const vector& r) {
     const int constraints = of_.known.configuration_constraints;
     vector left(by_q_.rows());
@@ -167,7 +170,8 @@ private:
       if (!numeric::all_finite(step)) return false;
       correction_.head(n_) += step;
       const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
-      if (size <= close_enough || (size <= 1 && size > last / 4)) return true; // or rounding is met
+      if (size <= close_enough || (size <= 1 && size > last / 4))
+        return true; // or the rounding level is reached
       last = size;
     }
     return false;
@@ -183,7 +187,7 @@ private:
     return numeric::all_finite(correction_);
   }
 
-  /// A step this small beside the tolerances leaves its square, which is nothing.
+  /// A Newton step this small relative to the tolerances leaves an error of its square, which is negligible.
   static constexpr double close_enough = 1e-2;
   static constexpr int most_steps = 10;
 
@@ -193,8 +197,8 @@ private:
   vector units_, correction_;
   matrix by_q_, by_u_;
   vector sizes_ = vector::Ones(n_ + o_);
-  double clear_ = 0;                          ///< a distinctness at which it is no longer near
-  bool is_near_ = false, is_by_rows_ = false; ///< by rows: of J, in the last projection
+  double clear_ = 0; ///< the distinctness above which a position is no longer near a singular one
+  bool is_near_ = false, is_by_rows_ = false; ///< by rows: the last projection used the rows of J
   all_speeds equations_{*this};
   std::optional<unreduced_motion> unreduced_{};
   typename unreduced_motion::motion found_{};

@@ -8,15 +8,16 @@
 
 namespace kanexpr::simulated {
 
-/// The constraints of a system at a time with its inputs, for the numerical methods that satisfy them. Where
-/// a constraint is solved for a coordinate of a quaternion they are taken at norm 1.
+/// The constraints of a system at a fixed time with its inputs, for the numerical methods that satisfy them.
+/// If a constraint is solved for a coordinate of a quaternion, the constraints are evaluated at norm 1.
 template <class System, class Motion>
 class constraints_of {
 public:
   using coordinate_vector = Eigen::VectorXd;
   using vector = Eigen::VectorXd;
 
-  /// `look` gives the motion by the equations of all speeds, which knows how large constraints are.
+  /// `look` returns the motion from the equations of all speeds, which provides the magnitudes of the
+  /// constraints.
   constraints_of(const System& of, const unit_norms& norms, double t, const vector& r, Motion& look)
       : of_(of), norms_(norms), t_(t), r_(r), look_(look), left_(coordinates()),
         by_all_(coordinates(), of.known.coordinates) {
@@ -52,7 +53,7 @@ public:
   bool velocities_hold(const vector& x) const { return look_(x).velocities_hold(x); }
   status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
 
-  /// Gives the state its dependent speeds, if they can be solved for.
+  /// Sets the dependent speeds of the state, if they can be solved for.
   status solve_speeds(vector& x) const {
     vector u(of_.known.constraints);
     if (u.size() == 0) return {};

@@ -11,9 +11,9 @@
 
 namespace kanexpr::simulated {
 
-/// The first dependent coordinate or speed that was told another value than the constraints give it, as a
-/// sentence: "speed u2, which is dependent, was given 30 and is 0". A value may be rounded to four digits,
-/// and one of 0 is compared with the largest of its kind.
+/// Returns a sentence about the first dependent coordinate or speed whose given value contradicts the
+/// constraints: "speed u2, which is dependent, was given as 30, but the constraints require 0". A value may
+/// be rounded to four digits; a value of 0 is compared with the largest of its kind.
 template <class IsTold>
 std::string contradiction(const deriving::survey& known, const Eigen::VectorXd& told,
                           const Eigen::VectorXd& found, const IsTold& is_told) {
@@ -27,18 +27,19 @@ std::string contradiction(const deriving::survey& known, const Eigen::VectorXd& 
     const double rounding = of_itself * (std::max)(std::abs(told(i)), std::abs(found(i))),
                  noise = of_the_largest * (i < known.coordinates ? coordinate : speed);
     if (std::abs(told(i) - found(i)) > rounding + noise)
-      return std::string(compiled::symbol_called(known, i).view()) + ", which is dependent, was given " +
-             digits(told(i)) + " and is " + digits(std::abs(found(i)) > noise ? found(i) : 0);
+      return std::string(compiled::symbol_called(known, i).view()) + ", which is dependent, was given as " +
+             digits(told(i)) + ", but the constraints require " +
+             digits(std::abs(found(i)) > noise ? found(i) : 0);
   }
   return {};
 }
 
-/// The same of a state from which a motion begins, with what to do about it.
+/// The same for the initial state of a motion, with a hint at the remedy.
 template <class IsTold>
 std::string contradiction_at_start(const deriving::survey& known, const Eigen::VectorXd& told,
                                    const Eigen::VectorXd& found, const IsTold& is_told) {
   const std::string said = contradiction(known, told, found, is_told);
-  return said.empty() ? said : said + "; leave it out, name others dependent<...>, or set guesses_dependent";
+  return said.empty() ? said : said + "; omit it, declare others dependent<...>, or set guesses_dependent";
 }
 
 } // namespace kanexpr::simulated

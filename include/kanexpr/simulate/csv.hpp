@@ -1,8 +1,8 @@
 #pragma once
 
-/// Tables as text: a line of names, then a line for each row, with commas between the fields and names in
-/// quotes where they need them (RFC 4180). Numbers are the shortest that give the same bits again; nan and
-/// inf are numbers. No locale matters.
+/// Tables as text: a line of names, then a line for each row, with fields separated by commas and names
+/// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
+/// are numbers. The format does not depend on the locale.
 
 #include <kanexpr/simulate/compiled_simulations.hpp>
 #include <kanexpr/simulate/file_path.hpp>
@@ -19,14 +19,14 @@ namespace kanexpr {
 ///     while (…) out.row({t, x[q1], x[u1]});
 ///     if (!out.finish()) std::cerr << out.cause();
 ///
-/// After a failure, as of a full disk, nothing more is written.
+/// After a failure, such as a full disk, nothing more is written.
 class csv_writer {
 public:
-  /// `called` is the stream's name in sentences.
+  /// `called` is the name of the stream in error sentences.
   csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream");
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
-  /// One that goes on behind a header and so many rows.
+  /// Returns a writer that continues after a header and `rows` rows.
   static csv_writer behind(std::ostream& out, std::size_t rows, std::size_t columns,
                            std::string called = "the stream");
 
@@ -36,11 +36,11 @@ public:
   csv_writer& operator=(csv_writer&&) = default;
   ~csv_writer() = default;
 
-  /// Whether the row could be written.
+  /// Writes a row; returns whether that succeeded.
   bool row(std::span<const double> numbers);
   bool row(std::initializer_list<double> numbers) { return row(std::span(numbers.begin(), numbers.size())); }
 
-  /// Hands over what the stream still holds, and says whether all has been written.
+  /// Flushes the stream; returns whether everything has been written.
   bool finish();
 
   explicit operator bool() const { return static_cast<bool>(done_); }
@@ -51,7 +51,7 @@ private:
   bool write();
   void fail(const std::string& where);
 
-  std::ostream* out_; // so that writers can be assigned
+  std::ostream* out_; // a pointer, so that writers can be assigned
   std::string called_;
   std::size_t columns_;
   std::size_t rows_ = 0;
@@ -59,13 +59,13 @@ private:
   outcome done_{};
 };
 
-/// Writes a whole table; `called` is the stream's name in sentences.
+/// Writes a whole table; `called` is the name of the stream in error sentences.
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out,
                                       const std::string& called = "the stream");
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path);
 
-/// Reads a table as `write_csv` writes it, or as other programs do; if it cannot, the table says why.
-/// `called` is the name of the text in sentences.
+/// Reads a table written by `write_csv` or by another program; on failure the table holds the cause. `called`
+/// is the name of the text in error sentences.
 KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called = {});
 KANEXPR_SIMULATIONS table read_csv(const file_path& path);
 

@@ -11,7 +11,7 @@ namespace kanexpr::simulated {
 /// A polynomial in time for each entry of a state, over one step: Σ coefficients(k) (t − end)^k.
 struct piece {
   double begin, end;
-  std::vector<double> coefficients; ///< those of a power after one another
+  std::vector<double> coefficients; ///< grouped by power
 
   void evaluate(double t, double* out, std::size_t entries) const;
 };
@@ -21,14 +21,15 @@ class dense_output {
 public:
   void add(piece p);
 
-  /// Whether there is one for a time; the later one where two meet.
+  /// Evaluates the polynomial at a time, the later one where two meet; returns whether there is one.
   bool evaluate(double t, double* out, std::size_t entries) const;
 
 private:
   std::vector<piece> pieces_{};
 };
 
-/// Hermite's cubic through two states with their rates, at a part of the way between them.
+/// Evaluates the cubic Hermite interpolant of two states and their rates at a fraction of the interval
+/// between them.
 KANEXPR_SIMULATIONS void cubic(double part, double length, std::span<const double> a, const double* rates_a,
                                const double* b, const double* rates_b, double* out);
 

@@ -13,7 +13,7 @@
 namespace kanexpr::simulated {
 
 /// Watched functions that are zero where an integration begins, at the start or after a handler. Integrators
-/// look for changes of sign, so that they take no notice of those.
+/// detect only changes of sign, so they miss these.
 class departures {
 public:
   using state = Eigen::VectorXd;
@@ -22,9 +22,9 @@ public:
 
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
-  /// Finds the functions that pass zero at the start: those that are zero there, as far as the tolerances
-  /// tell, and leave it in the direction of their event. An event of either direction must be seen on both
-  /// sides. False where functions have no value.
+  /// Finds the functions that pass zero at the start: those that are zero there, within the tolerances, and
+  /// leave zero in the direction of their event. An event of either direction must be seen on both sides of
+  /// zero. Returns false if a function cannot be evaluated.
   bool begin(double t, const state& x, double span, std::vector<int>& passed) {
     passed.assign(count(), 0);
     waiting_ = returning_ = completing_ = passed;
@@ -40,8 +40,8 @@ public:
     return true;
   }
 
-  /// After a step: functions that were zero since the start and have left it meanwhile in the direction of
-  /// their event.
+  /// Returns, after a step, the functions that have been zero since the start and have now left zero in the
+  /// direction of their event.
   std::vector<int> left(double t, const state& x, const std::vector<int>& passed) {
     std::vector<int> found(count());
     if (none(waiting_) || !evaluate(t, x, later_)) return found;
@@ -54,7 +54,7 @@ public:
     return found;
   }
 
-  /// Whether one of the functions that `left` found is beyond zero.
+  /// Whether one of the functions returned by `left` is beyond zero.
   bool is_beyond(double t, const state& x, const std::vector<int>& left) {
     if (!evaluate(t, x, later_)) return false;
     for (std::size_t i = 0; i < left.size(); ++i)
@@ -62,10 +62,10 @@ public:
     return false;
   }
 
-  /// How far ahead the rates of functions are looked at: a small part of a step.
+  /// Sets how far ahead the rates of the functions are evaluated: a small fraction of a step.
   void look_ahead_by(double step) { least_ahead_ = 1e-3 * step; }
 
-  /// Whether functions pass zero against their rates.
+  /// Whether a function passes zero against the sign of its rate.
   bool contradict(double t, const state& x, const std::vector<int>& passed) {
     const std::vector<double> slopes = slopes_at(t, x);
     for (std::size_t i = 0; i < passed.size(); ++i)
@@ -73,7 +73,8 @@ public:
     return false;
   }
 
-  /// Which function that was found to pass zero does not: it is zero, whatever changes a little. −1: none.
+  /// Returns the index of a function that was found to pass zero but stays there, since small changes of its
+  /// arguments do not change it; −1 if there is none.
   int resting(double t, const state& x, const std::vector<int>& passed) {
     if (!evaluate(t, x, here_)) return -1;
     for (std::size_t i = 0; i < passed.size(); ++i) {
@@ -84,15 +85,16 @@ public:
     return -1;
   }
 
-  /// Whether a function that has passed zero was found at zero itself, where `resting` looked.
+  /// Whether a function that has passed zero was exactly zero where `resting` evaluated it.
   bool is_zero(const std::vector<int>& passed) const {
     for (std::size_t i = 0; i < passed.size(); ++i)
       if (passed[i] != 0 && numeric::equal(here_[i], 0.0)) return true;
     return false;
   }
 
-  /// Notes what is to come of functions that have just passed zero, after handlers that left the state `x`:
-  /// one that they turned round, or brought to rest, is to return; one that goes on may still be before zero.
+  /// Records the functions that have just passed zero, after handlers that left the state `x`: a function
+  /// that they reversed or brought to rest is expected to return; one that continues may not have reached
+  /// zero yet.
   void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
     const std::vector<double> slopes_before = slopes_at(t, before), slopes = slopes_at(t, x);
     returning_.assign(count(), 0), completing_.assign(count(), 0);
@@ -108,8 +110,8 @@ public:
       if (std::abs(here_[i]) > margins_[i]) waiting_[i] = returning_[i] = completing_[i] = 0;
   }
 
-  /// After a step: takes from `passed` what was passed before; and tells whether a function that was to
-  /// return is found beyond zero, and was not seen to pass it.
+  /// After a step: removes from `passed` the functions whose passage was already handled, and returns whether
+  /// a function that was expected to return is beyond zero without having been seen to pass it.
   bool missed(double t, const state& x, std::vector<int>& passed) {
     if (none(returning_) && none(completing_)) return false;
     if (!evaluate(t, x, later_)) return false;
@@ -138,8 +140,8 @@ private:
     return around_.watch(t, x.data(), values.data()) == answer::given;
   }
 
-  /// How much each function changes where the entries of the state, and the time, change by as little as
-  /// cannot be seen.
+  /// Finds by how much each function changes when the entries of the state change by their tolerances, and
+  /// the time by rounding.
   void find_margins(double t, const state& x) {
     margins_.assign(count(), 0);
     const state units = tolerances_.at(x);
@@ -159,7 +161,7 @@ private:
 
   bool rates(double t, const state& x, state& out) { return rates_at(around_, t, x, out); }
 
-  /// Looks farther and farther ahead until it is seen to which side the functions go that are zero.
+  /// Extrapolates farther and farther until it is clear to which side each function at zero moves.
   void look_ahead(double t, const state& x, double farthest, std::vector<int>& passed) {
     const state units = tolerances_.at(x);
     state slope, rough, fine;
@@ -179,7 +181,7 @@ private:
     }
   }
 
-  /// Goes a step by the midpoint rule and by the classic Runge-Kutta method.
+  /// Takes a step with the midpoint rule and one with the classic Runge-Kutta method.
   bool advance(double t, const state& x, double h, state& rough, state& fine) {
     state k1, k2, k3, k4;
     if (!rates(t, x, k1) || !rates(t + h / 2, moved(x, h / 2, k1), k2) ||
@@ -190,12 +192,13 @@ private:
     return true;
   }
 
-  /// The rate of each function; not a number where it cannot be found.
+  /// Returns the rate of each function; NaN if it cannot be evaluated.
   std::vector<double> slopes_at(double t, const state& x) {
     std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;
     if (evaluate(t, x, here_) && rates(t, x, now)) {
-      const double seen = 16 * std::numeric_limits<double>::epsilon() * std::abs(t); // of the time itself
+      const double seen =
+          16 * std::numeric_limits<double>::epsilon() * std::abs(t); // the rounding of the time itself
       const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
       if (numeric::is_finite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
@@ -204,14 +207,14 @@ private:
     return slopes;
   }
 
-  /// Of rates, beside the tolerances.
+  /// Returns the largest rate in units of the tolerances.
   double fastest(const state& x, const state& rates) const { return largest(rates, tolerances_.at(x)); }
 
   surroundings& around_;
   tolerances tolerances_{};
   double least_ahead_ = 0;
-  std::vector<int> waiting_{};                  ///< to leave zero in a direction
-  std::vector<int> returning_{}, completing_{}; ///< to a side, in a direction
+  std::vector<int> waiting_{};                  ///< the direction in which each must leave zero
+  std::vector<int> returning_{}, completing_{}; ///< the direction in which each is expected to pass
   std::vector<double> here_{}, later_{}, margins_{};
 };
 

@@ -12,8 +12,8 @@
 
 namespace kanexpr {
 
-/// When something happened, and the state, which the handler of an event may change. What depends on it by a
-/// constraint follows after that.
+/// The time of an event and the state, which its handler may change. Dependent coordinates and speeds are
+/// solved for afterward.
 template <class System>
 struct moment {
   const double t;
@@ -22,8 +22,8 @@ struct moment {
   const input_values<System>& r;
 };
 
-/// What is done when an event happens: a function of the moment, which may change the state and say whether
-/// the simulation stops; or `after_event::stop` alone.
+/// The action when an event occurs: a function of the moment, which may change the state and return whether
+/// the simulation stops; or just `after_event::stop`.
 template <class System>
 class event_handler {
 public:
@@ -41,7 +41,7 @@ public:
         }) {}
 
   explicit operator bool() const { return static_cast<bool>(do_); }
-  /// What it does each time, by which a study knows it again; nothing: a function.
+  /// Returns the constant action, by which a study identifies the handler; empty for a function.
   const std::optional<after_event>& always() const { return always_; }
   after_event operator()(moment<System>& now) const { return do_(now); }
 
@@ -50,7 +50,7 @@ private:
   std::optional<after_event> always_{};
 };
 
-/// Something that happens where a function passes zero. Without a handler it is only noted.
+/// An event occurs where a function passes zero. Without a handler it is only recorded.
 template <class System>
 struct event {
   using function = std::function<double(double t, const state<System>&, const parameter_values<System>&,
@@ -63,7 +63,7 @@ struct event {
   function value;
   crossing direction;
   event_handler<System> handler;
-  std::string text{}; ///< by which a study knows again what passes zero; empty: a function
+  std::string text{}; ///< identifies what passes zero, for a study; empty for a function
 };
 
 namespace simulated {
@@ -76,17 +76,17 @@ struct watched {
       words.kind == describe::shape::scalar || words.kind == describe::shape::equation;
   static constexpr mechanics::sentence mistake = [] {
     if (passes_zero) return mechanics::sentence{};
-    return mechanics::sentence({"what when<...> watches", words.size > 0 ? ", with " : "",
+    return mechanics::sentence({"the argument of when<...>", words.size > 0 ? ", with " : "",
                                 deriving::name_in(words), words.size > 0 ? "," : "",
-                                deriving::is_a(words.kind), "it must be a scalar, to pass zero"});
+                                deriving::is_a(words.kind), "it must be a scalar that can pass zero"});
   }();
   static_assert(deriving::tell<watched>());
 };
 
 } // namespace simulated
 
-/// The event that an expression of the model passes zero, or that an equation holds:
-/// `when<System, dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
+/// Returns the event in which an expression of the model passes zero or an equation holds: `when<System,
+/// dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
 template <class System, auto expression>
 event<System> when(std::string name, crossing direction = crossing::either,
                    event_handler<System> handler = {}) {

@@ -8,7 +8,7 @@
 
 namespace kanexpr::simulated {
 
-/// ẋ of a system as integrators ask for it.
+/// ẋ of a system in the form that the integrators require.
 template <bool with_jacobian>
 class explicit_motion final : public solvers::explicit_problem {
 public:
@@ -74,9 +74,9 @@ private:
                                     : around_.refuse("the derivatives of the motion are not finite");
   }
 
-  /// The rates near a singular position have no derivatives that are written out. Beside it there may be no
-  /// state on the constraints, or one on another way of the mechanism; Newton's method goes without a
-  /// derivative along such a direction.
+  /// Near a singular position the rates have no analytic derivatives, so differences are used. At a perturbed
+  /// state there may be no state on the constraints, or one on a different branch of the mechanism; Newton's
+  /// method then omits the derivative in that direction.
   answer differences_at(double t, const double* y, double* columns) {
     const Eigen::Map<const Eigen::VectorXd> from(y, size());
     Eigen::VectorXd beside = from, here(size()), before(size()), after(size());

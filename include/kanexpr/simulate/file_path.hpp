@@ -6,7 +6,7 @@
 
 namespace kanexpr {
 
-/// Where a file is: a text, or a `std::filesystem::path`, whose header is long.
+/// The path of a file: a string, or a `std::filesystem::path`, whose header is too long to be included here.
 class file_path {
 public:
   template <std::convertible_to<std::string_view> Text>

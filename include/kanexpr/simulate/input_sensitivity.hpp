@@ -8,7 +8,7 @@
 
 namespace kanexpr::simulated {
 
-/// ∂r/∂x of a controller, by central differences: its function is not known but by its values.
+/// ∂r/∂x of a controller by central differences, since only the values of its function are available.
 class input_sensitivity {
 public:
   using vector = Eigen::VectorXd;
@@ -16,7 +16,7 @@ public:
   explicit input_sensitivity(const surroundings& around)
       : by_state_(Eigen::MatrixXd::Zero(around.known().inputs, around.system().states())) {}
 
-  /// At the state where the surroundings stand.
+  /// Evaluates the derivatives at the current state of the surroundings.
   answer find(double t, surroundings& around) {
     if (!around.inputs_depend_on_state()) return answer::given;
     const vector x = around.x();

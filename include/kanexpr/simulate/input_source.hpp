@@ -11,15 +11,14 @@
 
 namespace kanexpr {
 
-/// Where the inputs of a simulation come from: constants, by name or as a vector; a function of the time; or
-/// a controller, a function of the time and the state. A function gives an `input_values<System>`, or fills
-/// one:
-/// `[](double t, const state<System>& x, input_values<System>& r) { r[T] = -k * x[q]; }`.
-/// Prescribed motions are inputs together with their derivatives (see `prescribe`).
+/// The source of the inputs of a simulation: constants, by name or as a vector; a function of time; or a
+/// controller, a function of time and state. A function returns an `input_values<System>` or fills one:
+/// `[](double t, const state<System>& x, input_values<System>& r) { r[T] = -k * x[q]; }`. Prescribed motions
+/// are inputs together with their derivatives (see `prescribe`).
 template <class System>
 class input_source {
   template <class Given>
-  static constexpr bool is_vector = requires { Given::SizeAtCompileTime; }; // Eigen's can be called
+  static constexpr bool is_vector = requires { Given::SizeAtCompileTime; }; // Eigen's vectors are callable
 
 public:
   using state = kanexpr::state<System>;
@@ -49,23 +48,23 @@ public:
   input_source(Function of_time)
       : give_([f = std::move(of_time)](double t, const state&, inputs& r) mutable { r = f(t); }) {}
 
-  /// Puts constants that were given by name into their places, of a model whose symbols are known only while
-  /// the program runs.
+  /// Assigns constants that were given by name, for a run-time model, whose symbols are known only at run
+  /// time.
   template <class Known>
   void read(const Known& known) {
     if (constants_) constants_->read(known);
   }
 
-  /// A mistake in constants, as a sentence.
+  /// Returns a mistake in the constants, as a sentence.
   const mechanics::sentence& mistake() const {
     static constexpr mechanics::sentence none{};
     return constants_ ? constants_->mistake : none;
   }
   bool depends_on_state() const { return depends_on_state_; }
-  /// Those that are constant; nothing of a function.
+  /// Returns the constant inputs; empty for a function.
   const std::optional<given_inputs<System>>& constants() const { return constants_; }
 
-  /// The inputs at a time and a state; what a function that fills them leaves out is not a number.
+  /// Evaluates the inputs at a time and a state; inputs that a function leaves unset are NaN.
   void give(double t, const state& x, inputs& r) const {
     if (constants_) {
       r = constants_->values;

@@ -49,7 +49,7 @@ private:
     return false;
   }
 
-  /// Ends the simulation where it stands.
+  /// Ends the simulation at its current state.
   bool fail_here(const std::string& why) {
     const std::string because = around_.last_refusal();
     if (has_begun_) sampling_.end(result_.time, state_);
@@ -94,7 +94,7 @@ private:
     return simulated::contradiction_at_start(known(), state_, found, is_given);
   }
 
-  /// In rates of prescribed quantities.
+  /// Returns a contradiction in the rates of prescribed quantities.
   std::string contradiction_in_rates() const {
     if (!has_prescribed_rates(known())) return {};
     if (options_.inputs_are_constant) return contradiction_in_constants(known(), around_.r().data());
@@ -109,7 +109,7 @@ private:
     is_sharper_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;
   }
 
-  /// Where a step fails not far from a singular position the equations of all speeds may go on.
+  /// Continues with the equations of all speeds if a step fails near a singular position.
   bool goes_on_near_singular() {
     if (around_.is_near_singular() || around_.has_thrown()) return false;
     around_.come_to(result_.time, state_, not_far);
@@ -119,7 +119,8 @@ private:
     return restart();
   }
 
-  /// Near a singular position rates have fewer digits, and no step would satisfy tolerances beyond them.
+  /// Limits the tolerances near a singular position, where rates have fewer digits and no step would satisfy
+  /// smaller tolerances.
   void set_tolerances() {
     const double least = around_.is_near_singular() ? least_tolerance_near_singular : 0;
     std::vector<double> absolute = absolute_tolerances_;
@@ -144,7 +145,7 @@ private:
     return o;
   }
 
-  /// Lets the dependent coordinates and speeds follow.
+  /// Solves for the dependent coordinates and speeds.
   bool assemble_at(double t, state& x) {
     if (around_.take(t, x) != answer::given) return fail_here("");
     manifold* const constraints = around_.constraints();
@@ -154,12 +155,13 @@ private:
     return around_.take(t, x) == answer::given || fail_here("");
   }
 
-  /// Whether what is solved for nothing followed from the other constraints until here.
+  /// Checks that the redundant constraints, which are not solved for anything, still follow from the others.
   bool holds_redundant(double t, const state& x) {
     if (known().redundant_constraints == 0 || around_.constraints() == nullptr) return true;
     if (around_.take(t, x) != answer::given) return fail_here("");
     const double error = (std::max)(options_.relative_tolerance, largest_absolute_tolerance()),
-                 tolerance = (std::max)(1e-6, 1e3 * error); // steps leave the other constraints a little
+                 tolerance =
+                     (std::max)(1e-6, 1e3 * error); // steps leave small residuals in the other constraints
     const mechanics::sentence off = around_.constraints()->redundant_off(t, x, around_.r(), tolerance);
     return !off || fail_here(off.cause() + " at t = " + digits(t) +
                              ": it does not follow from the other constraints");
@@ -179,10 +181,10 @@ private:
     while (goes_on && elapsed_ < around_.length()) goes_on = step();
   }
 
-  /// One step of the integrator. Until its end is known to be sound the simulation stands at its beginning.
+  /// Takes one step of the integrator. The simulation stays at the beginning of the step until its end is
+  /// accepted.
   bool step() {
-    if (moving_.steps() >= options_.most_steps)
-      return fail_here("the most steps that are allowed were taken");
+    if (moving_.steps() >= options_.most_steps) return fail_here("the maximum number of steps was reached");
     const solvers::arrival arrived = stepper().advance(around_.length());
     if (arrived == solvers::arrival::failed)
       return goes_on_near_singular() || fail_here(stepper().failed().sentence);
@@ -213,7 +215,8 @@ private:
            fail_here("");
   }
 
-  /// Goes back to where functions that were zero leave it: where the step begins, or in between, as a jump.
+  /// Goes back to the point where functions that were zero leave zero: the beginning of the step or, for a
+  /// jump, a point within it.
   void find_departure(const std::vector<int>& left, double& elapsed, state& x) {
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * elapsed;
     double before = elapsed_;
@@ -234,21 +237,21 @@ private:
   std::string too_large(const state& x) const {
     int i = 0;
     while (numeric::is_finite(x(i))) ++i;
-    return around_.name_of_state(i) + " becomes larger than numbers can say";
+    return around_.name_of_state(i) + " overflows double";
   }
 
-  /// Of a function that stays at zero, integrators find any time at which it is there.
+  /// Rejects functions that stay at zero, for which integrators report an arbitrary time.
   bool is_passing(const std::vector<int>& passed) {
     const int resting = departures_.resting(result_.time, state_, passed);
     return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +
-                                    " stays at zero; it must pass it");
+                                    " stays at zero; it must pass through zero");
   }
 
   static bool is_any(const std::vector<int>& passed) {
     return std::ranges::any_of(passed, [](int each) { return each != 0; });
   }
 
-  /// Lets the handlers of what happened act, and goes on from the state that they leave.
+  /// Calls the handlers of the events that occurred, and continues from the state that they leave.
   bool pass_event(const std::vector<int>& passed) {
     const double t = result_.time;
     if (is_endless(passed)) return fail_here(ever_faster);
@@ -278,7 +281,7 @@ private:
         return !numeric::equal(told(k), state_(k));
       };
       if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
-        return fail_here(said + ", after the handler of an event");
+        return fail_here(said + " after the handler of an event");
     }
     departures_.note(t, state_, x, passed);
     state_ = x;
@@ -287,16 +290,16 @@ private:
     return !stops && restart();
   }
 
-  /// Goes on anew from where the simulation stands.
+  /// Restarts the integrator at the current state.
   bool restart() {
     begun_ = elapsed_, is_sharper_ = false;
     return moving_.restart(elapsed_, state_) || fail_here(stepper().failed().sentence);
   }
 
-  /// Whether a function of a late time may stay at zero for longer than integrators let it.
+  /// Whether the time is so large that a function may stay at zero for longer than the integrators allow.
   bool is_coarse() const { return std::abs(result_.time) > 64 * elapsed_; }
 
-  /// Whether one event happens again and again at one time.
+  /// Whether one event occurs again and again at the same time.
   bool is_endless(const std::vector<int>& passed) {
     const double t = elapsed_, length = around_.length();
     bool is_soon = false;
@@ -318,27 +321,27 @@ private:
 
   static constexpr double least_tolerance_near_singular = 1e-10;
   static constexpr double not_far = 0.5; ///< a distinctness
-  static constexpr const char* ever_faster = "events happen ever faster; a handler must end that";
+  static constexpr const char* ever_faster = "events occur faster and faster; a handler must stop this";
 
   const settings& options_;
   const time_span span_;
   surroundings around_;
   moving_system<by> moving_;
   ending result_{};
-  state state_{}; ///< where the simulation stands
+  state state_{}; ///< the current state
   sampling sampling_;
   departures departures_{around_};
-  std::vector<double> absolute_tolerances_{}; ///< as asked for
-  double elapsed_ = 0;                        ///< where the simulation stands, since the start
+  std::vector<double> absolute_tolerances_{}; ///< as requested
+  double elapsed_ = 0;                        ///< the current time, since the start
   double begun_ = -std::numeric_limits<double>::infinity();
-  /// How often in a row an event has happened at one time.
+  /// Counts how many times in succession an event has occurred at the same time.
   struct repetition {
     double last = -std::numeric_limits<double>::infinity();
     int times = 0;
   };
   std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
   bool has_begun_ = false;
-  bool is_sharper_ = false; ///< tolerances are than what the integrator keeps from its last steps
+  bool is_sharper_ = false; ///< the tolerances are sharper than those of the integrator's last steps
 };
 
 template <integrator by>

@@ -18,18 +18,19 @@
 
 namespace kanexpr::simulated {
 
-/// Why a model cannot be simulated, as a sentence; empty: it can.
+/// Returns why a model cannot be simulated, as a sentence; empty if it can be.
 inline std::string check_model(model& m) {
-  m.rhs(); // which may be a mistake, and lets go of what was refused before
+  m.rhs(); // may fail, and clears earlier mistakes
   if (!m.mistake().empty()) return m.mistake();
   const mechanics::mechanism& of = m.mechanism();
   const int symbols = of.coordinates.size() + of.speeds.size() + of.parameters.size() + of.inputs.size();
   if (symbols <= deriving::survey::room) return {};
-  return "the model has " + std::to_string(symbols) + " symbols; a simulation has room for " +
+  return "the model has " + std::to_string(symbols) + " symbols; a simulation supports at most " +
          std::to_string(deriving::survey::room);
 }
 
-/// Some results of a model, interpreted together as their compiled function evaluates them.
+/// Several results of a model, interpreted together in the same way as their compiled function evaluates
+/// them.
 template <class Number>
 class interpreted_results {
 public:
@@ -41,7 +42,7 @@ public:
     found_ = function_(arguments...).data();
     return function_.status();
   }
-  /// Writes one of them by columns.
+  /// Writes one of the results in column-major order.
   void tell(std::size_t which, Number* out) const {
     const part& p = parts_[which];
     for (int j = 0; j < p.columns; ++j)
@@ -70,8 +71,8 @@ private:
   const Number* found_ = nullptr;
 };
 
-/// A model that was derived while the program runs, with the parameters and options of a simulation. Only
-/// what the method asks for is derived.
+/// A run-time model with the parameters and options of a simulation. Only the results that the method needs
+/// are derived.
 class interpreted_system final : public system {
   using quantity = mechanics::quantity;
   template <class Number>
@@ -217,7 +218,7 @@ private:
   static constexpr std::initializer_list<quantity> velocities_and_derivatives{quantity::velocity_residual,
                                                                               quantity::constraint_jacobian};
 
-  /// F of the method with multipliers, of real numbers or of complex ones.
+  /// F of the method with multipliers, for real or complex numbers.
   template <class Number>
   class multiplier_equations {
   public:
@@ -276,7 +277,7 @@ private:
     std::copy_n(x, x_.size(), x_.data());
     std::copy_n(r, r_.size(), r_.data());
   }
-  /// What a function of the user named in the vectors, and what it left of one.
+  /// Checks the names that a user function looked up in the vectors, and the size of the vector that it left.
   void check_vector(const runtime::value_vector& left, compiled::symbols_of which) const {
     const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
     for (const runtime::value_vector* each : all)

@@ -6,7 +6,7 @@
 
 namespace kanexpr::simulated {
 
-/// A function of the user named something that the model does not have. It ends the simulation, not the
+/// Thrown when a user function uses a name that the model does not have. It ends the simulation, not the
 /// program.
 class misnamed : public std::exception {
 public:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Simulate a model that was derived while the program runs, or what a builder built. Link kanexpr::simulate.
+/// Simulation of run-time models and of builders. Link kanexpr::simulate.
 
 #include <kanexpr/simulate/interpreted_system.hpp>
 #include <kanexpr/simulate/simulate.hpp>
@@ -14,11 +14,11 @@ class builder;
 }
 model derive(const runtime::builder& built);
 
-/// Moves a model from a state over a time span, as `simulate<System>` does, with symbols by their names:
+/// Simulates a model from a state over a time span, as `simulate<System>` does, with symbols given by name:
 /// `simulate(m, {{"q", 0.1}, {"u", 0}}, {{"m", 1}, {"g", 9.81}}, {0, 10})`.
 ///
-/// Another method is named as in `simulate<integrator::bdf>(m, …)`. The model is one that only this thread
-/// uses meanwhile.
+/// Select a different method as in `simulate<integrator::bdf>(m, …)`. No other thread may use the model
+/// during the simulation.
 template <integrator by = integrator::adams>
 simulation<model> simulate(model m, given_state<model> x, given_parameters<model> p, time_span span,
                            const simulation_options<model>& options = {}) {
@@ -42,7 +42,7 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
   return result;
 }
 
-/// The same of what was built so far.
+/// The same for the system that has been built so far.
 template <integrator by = integrator::adams, std::derived_from<runtime::builder> Builder>
 simulation<model> simulate(const Builder& built, const given_state<model>& x,
                            const given_parameters<model>& p, time_span span,
@@ -50,7 +50,7 @@ simulation<model> simulate(const Builder& built, const given_state<model>& x,
   return simulate<by>(derive(built), x, p, span, options);
 }
 
-/// The event that an expression of a model passes zero: `when(m, dot(x) - v, "slips")`.
+/// Returns the event in which an expression of a model passes zero: `when(m, dot(x) - v, "slips")`.
 inline event<model> when(model m, symbolic::expression passes_zero, std::string name,
                          crossing direction = crossing::either, event_handler<model> handler = {}) {
   if (!passes_zero.is_given() || !passes_zero.lives_in(m.graph()))

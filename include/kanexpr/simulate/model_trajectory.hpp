@@ -12,8 +12,7 @@
 
 namespace kanexpr {
 
-/// The trajectory of a model that was derived while the program runs. What is evaluated along it is
-/// interpreted.
+/// The trajectory of a run-time model. Everything that is evaluated along it is interpreted.
 template <>
 class trajectory<model> : public simulated::samples<model> {
 public:
@@ -22,7 +21,7 @@ public:
   trajectory() = default;
   trajectory(const model& of, const parameters_type& p) : samples(p), of_(of) {}
 
-  /// A coordinate, speed or input over the samples: `path["q1"]`. Empty where the model has none of that
+  /// Returns a coordinate, speed or input over the samples: `path["q1"]`. Empty if the model has none of that
   /// name.
   std::vector<double> operator[](std::string_view name) const {
     if (empty()) return {};
@@ -36,7 +35,7 @@ public:
     return {};
   }
 
-  /// An expression of the model at each sample, in the motion that the equations give.
+  /// Returns an expression of the model at each sample, for the motion given by the equations.
   std::vector<double> along(symbolic::expression e) const {
     if (!of_) return {};
     model m = *of_;
@@ -46,7 +45,7 @@ public:
     auto f = m.function(one);
     return collect([&](const sample& s) { return f(s.t, s.x, parameters(), s.r)(0, 0); });
   }
-  /// A result at each sample: `path.along(m.mass_matrix())`.
+  /// Returns a result at each sample: `path.along(m.mass_matrix())`.
   std::vector<Eigen::MatrixXd> along(const symbolic::matrix& result) const {
     if (!of_) return {};
     model m = *of_;
@@ -55,7 +54,7 @@ public:
     return collect([&](const sample& s) -> Eigen::MatrixXd { return f(s.t, s.x, parameters(), s.r); });
   }
 
-  /// Of bodies; empty where a Lagrangian takes their place.
+  /// Returns the energies of the bodies; empty if the system is given by a Lagrangian.
   kanexpr::energies energies() const {
     kanexpr::energies all;
     if (!of_) return all;
@@ -69,7 +68,7 @@ public:
     return all;
   }
 
-  /// The largest magnitude that the constraints leave at each sample.
+  /// Returns the largest constraint residual at each sample.
   std::vector<double> constraint_residuals() const {
     if (!of_) return {};
     model m = *of_;
@@ -79,7 +78,7 @@ public:
     });
   }
 
-  /// Between the samples, as for a compiled system.
+  /// Returns the sample at a time between the samples, as for a compiled system.
   std::optional<sample> at(double t) const {
     if (!of_) return std::nullopt;
     model m = *of_;
@@ -87,7 +86,8 @@ public:
     return between(t, [&](const sample& s) -> Eigen::VectorXd { return rhs(s.t, s.x, parameters(), s.r); });
   }
 
-  /// The time, the state and the inputs as named columns: "t", or "time" where the model calls something t.
+  /// Returns the time, the state and the inputs as named columns; the time is "t", or "time" if the model has
+  /// a symbol t.
   kanexpr::table table() const { return empty() ? kanexpr::table() : table_of(*front().x.known()); }
 
 private:

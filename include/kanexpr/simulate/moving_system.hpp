@@ -12,18 +12,18 @@
 
 namespace kanexpr::simulated {
 
-/// A system with the integrator that moves it.
+/// A system together with its integrator.
 template <integrator by>
 class moving_system {
 public:
   static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
-  /// How distinct constraints are where the equations of all speeds take over.
+  /// The distinctness of the constraints below which the equations of all speeds are used.
   static constexpr double least_distinctness = 0.05;
 
   explicit moving_system(surroundings& around) : motion_(around) {}
 
-  /// Sets the integrator up at the start of the span; where that fails the stepper, or the surroundings, know
-  /// why.
+  /// Sets up the integrator at the start of the span; on failure the stepper or the surroundings hold the
+  /// cause.
   answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
     integrating_.emplace(formulas, motion_, 0, std::vector<double>(x.begin(), x.end()), options);
     return answer::given;
@@ -31,13 +31,13 @@ public:
 
   solvers::stepper& stepper() { return *integrating_; }
 
-  /// Goes on from another state, and from no later time.
+  /// Restarts from a different state, at the same or an earlier time.
   bool restart(double elapsed, const Eigen::VectorXd& x) {
     integrating_->go_back_to(elapsed);
     std::ranges::copy(x, integrating_->state());
     return integrating_->restart();
   }
-  /// Whether another integrator has to go on from where the last step ended.
+  /// Whether a different integrator has to continue from the end of the last step.
   static bool has_to_change() { return false; }
 
   void set_tolerances(double relative, const std::vector<double>& absolute) {
@@ -71,8 +71,8 @@ private:
   std::optional<stepper_type> integrating_{};
 };
 
-/// With multipliers; near singular positions, where these are not determined, by backward differentiation of
-/// the rates.
+/// Uses the equations with multipliers; near singular positions, where these are not determined, it uses
+/// backward differentiation of the rates.
 template <>
 class moving_system<integrator::differential_algebraic> {
 public:
@@ -130,7 +130,7 @@ public:
   }
 
 private:
-  /// Makes the integrator that the place asks for.
+  /// Creates the integrator that the current position requires.
   answer begin(double elapsed, const Eigen::VectorXd& x) {
     is_passing_ = around_.is_near_singular();
     if (is_passing_) {
@@ -141,7 +141,7 @@ private:
     std::vector<double> y(static_cast<std::size_t>(motion_.size())), ydot(y.size());
     if (const answer a = motion_.start(elapsed, x, y.data(), ydot.data()); a != answer::given) return a;
     solvers::stepper_options all = options_;
-    constexpr double any = 1e100; // multipliers, in whatever units: no test looks at them
+    constexpr double any = 1e100; // for multipliers, which no error test checks
     all.absolute_tolerances.resize(y.size(), any);
     integrating_.emplace(motion_, elapsed, y, ydot, all);
     return answer::given;

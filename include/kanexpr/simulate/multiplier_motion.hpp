@@ -14,9 +14,9 @@ namespace kanexpr::simulated {
 ///
 ///     q̇ − q̇(q, u) − Φ_qᵀ μ = 0,  F_r + F_r* + Jᵀ λ = 0,  J u + c = 0,  Φ = 0.
 ///
-/// Coordinates and speeds are both held to their constraints; μ, which is zero in the solution, makes room
-/// for that (Gear, Gupta & Leimkuhler 1985). Norms of quaternions are left out: a multiplier for each takes
-/// three times the evaluations and gains nothing.
+/// Coordinates and speeds both satisfy their constraints; μ, which is zero in the solution, makes this
+/// possible (Gear, Gupta & Leimkuhler 1985). Quaternion norms are omitted: a multiplier for each takes three
+/// times as many evaluations and gains nothing.
 template <class Surroundings>
 class multiplier_motion final : public solvers::implicit_problem {
 public:
@@ -40,7 +40,8 @@ public:
   int direction(int i) const override { return around_.direction(i); }
   bool is_algebraic(int entry) const override { return entry >= states_; }
 
-  /// A state with its multipliers, and their rates, those of multipliers zero.
+  /// Sets y and ydot to a state with its multipliers and to their rates; the rates of the multipliers are
+  /// zero.
   answer start(double elapsed, const vector& x, double* y, double* ydot) {
     const double t = around_.time(elapsed);
     if (const answer a = around_.take(t, x); a != answer::given) return a;
@@ -78,7 +79,7 @@ public:
   }
 
   bool has_jacobian() const override { return true; }
-  /// Exact, by a complex step along each entry of y and, c times as far, of ẏ.
+  /// Exact, by complex steps in each entry of y and, scaled by c, of ẏ.
   answer jacobian(double elapsed, double c, const double* y, const double* ydot, double* columns) override {
     const double t = around_.time(elapsed);
     if (const answer a = around_.take(t, y); a != answer::given) return a;

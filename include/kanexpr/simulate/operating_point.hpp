@@ -16,35 +16,37 @@
 
 namespace kanexpr {
 
-/// What is known of an operating point before it is found.
+/// Options of the search for an operating point.
 template <class System>
 struct operating_point_options {
   guessed_inputs<System> inputs = {};
-  std::vector<symbol_name> held = {};     ///< states and inputs that stay at their guess
-  std::vector<symbol_name> freed = {};    ///< parameters, and prescribed quantities, that are found too
-  std::vector<symbol_name> changing = {}; ///< coordinates, or speeds, whose rates may be any
-  std::vector<named_value> rates = {};    ///< `{dot(q1), 0.3}`: rates that are not zero
+  std::vector<symbol_name> held = {};     ///< states and inputs fixed at their guess
+  std::vector<symbol_name> freed = {};    ///< parameters and prescribed quantities to solve for
+  std::vector<symbol_name> changing = {}; ///< coordinates or speeds with arbitrary rates
+  std::vector<named_value> rates = {};    ///< `{dot(q1), 0.3}`: nonzero rates
   double t = 0;
-  double tolerance = 1e-10; ///< of every equation, beside what its unknowns make of it
+  double tolerance = 1e-10; ///< of every equation, relative to its magnitude
   int most_iterations = 200;
 };
 
 /// A state and inputs at which a system is in equilibrium or in steady motion: the constraints hold,
-/// quaternions have norm 1, and all rates of coordinates and speeds are zero, except those that the
-/// options name. `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
+/// quaternions have norm 1, and all rates of coordinates and speeds are zero, except those that the options
+/// name. `operating_point<System> turn(guess, p, {.held = {q2, u3}, .changing = {q1}});`
 ///
-/// Found are all coordinates, speeds and inputs that are not held, and what is freed. Prescribed quantities
-/// and their derivatives are known, so they stay unless they are freed. There may be more equations than
-/// unknowns, if they agree; where there are fewer, the search ends near the guess.
+/// The unknowns are all coordinates, speeds and inputs that are not held, and everything that is freed.
+/// Prescribed quantities and their derivatives are known, so they stay fixed unless they are freed. There may
+/// be more equations than unknowns if they are consistent; if there are fewer, the search ends near the
+/// guess.
 template <class System>
 class operating_point {
 public:
-  double t = 0; ///< the time of it
+  double t = 0; ///< the time
   kanexpr::state<System> x;
   parameter_values<System> p;
   input_values<System> r;
   int iterations = 0;
-  int freedom = 0; ///< directions in which the unknowns may move and it stays an operating point
+  int freedom =
+      0; ///< the number of independent directions in which the unknowns may move along operating points
 
   /// A residual with its name: "the rate of speed u2".
   using residual = trim::residual;
@@ -60,12 +62,13 @@ public:
   }
 
   explicit operator bool() const { return cause_.empty(); }
-  /// Why there is none, as a sentence; empty: it is one. What x, p and r hold then is where the search ended.
+  /// Returns why the search failed, as a sentence; empty on success. After a failure x, p and r hold the
+  /// point where the search ended.
   std::string cause() const { return cause_; }
-  /// What each equation leaves.
+  /// Returns the residual of each equation.
   const std::vector<residual>& residuals() const { return residuals_; }
 
-  /// For `linearize` of a system that is derived while the program runs.
+  /// Converts to the point at which a run-time model is linearized.
   operator linearization_point() const {
     linearization_point point;
     point.set(time_variable(), t);
@@ -88,7 +91,7 @@ private:
   static std::string mistake_in(const operating_point_options<System>& o) {
     if (!numeric::is_finite(o.tolerance)) return "the tolerance is not finite";
     if (!(o.tolerance > 0)) return "the tolerance must be positive";
-    if (o.most_iterations <= 0) return "the most iterations that are allowed must be positive";
+    if (o.most_iterations <= 0) return "the maximum number of iterations must be positive";
     return numeric::is_finite(o.t) ? "" : "the time is not finite";
   }
 
@@ -112,8 +115,8 @@ private:
   template <int size>
   using vector = Eigen::Matrix<number, size, 1>;
 
-  /// Interpreted, since a search evaluates it a few hundred times, and in complex numbers, whose code is
-  /// long.
+  /// Interpreted, since a search evaluates it only a few hundred times, and in complex numbers, whose
+  /// compiled code would be long.
   static const compiled::code_table* constraints() {
     if constexpr (is_constrained && !compiled::is_linked<System>)
       return &table_for<mechanics::quantity::constraint_residual>();

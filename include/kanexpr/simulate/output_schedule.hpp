@@ -10,21 +10,20 @@
 
 namespace kanexpr::simulated {
 
-/// The times at which samples are asked for, one after another: regular ones with both ends of the span, or
-/// those of a list.
+/// The times of the requested samples, in order: regular ones with both ends of the span, or those of a list.
 class output_schedule {
 public:
   output_schedule(const time_span& span, double every, const std::vector<double>& times)
       : span_(span), every_(every), times_(times) {
     if (every > 0) {
       const double parts = (span.to - span.from) / every;
-      const double rounding = (std::min)(1e-12 * parts, 1e-3); // a last part as short as that is none
+      const double rounding = (std::min)(1e-12 * parts, 1e-3); // a shorter last interval is ignored
       count_ = std::ceil(parts - rounding) + 1;
     }
     if (!times.empty()) count_ = static_cast<double>(times.size());
   }
 
-  /// Whether no times are asked for: each step of the integrator is a sample.
+  /// Whether no times are requested, so that each step of the integrator is a sample.
   bool takes_each_step() const { return numeric::equal(every_, 0.0) && times_.empty(); }
 
   bool is_over() const { return numeric::equal(next_, count_); }
@@ -38,7 +37,7 @@ private:
   time_span span_;
   double every_;
   const std::vector<double>& times_;
-  double next_ = 0, count_ = 0; // whole numbers
+  double next_ = 0, count_ = 0; // integers
 };
 
 } // namespace kanexpr::simulated

@@ -10,8 +10,8 @@
 
 namespace kanexpr {
 
-/// Gives a prescribed quantity and its derivatives among the inputs the values of a function of time, which
-/// is differentiated exactly: `prescribe(r, theta, t, [](auto t) { using std::sin; return 0.1 * sin(t); })`.
+/// Sets a prescribed quantity and its derivatives among the inputs from a function of time, which is
+/// differentiated exactly: `prescribe(r, theta, t, [](auto t) { using std::sin; return 0.1 * sin(t); })`.
 template <class System, text called, int index, class Function>
 void prescribe(input_values<System>& r, const prescribed<called, index>& quantity, double t,
                const Function& f) {
@@ -29,7 +29,7 @@ void prescribe(input_values<System>& r, const prescribed<called, index>& quantit
   if constexpr (second >= 0) r(second) = value.derivative(2);
 }
 
-/// The same by name, of a model that was derived while the program runs: `prescribe(r, "theta", t, …)`.
+/// The same by name, for a run-time model: `prescribe(r, "theta", t, …)`.
 template <class Inputs, class Function>
   requires requires(const Inputs& r, std::string_view name) { r.holds(name); }
 void prescribe(Inputs& r, std::string_view quantity, double t, const Function& f) {

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-/// Prescribed quantities whose rates are not theirs.
+/// Checks that the rates of prescribed quantities are consistent with the quantities.
 namespace kanexpr::simulated {
 
-/// Gives the inputs at a time, and says whether they could be given.
+/// Evaluates the inputs at a time; returns whether that succeeded.
 using inputs_at_times = std::function<bool(double t, double* r)>;
 
 /// Whether rates of prescribed quantities are among the inputs.
@@ -28,7 +28,7 @@ constexpr bool has_prescribed_rates(const deriving::survey& known) {
   return false;
 }
 
-/// Two places among the inputs.
+/// The indices of a prescribed quantity and of its rate among the inputs.
 struct quantity_and_rate {
   int value, rate;
   std::string name; ///< of the value: "theta", or "dot(theta)"
@@ -52,30 +52,31 @@ inline std::vector<quantity_and_rate> prescribed_rates(const deriving::survey& k
   return all;
 }
 
-/// Of inputs that stay as they are: a rate that is not zero, as a sentence.
+/// Returns a sentence about a nonzero rate if the inputs are constant.
 inline std::string contradiction_in_constants(const deriving::survey& known, const double* r) {
   if (!has_prescribed_rates(known)) return {};
   for (const quantity_and_rate& each : prescribed_rates(known))
     if (std::abs(r[each.rate]) > 0)
-      return "prescribed quantity " + each.name + " is given as constant, with the rate " +
+      return "prescribed quantity " + each.name + " is constant, but its rate is given as " +
              digits(r[each.rate]);
   return {};
 }
 
-/// Compares rates that a function gives with differences of what they are rates of: near the start, within
-/// the span and near its end. There are no differences of what jumps, stands on steps or is noise, and at a
-/// corner the rate is that of either side.
+/// Compares the rates that a function gives with differences of the quantities: near the start, within the
+/// span and near its end. Values that jump, are piecewise constant or noisy have no such differences, and at
+/// a corner the rate is that of either side.
 class rates_and_differences {
 public:
   rates_and_differences(const deriving::survey& known, const time_span& span, inputs_at_times give)
       : known_(known), span_(span), give_(std::move(give)), length_(span.to - span.from) {}
 
-  /// A contradiction, as a sentence; `depends` says of two inputs whether one of them changes with the state.
+  /// Returns a contradiction, as a sentence; `depends` returns whether one of two inputs changes with the
+  /// state.
   template <class Depends>
   std::string find(const Depends& depends) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();
     const double latest = (std::max)(std::abs(span_.from), std::abs(span_.to));
-    // no round part of the span, which may be a period
+    // not a round fraction of the span, which may be a period
     const double h = (std::max)(1.37e-8 * length_, 1e5 * eps * latest);
     if (!(length_ > 0) || h > 1e-4 * length_) return {};
     std::vector<look> looks;
@@ -91,7 +92,7 @@ public:
             !depends(one.t, each))
           return "prescribed quantity " + each.name + " changes at the rate " +
                  digits(one.difference(1, 3, each.value)) + " at t = " + digits(one.t) +
-                 ", and its rate is given as " + digits(one.at(2, each.rate));
+                 ", but its rate is given as " + digits(one.at(2, each.rate));
     }
     return {};
   }
@@ -129,7 +130,7 @@ private:
     }
     for (const look& other : looks)
       stands_everywhere = stands_everywhere && !(std::abs(other.at(2, of.value) - one.at(2, of.value)) > 0);
-    if (stands && !stands_everywhere) return false; // a step of many
+    if (stands && !stands_everywhere) return false; // piecewise constant
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest / one.h,
                  tolerance = 1e-4 * scale + rounding, given = one.at(2, of.rate);
     const double narrow = one.difference(1, 3, of.value), wider = one.difference(0, 4, of.value);
@@ -139,7 +140,8 @@ private:
     return true;
   }
 
-  /// Of tables values and rates are interpolated each by itself, and agree over several of their rows.
+  /// Whether values and rates agree over a longer interval: in a table, each is interpolated separately, and
+  /// they agree only over several rows.
   bool agrees_on_the_whole(double t, const quantity_and_rate& of, double scale) const {
     constexpr int parts = 64;
     constexpr double tolerance = 0.05;
@@ -163,7 +165,7 @@ private:
   const double length_;
 };
 
-/// Of a function of the time and a state, the first: `give(t, x, r)` may throw.
+/// Returns the first contradiction in a function of time and state, where `give(t, x, r)` may throw.
 template <class Give>
 std::string contradiction_in_function(const deriving::survey& known, const time_span& span, const double* x,
                                       const Give& give) {
@@ -172,7 +174,7 @@ std::string contradiction_in_function(const deriving::survey& known, const time_
     try {
       give(t, at.data(), r);
       return true;
-    } catch (...) { // where a simulation comes to this time, it says so
+    } catch (...) { // the simulation reports this when it reaches this time
       return false;
     }
   };

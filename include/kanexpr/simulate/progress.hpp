@@ -7,15 +7,16 @@
 
 namespace kanexpr {
 
-/// Shows in a terminal how far a run is and how long it will still take, ten times a second at most; in a
-/// file it leaves nothing. Called with the time and the span, as the option `progress` of a simulation is:
+/// Shows the progress and the remaining time of a run in a terminal, at most ten times a second; it writes
+/// nothing to a file. Called with the time and the span, like the option `progress` of a simulation:
 /// `.progress = progress_bar()`.
 ///
-/// The line ends when the time reaches the end of the span; if the bar goes away before, the line does too.
+/// The line is completed when the time reaches the end of the span; if the bar is destroyed earlier, the line
+/// is erased.
 class progress_bar {
 public:
   explicit progress_bar(std::FILE* out = stderr);
-  /// A bar for the same terminal, which has drawn nothing.
+  /// Creates a bar for the same terminal that has not drawn anything yet.
   progress_bar(const progress_bar& other) : out_(other.out_), is_shown_(other.is_shown_) {}
   progress_bar& operator=(const progress_bar&) = delete;
   ~progress_bar() { clear(); }
@@ -27,7 +28,7 @@ public:
     (*this)(t, span.from, span.to);
   }
 
-  /// Takes the line away.
+  /// Erases the line.
   void clear();
 
 private:
@@ -35,8 +36,8 @@ private:
 
   std::FILE* out_;
   bool is_shown_;
-  bool has_begun_ = false, is_drawn_ = false; ///< in this run; since the line was last taken away
-  std::int64_t begin_ = 0, drawn_ = 0;        ///< nanoseconds of a clock
+  bool has_begun_ = false, is_drawn_ = false; ///< in this run; since the line was last erased
+  std::int64_t begin_ = 0, drawn_ = 0;        ///< clock readings in nanoseconds
 };
 
 } // namespace kanexpr

@@ -5,7 +5,8 @@
 
 namespace kanexpr::simulated {
 
-/// The rates of a state with the inputs of that time and state; false where there are none.
+/// Evaluates the rates of a state with the inputs at that time and state; returns false if they cannot be
+/// evaluated.
 inline bool rates_at(surroundings& around, double t, const Eigen::VectorXd& x, Eigen::VectorXd& rates) {
   if (around.take(t, x) != answer::given) return false;
   rates.resize(x.size());

@@ -6,7 +6,7 @@
 
 namespace kanexpr::simulated {
 
-/// Moves a system from a state over a time span.
+/// Simulates a system from a state over a time span.
 template <integrator by>
 ending run(system& moved, const double* from, const time_span& span, const settings& options);
 

@@ -32,8 +32,8 @@ struct energies {
 
 namespace simulated {
 
-/// The samples of a motion in the order of time, and the polynomials between them: a trajectory as far as it
-/// does not matter of what.
+/// The samples of a motion in chronological order, and the polynomials between them: the part of a trajectory
+/// that does not depend on the kind of system.
 template <class System>
 class samples {
 public:
@@ -44,7 +44,7 @@ public:
   explicit samples(const parameters_type& p) : p_(p) {}
 
   void add(const sample& s) { samples_.push_back(s); }
-  /// The solution's polynomial over a step, for `at`.
+  /// Adds the solution's polynomial over a step, for `at`.
   void add(piece p) { pieces_.add(std::move(p)); }
 
   std::size_t size() const { return samples_.size(); }
@@ -69,7 +69,7 @@ protected:
     return all;
   }
 
-  /// At a time between samples, at which `rates` gives ẋ.
+  /// Returns the sample at a time between the samples; `rates` returns ẋ at a sample.
   template <class Rates>
   std::optional<sample> between(double t, const Rates& rates) const {
     if (empty() || !(numeric::is_finite(t) && t >= front().t && t <= back().t)) return std::nullopt;
@@ -90,7 +90,7 @@ protected:
   kanexpr::table table_of(const deriving::survey& known) const {
     kanexpr::table all;
     const auto put = [&](std::string_view name, std::vector<double> values) {
-      static_cast<void>(all.add(std::string(name), std::move(values))); // no two symbols have one name
+      static_cast<void>(all.add(std::string(name), std::move(values))); // symbol names are unique
     };
     const auto add_columns = [&](symbolic::symbol_kind kind, int count, auto entry) {
       for (int i = 0; i < count; ++i)

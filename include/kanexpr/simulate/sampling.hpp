@@ -16,8 +16,8 @@
 
 namespace kanexpr::simulated {
 
-/// Takes the samples of a simulation when they are due, and keeps them or hands them on. Where one cannot be
-/// taken the surroundings know why.
+/// Takes the samples of a simulation when they are due, and stores them or passes them on. If a sample cannot
+/// be taken, the surroundings hold the cause.
 class sampling {
 public:
   using state = Eigen::VectorXd;
@@ -28,12 +28,12 @@ public:
   sampling(const sampling&) = delete;
   sampling& operator=(const sampling&) = delete;
 
-  /// What corrections are measured by.
+  /// Sets the tolerances by which corrections are measured.
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
   bool takes_each_step() const { return schedule_.takes_each_step(); }
 
-  /// Before the first step.
+  /// Takes the samples that are due before the first step.
   bool begin(double t, const state& x) {
     if (takes_each_step()) return record(t, x);
     for (; !is_over() && next() <= t; schedule_.pass())
@@ -41,8 +41,8 @@ public:
     return true;
   }
 
-  /// After a step until a time since the start: what was due on the way there. Where a sample is due at its
-  /// end the state is brought to the constraints.
+  /// Takes the samples that became due during a step, up to a time since the start. If a sample is due at
+  /// that time, the state is projected onto the constraints.
   bool go_on(solvers::stepper& s, double elapsed, state& x) {
     const double t = around_.time(elapsed);
     if (takes_each_step()) return record(t, x);
@@ -65,18 +65,18 @@ public:
     try {
       if (options_.keep) around_.system().keep(t, x.data(), r);
     } catch (const std::bad_alloc&) {
-      around_.refuse("there is no memory for another sample");
+      around_.refuse("no memory is left for another sample");
       return false;
     }
     last_ = {t, x};
-    is_refused_ = options_.shows_samples && around_.guarded("the function that is given each sample", [&] {
+    is_refused_ = options_.shows_samples && around_.guarded("the function each_sample", [&] {
       around_.system().show(t, x.data(), r);
     }) != answer::given;
     return !is_refused_;
   }
 
-  /// Makes the time and the state that were reached the last sample; or goes back to the last sample, where
-  /// that was refused or no more can be taken.
+  /// Makes the time and state that were reached the last sample; goes back to the last sample if it was
+  /// rejected or no more can be taken.
   void end(double& t, state& x) {
     if (!last_) return;
     const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;
@@ -84,7 +84,7 @@ public:
     t = last_->t, x = last_->x;
   }
 
-  /// The polynomial of the last step, from no earlier than the last event, until a time since the start.
+  /// Keeps the polynomial of the last step, from the last event or later up to a time since the start.
   void keep_polynomial(solvers::stepper& s, double elapsed, double last_event) {
     piece p{around_.time((std::max)(s.step_begin(), last_event)), around_.time(elapsed), {}};
     double factorial = 1;
@@ -97,7 +97,7 @@ public:
     if (!p.coefficients.empty() && p.begin < p.end) around_.system().keep(std::move(p));
   }
 
-  /// The state at a time of the last step.
+  /// Evaluates the state at a time within the last step.
   bool state_at(solvers::stepper& s, double elapsed, state& x) {
     return interpolate(s, elapsed, x) && bring_to_constraints(around_.time(elapsed), x);
   }
@@ -113,7 +113,7 @@ private:
     return found && numeric::all_finite(x);
   }
 
-  /// What an integrator interpolates is only near them.
+  /// Projects a state onto the constraints, which an interpolated state satisfies only approximately.
   bool bring_to_constraints(double t, state& x) {
     if (manifold_ == nullptr) return true;
     if (around_.take(t, x) != answer::given) return false;
@@ -127,7 +127,7 @@ private:
     return true;
   }
 
-  /// Room for all that an integrator moves, which may be more than the state.
+  /// Returns storage for all entries of an integrator, which may be more than the state.
   double* room_for(const solvers::stepper& s) {
     whole_.resize(static_cast<std::size_t>(s.entries()));
     return whole_.data();
@@ -143,7 +143,7 @@ private:
   surroundings& around_;
   manifold* manifold_;
   std::optional<instant> last_{};
-  bool is_refused_ = false; ///< by the function that is given each sample
+  bool is_refused_ = false; ///< by the function each_sample
   tolerances tolerances_{};
   std::vector<double> whole_{};
 };

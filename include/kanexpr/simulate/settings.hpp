@@ -13,7 +13,7 @@
 
 namespace kanexpr {
 
-/// An event that happened.
+/// An event that occurred.
 struct occurrence {
   double t;
   std::string name;
@@ -21,14 +21,14 @@ struct occurrence {
 
 namespace simulated {
 
-/// An event as far as it does not depend on the system.
+/// The part of an event that does not depend on the system.
 struct watched_event {
   const std::string& name;
   int direction = 0;
   bool has_value = true, has_handler = false;
 };
 
-/// The options of a simulation as far as they do not depend on the system; see `simulation_options`.
+/// The options of a simulation that do not depend on the system; see `simulation_options`.
 struct settings {
   double relative_tolerance;
   std::optional<double> absolute_tolerance;
@@ -45,10 +45,10 @@ struct settings {
   bool inputs_depend_on_state, inputs_are_constant;
   std::size_t bytes_of_sample;
   bool guesses_dependent;
-  std::vector<bool> is_left_out{}; ///< of the state; empty: all of it is given
+  std::vector<bool> is_left_out{}; ///< for each entry of the state; empty if all are given
 };
 
-/// How a simulation went, beside the samples that were kept.
+/// The outcome of a simulation, apart from its samples.
 struct ending {
   double time = 0;
   std::vector<double> state{};

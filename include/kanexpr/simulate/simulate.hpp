@@ -41,7 +41,7 @@ settings settings_of(const simulation_options<System>& o) {
   return s;
 }
 
-/// Runs from the state of the result, and tells there how it went.
+/// Runs from the state in the result, and stores the outcome there.
 template <integrator by, class System>
 void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
   ending end = run<by>(moved, result.state.data(), span, options);
@@ -55,12 +55,12 @@ void run_into(simulation<System>& result, system& moved, time_span span, const s
 
 } // namespace simulated
 
-/// Moves a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g, 9.81}},
-/// {0, 10})`. What the constraints bind in the state is solved for at the start, and held there; where it was
-/// given another value, that is the failure, unless the options call it a guess. The result says what went
-/// wrong, and holds all that was reached until then; nothing is thrown.
+/// Simulates a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g,
+/// 9.81}}, {0, 10})`. Dependent coordinates and speeds are solved for at the start and kept on the
+/// constraints; a given value that contradicts the constraints is a failure, unless the options declare it a
+/// guess. The result holds the cause of a failure and everything computed until then; nothing is thrown.
 ///
-/// Another method is named as in `simulate<System, integrator::bdf>(…)`.
+/// Select a different method as in `simulate<System, integrator::bdf>(…)`.
 template <class System, integrator by = integrator::adams>
 simulation<System> simulate(const given_state<System>& x, const given_parameters<System>& p, time_span span,
                             const simulation_options<System>& options = {}) {

@@ -9,16 +9,17 @@
 
 namespace kanexpr {
 
-/// How a simulation went: the trajectory up to its end, and the reason if that is not the end of the span.
+/// The result of a simulation: the trajectory up to its end, and the cause if it ended before the end of the
+/// span.
 template <class System>
 struct [[nodiscard]] simulation {
   kanexpr::trajectory<System> trajectory{};
-  std::vector<occurrence> events{}; ///< in the order of time
+  std::vector<occurrence> events{}; ///< in chronological order
   integration_statistics statistics{};
-  double time = 0;                ///< where it ended
-  kanexpr::state<System> state{}; ///< the state there
-  bool stopped_by_event = false;  ///< as the handler of the last event asked
-  std::string failure{};          ///< what went wrong, as a sentence; empty: nothing
+  double time = 0;                ///< the time at which it ended
+  kanexpr::state<System> state{}; ///< the state at that time
+  bool stopped_by_event = false;  ///< as the handler of the last event requested
+  std::string failure{};          ///< the cause of a failure, as a sentence; empty on success
 
   explicit operator bool() const { return failure.empty(); }
   std::string cause() const { return failure; }

@@ -13,11 +13,11 @@
 
 namespace kanexpr::simulated {
 
-/// How large the coordinates and speeds of a motion are, in whatever units, as far as its beginning tells:
-/// their values there, and what they become in the time in which the motion changes. An angle is at least 1.
-/// Another coordinate that does not move at all is as large as the largest of these, or as what would move
-/// them if the angles stood otherwise, or 1; a speed takes its coordinate through its size in that time, and
-/// is not much smaller.
+/// The magnitudes of the coordinates and speeds of a motion, in their units, estimated from its beginning:
+/// their values there, and the values that they reach in the time in which the motion changes. An angle is at
+/// least 1. Any other coordinate that does not move is as large as the largest of these, or as the distance
+/// that it would move if the angles were different, or 1; a speed is not much smaller than the speed that
+/// moves its coordinate through its magnitude in that time.
 class state_sizes {
 public:
   using state = Eigen::VectorXd;
@@ -39,10 +39,10 @@ private:
     around.forget();
   }
 
-  static constexpr double nothing = 1e-12; ///< beside a size
+  static constexpr double nothing = 1e-12; ///< relative to a magnitude
 
-  /// The rates with the inputs of the first instant, where they can be had, and what the configuration
-  /// constraints leave.
+  /// Returns the rates with the inputs at the first instant, as far as they can be evaluated, and the
+  /// residuals of the configuration constraints.
   Eigen::VectorXd functions(const surroundings& around, double t, const state& x) const {
     const deriving::survey& known = around.known();
     Eigen::VectorXd all(x.size() + known.configuration_constraints);
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /// How far coordinates that are no angles would go if the angles stood otherwise.
+  /// Returns how far coordinates that are not angles would move if the angles were different.
   double longest_way(const surroundings& around, double t, const state& x,
                      const std::vector<bool>& angles) const {
     state turned = x, moving = x;
@@ -89,8 +89,8 @@ private:
     return longest;
   }
 
-  /// The rates of coordinates are linear in the speeds. Errors of a speed do not matter that move each
-  /// coordinate by less than its own error.
+  /// The rates of coordinates are linear in the speeds. Errors of a speed that move each coordinate by less
+  /// than its own error do not matter.
   void fill_speeds(const surroundings& around, double t, const state& x) {
     state alone = x;
     std::fill_n(alone.data() + coordinates, speeds, 0.0);
@@ -113,8 +113,9 @@ private:
   manifold* manifold_;
   int coordinates, speeds;
   state sizes_;
-  double time_;        ///< in which the motion changes
-  double least_share_; ///< of what takes a coordinate through its size in that time, to be a size of a speed
+  double time_;        ///< the time in which the motion changes
+  double least_share_; ///< the least magnitude of a speed, as a fraction of the speed that moves a coordinate
+                       ///< through its magnitude in that time
 };
 
 } // namespace kanexpr::simulated

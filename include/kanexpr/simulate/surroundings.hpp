@@ -18,8 +18,8 @@ namespace kanexpr::simulated {
 
 using solvers::answer;
 
-/// What acts on a system in a simulation: its inputs at each time and state, the events that are watched; and
-/// the reason of the last refusal, in words. What its user's functions throw ends here.
+/// Everything that acts on a system in a simulation: its inputs at each time and state, the watched events,
+/// and the cause of the last refusal. Exceptions from user functions are caught here.
 class surroundings {
 public:
   using vector = Eigen::VectorXd;
@@ -32,7 +32,7 @@ public:
   const simulated::system& system() const { return of_; }
   const deriving::survey& known() const { return of_.known; }
 
-  /// Integrators count the time from the start, as numbers are finest near zero.
+  /// Integrators count time from the start, because floating-point numbers are finest near zero.
   double time(double elapsed) const {
     return elapsed < length() ? (std::min)(span_.from + elapsed, span_.to) : span_.to;
   }
@@ -44,32 +44,33 @@ public:
   bool inputs_depend_on_state() const { return options_.inputs_depend_on_state; }
   const std::vector<watched_event>& events() const { return options_.events; }
 
-  /// How large the entries of the state are, in whatever units.
+  /// Returns the magnitudes of the entries of the state, in their units.
   const vector& sizes() const { return sizes_; }
   void set_sizes(double t, const vector& x, const vector& sizes) {
     sizes_ = sizes;
     if (constraints_ != nullptr && take(t, x) == answer::given) constraints_->set_sizes(t, x, r_, sizes);
   }
 
-  /// What holds its states; null: nothing does.
+  /// Returns the manifold of the constraints; null if there are none.
   manifold* constraints() { return constraints_.get(); }
-  /// Where a step has ended. `least` is how distinct constraints are where the equations of all speeds take
-  /// over.
+  /// Reports the end of a step. `least` is the distinctness of the constraints below which the equations of
+  /// all speeds are used.
   void come_to(double t, const vector& x, double least) {
     if (binds_speeds() && take(t, x) == answer::given) constraints_->come_to(t, x, r_, least);
   }
   bool is_near_singular() const { return binds_speeds() && constraints_->is_near_singular(); }
 
-  /// Goes to a time and a state, whose inputs are then known.
+  /// Sets the time and state, and evaluates the inputs there.
   answer take(double t, const double* y) {
     std::copy_n(y, x_.size(), x_.data());
     return take_inputs(t);
   }
   answer take(double t, const vector& x) { return take(t, x.data()); }
 
-  /// ẋ where it stands: of the independent speeds, or of all of them where those do not tell it.
+  /// Evaluates ẋ at the current state: from the independent speeds, or from all speeds where those do not
+  /// determine it.
   status rates(double t, double* xdot) const { return rates(t, x_, xdot); }
-  /// ẋ of another state with the inputs where it stands.
+  /// Evaluates ẋ at a different state with the current inputs.
   status rates(double t, const vector& x, double* xdot) const {
     if (is_near_singular()) return constraints_->rates(t, x, r_, xdot);
     const status s = of_.rates(t, x.data(), r_.data(), xdot);
@@ -89,19 +90,19 @@ public:
   }
   int direction(int i) const { return events()[static_cast<std::size_t>(i)].direction; }
 
-  /// Notes why an evaluation has no result here.
+  /// Records why an evaluation has no result here.
   answer refuse(std::string why) {
     last_refusal_ = std::move(why);
     return answer::not_here;
   }
   answer refuse(const status& s) { return refuse(s.cause()); }
-  /// The reason of the last refusal since `forget`.
+  /// Returns the cause of the last refusal since `forget`.
   const std::string& last_refusal() const { return last_refusal_; }
   void forget() { last_refusal_.clear(); }
-  /// Whether a function of the user ever threw.
+  /// Whether a user function has ever thrown.
   bool has_thrown() const { return has_thrown_; }
 
-  /// Calls a function of the user.
+  /// Calls a user function.
   template <class Function>
   answer guarded(std::string_view what, const Function& call) {
     return guarded(what, "", call);
@@ -129,12 +130,12 @@ private:
 
   answer take_inputs(double t) {
     if (r_.size() == 0) return answer::given;
-    const answer a = guarded("the function of the inputs", [&] { of_.give_inputs(t, x_.data(), r_.data()); });
+    const answer a = guarded("the input function", [&] { of_.give_inputs(t, x_.data(), r_.data()); });
     if (a != answer::given) return a;
     for (int i = 0; i < known().inputs; ++i)
       if (!numeric::is_finite(r_(i))) {
         const auto name = known().names[known().first_of(symbolic::symbol_kind::input) + i].view();
-        refuse("the function of the inputs gives input " + std::string(name) + " no finite value");
+        refuse("the input function leaves input " + std::string(name) + " without a finite value");
         return answer::never;
       }
     return answer::given;

@@ -12,11 +12,10 @@
 
 namespace kanexpr {
 
-/// Columns of equally many numbers, each with a name: `for (double angle : run["q1"]) …`.
+/// Named columns of equal length: `for (double angle : run["q1"]) …`.
 class table {
 public:
-  /// A column, whose numbers stay there; without numbers and with a cause where the table has none
-  /// of that name.
+  /// A view of a column; empty and with a cause if the table has no column of that name.
   class column : public std::span<const double> {
   public:
     explicit column(const std::vector<double>& values) : std::span<const double>(values) {}
@@ -30,7 +29,8 @@ public:
   };
 
   table() = default;
-  /// One that could not be read, and why: wherever it is handed on, that is what is said of it.
+  /// Creates a table that could not be read, with the cause, which every function that uses the table
+  /// reports.
   explicit table(outcome failed) : read_(std::move(failed)) {}
 
   explicit operator bool() const { return static_cast<bool>(read_); }
@@ -39,12 +39,12 @@ public:
   outcome add(std::string name, std::vector<double> values);
 
   column operator[](std::string_view name) const&;
-  column operator[](std::string_view name) const&& = delete; // which the column would outlive
+  column operator[](std::string_view name) const&& = delete; // the column would outlive the table
 
   std::size_t rows() const { return values_.empty() ? 0 : values_.front().size(); }
   std::size_t columns() const { return names_.size(); }
   const std::vector<std::string>& names() const { return names_; }
-  /// Of the column at a place.
+  /// Returns the numbers of the column at an index.
   const std::vector<double>& values(std::size_t place) const { return values_[place]; }
 
 private:

@@ -2,7 +2,7 @@
 
 namespace kanexpr {
 
-/// From a time to a later one, in seconds.
+/// A time span, in seconds.
 struct time_span {
   double from = 0;
   double to = 0;

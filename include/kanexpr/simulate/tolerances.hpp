@@ -6,7 +6,7 @@
 
 namespace kanexpr::simulated {
 
-/// The errors that a step may leave in the entries of a state.
+/// The tolerated errors of a step in the entries of a state.
 struct tolerances {
   double relative = 0;
   Eigen::VectorXd absolute{};

@@ -7,8 +7,8 @@
 
 namespace kanexpr {
 
-/// What a simulation kept of a motion: samples in the order of time. Where each step is a sample and an event
-/// changed the state there are two of one time, before and after.
+/// The samples that a simulation kept, in chronological order. If each step is a sample and an event changed
+/// the state, there are two samples at the same time, before and after the event.
 template <class System>
 class trajectory : public simulated::samples<System> {
   using base = simulated::samples<System>;
@@ -21,7 +21,7 @@ public:
   using typename base::sample;
   using base::operator[];
 
-  /// A coordinate, speed or input over the samples: `path[q1]`.
+  /// Returns a coordinate, speed or input over the samples: `path[q1]`.
   template <std::derived_from<scalar<1>> Symbol>
   std::vector<double> operator[](const Symbol& symbol) const {
     constexpr auto* told = Symbol().tokens[0].symbol;
@@ -33,13 +33,13 @@ public:
     });
   }
 
-  /// Results of a compiled function at each sample, with their status where they have one:
+  /// Returns the results of a compiled function at each sample, with their status if they have one:
   /// `path.along(eom::kinetic_energy)`.
   template <auto... wanted>
   auto along(function<System, wanted...> f) const {
     return collect([&](const sample& s) { return f(s.t, s.x, parameters(), s.r); });
   }
-  /// An expression of the model at each sample: `path.along<velocity_of<Dmc>>()`.
+  /// Returns an expression of the model at each sample: `path.along<velocity_of<Dmc>>()`.
   template <auto expression>
   auto along() const {
     return along(function<System, expression>{});
@@ -60,7 +60,7 @@ public:
     return all;
   }
 
-  /// The largest magnitude that the constraints leave at each sample.
+  /// Returns the largest constraint residual at each sample.
   std::vector<double> constraint_residuals() const {
     using constraints = compiled::constraints_at<System, parameters_type, input_values<System>>;
     return collect([&](const sample& s) {
@@ -74,16 +74,18 @@ public:
     });
   }
 
-  /// Between the samples: by the integrator's own polynomials where the simulation kept them (`dense`), else
-  /// by cubics through the states and their rates, which an event between two samples bends; the inputs on
-  /// straight lines. Nothing outside the trajectory's span. After an event at that very time.
+  /// Returns the sample at a time between the samples: from the integrator's own polynomials if the
+  /// simulation kept them (`dense`), otherwise from cubics through the states and their rates, which are
+  /// inaccurate across an event; inputs are interpolated linearly. Returns nothing outside the trajectory's
+  /// span. At the time of an event, it returns the sample after the event.
   std::optional<sample> at(double t) const {
     return base::between(t, [&](const sample& s) {
       return out_of_line<function<System, mechanics::quantity::rhs>>{}(s.t, s.x, parameters(), s.r);
     });
   }
 
-  /// The time, the state and the inputs as named columns: "t", or "time" where the model calls something t.
+  /// Returns the time, the state and the inputs as named columns; the time is "t", or "time" if the model has
+  /// a symbol t.
   kanexpr::table table() const { return base::table_of(compiled::survey_of<System>); }
 };
 

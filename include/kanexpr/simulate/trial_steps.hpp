@@ -11,8 +11,8 @@
 
 namespace kanexpr::simulated {
 
-/// What becomes of a motion at its beginning: steps of the classic Runge-Kutta method from the start, each
-/// longer than the one before, as far as they can be trusted.
+/// Explores the beginning of a motion by steps of the classic Runge-Kutta method from the start, each longer
+/// than the one before, as long as they can be trusted.
 class trial_steps {
 public:
   using state = Eigen::VectorXd;
@@ -22,13 +22,14 @@ public:
     if (span > 0 && rates_at(around_, t, x, rates_)) look_ahead();
   }
 
-  /// Until most entries are no longer what a step says of them, if that comes before the end of the span.
+  /// Whether the motion has its own time scale: a time within the span after which one step no longer
+  /// predicts most entries.
   bool has_own_time() const { return has_own_time_ && !seen_.empty(); }
 
-  /// That time, or the span.
+  /// Returns that time, or the span.
   double time() const { return has_own_time() ? seen_.back().ahead : span_; }
 
-  /// How large the entries become until the motion has changed.
+  /// Returns how large the entries become until the motion has changed.
   state sizes() const {
     state found = start_;
     for (double& size : found) size = std::abs(size);
@@ -41,13 +42,13 @@ public:
   }
 
 private:
-  /// What a step from the start changes; not a number where it cannot be found.
+  /// The change over a step from the start; NaN where it is unknown.
   struct outlook {
     double ahead;
     state change;
   };
 
-  /// Until most entries differ from what two steps of half the length give.
+  /// Takes longer and longer steps until most entries differ from the result of two steps of half the length.
   void look_ahead() {
     long most = 0;
     state rough, half, fine;
@@ -70,7 +71,7 @@ private:
     }
   }
 
-  /// Whether a change is more than rounding and the error of a step.
+  /// Whether a change exceeds rounding and the error of a step.
   bool is_told(Eigen::Index i, double change, double error) const {
     const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * std::abs(start_(i));
     return std::abs(change) > rounding && std::abs(error) <= 0.1 * std::abs(change);
@@ -86,8 +87,8 @@ private:
     return numeric::all_finite(end);
   }
 
-  /// A motion without a time of its own, as a fall, is looked at until entries have changed by their own
-  /// size: the median of these times, so that one which begins next to zero does not matter.
+  /// Returns, for a motion without its own time scale, such as a fall, the time in which entries change by
+  /// their own magnitude: the median over the entries, so that one that begins near zero does not matter.
   double time_of_change() const {
     const double all = std::numeric_limits<double>::infinity();
     if (has_own_time_) return all;
@@ -96,7 +97,8 @@ private:
       double farthest = 0;
       for (const outlook& o : seen_)
         if (std::abs(o.change(i)) > farthest) farthest = std::abs(o.change(i));
-      if (std::abs(start_(i)) <= std::numeric_limits<double>::epsilon() * farthest) continue; // it is zero
+      if (std::abs(start_(i)) <= std::numeric_limits<double>::epsilon() * farthest)
+        continue; // effectively zero
       const auto changed = std::ranges::find_if(
           seen_, [&](const outlook& o) { return std::abs(o.change(i)) >= std::abs(start_(i)); });
       times.push_back(changed != seen_.end() ? changed->ahead : all);

@@ -10,47 +10,47 @@
 #include <string>
 #include <vector>
 
-/// The search for operating points, as far as it does not depend on the system.
+/// The part of the search for operating points that does not depend on the system.
 namespace kanexpr::trim {
 
-/// What is asked of an operating point.
+/// The requirements on an operating point.
 struct wishes {
   const std::vector<symbol_name>&held, &freed, &changing;
   const std::vector<named_value>& rates;
   double t = 0;
-  double tolerance = 0; ///< of every equation, beside what its unknowns make of it
+  double tolerance = 0; ///< of every equation, relative to its magnitude
   int most_iterations = 0;
 };
 
-/// A system as the search sees it, with [constraints; ẋ] at the time t and [x; p; r]: as tables, or in a
-/// library that has it compiled. This says what could not be solved there, as a sentence.
+/// The interface of a system in the search: [constraints; ẋ] at the time t and [x; p; r], as tables or as a
+/// compiled function in a library. The function returns what could not be solved, as a sentence.
 struct subject {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 
   const deriving::survey& known;
   const describe::system_record& told;
   std::string_view name;
-  const compiled::code_table *constraints, *rates; ///< null: there are none, or a library has them
+  const compiled::code_table *constraints, *rates; ///< null if there are none, or if a library contains them
   library compiled;
 };
 
-/// An equation with its name, "the rate of speed u2", and what it leaves.
+/// The name of an equation, such as "the rate of speed u2", and its residual.
 struct residual {
   std::string name;
   double value;
 };
 
-/// What a search found.
+/// The result of a search.
 struct finding {
   Eigen::VectorXd values{}; ///< [x; p; r]
-  Eigen::VectorXd left{};   ///< of each equation
+  Eigen::VectorXd left{};   ///< the residual of each equation
   int iterations = 0;
   int freedom = 0;
   std::string failure{};
   std::vector<residual> residuals{};
 };
 
-/// Searches from a guess of [x; p; r].
+/// Searches for an operating point from a guess of [x; p; r].
 KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess);
 
 } // namespace kanexpr::trim

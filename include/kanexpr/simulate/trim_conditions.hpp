@@ -9,14 +9,14 @@
 /// The search for operating points.
 namespace kanexpr::trim {
 
-/// One of the equations that hold at an operating point: what a norm or a constraint leaves, or a rate.
+/// An equation that holds at an operating point: for the residual of a norm or constraint, or for a rate.
 struct condition {
   int place = 0; ///< in [norms of quaternions; constraints; ẋ]
   double wanted = 0;
 };
 
-/// Which symbols an operating point finds, and which equations hold there, by names. The symbols are numbered
-/// as in a survey: [x; p; r].
+/// The unknowns and the equations of an operating point, selected by name. The symbols are numbered as in a
+/// survey: [x; p; r].
 class conditions {
 public:
   conditions(const deriving::survey& known, const describe::system_record& told, std::string_view system,
@@ -29,7 +29,7 @@ public:
       const auto i = static_cast<std::size_t>(place);
       if (held[i] && freed[i]) fail({called(place).view(), " is both held and freed"});
       if (changing[i] && place >= states_)
-        fail({called(place).view(), " is named as changing, and is not part of the state"});
+        fail({called(place).view(), " is listed as changing, but it is not part of the state"});
       if (freed[i] || (is_free_by_itself(place) && !held[i])) unknowns_.push_back(place);
     }
     for (int i = 0; i < residuals_; ++i) equations_.push_back({i, 0});
@@ -42,10 +42,10 @@ public:
   int states() const { return states_; }
   int residuals() const { return residuals_; }
 
-  /// What is wrong with the names, as a sentence.
+  /// Returns a mistake in the names, as a sentence.
   const mechanics::sentence& mistake() const { return mistake_; }
 
-  /// "configuration constraint 1", "the rate of speed u1".
+  /// Returns the name of an equation: "configuration constraint 1", "the rate of speed u1".
   std::string name_of(const condition& c) const {
     const int norms = known_.quaternions, configuration = norms + known_.configuration_constraints;
     if (c.place < norms) return "the norm of quaternion " + std::to_string(c.place + 1);
@@ -66,11 +66,11 @@ private:
     for (const symbol_name& each : names) {
       const int place = place_of(each.name());
       if (place < 0) {
-        fail({each.name(), " is named as ", as, ", and the system ", system_, " does not have it"});
+        fail({each.name(), " is listed as ", as, ", but the system ", system_, " does not have it"});
         continue;
       }
       const auto i = static_cast<std::size_t>(place);
-      if (named[i]) fail({called(place).view(), " is named twice as ", as});
+      if (named[i]) fail({called(place).view(), " is listed twice as ", as});
       named[i] = true;
     }
     return named;
@@ -81,12 +81,12 @@ private:
     for (const named_value& rate : rates) {
       const int place = place_of_rate(rate.what.name());
       if (place < 0) {
-        fail({rate.what.name(), " is asked for as a rate, and is not a rate of the system ", system_});
+        fail({rate.what.name(), " is given as a rate, but it is not a rate of the system ", system_});
         continue;
       }
       const auto i = static_cast<std::size_t>(place);
-      if (asked[i]) fail({rate_of(place), " is asked for twice"});
-      if (!numeric::is_finite(rate.value)) fail({"the value asked of ", rate_of(place), " is not finite"});
+      if (asked[i]) fail({rate_of(place), " is given twice"});
+      if (!numeric::is_finite(rate.value)) fail({"the value given for ", rate_of(place), " is not finite"});
       asked[i] = true;
       equations_.push_back({residuals_ + place, rate.value});
     }
@@ -102,8 +102,8 @@ private:
     return input >= 0 && !is_prescribed(input);
   }
 
-  /// Whether an input is known as a function of time: by the list of inputs, or by its derivatives, which
-  /// stand with it where there is no list.
+  /// Whether an input is prescribed as a function of time: according to the list of inputs or, if there is no
+  /// list, to the presence of its derivatives.
   bool is_prescribed(int input) const {
     if (input < told_.inputs.size)
       return told_.inputs[input].tokens[0].symbol->order != describe::unprescribed;

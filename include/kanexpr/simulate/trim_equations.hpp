@@ -17,8 +17,7 @@ namespace kanexpr::trim {
 
 using complex_vector = Eigen::VectorXcd;
 
-/// The equations of an operating point as functions of its unknowns. Their derivatives are exact: by complex
-/// steps.
+/// The equations of an operating point as functions of its unknowns, with exact derivatives by complex steps.
 class trim_equations final : public solvers::nonlinear_equations {
 public:
   trim_equations(const conditions& asked, const subject& system, double t, const Eigen::VectorXd& guess)
@@ -60,14 +59,14 @@ public:
     return numeric::all_finite(slope);
   }
 
-  /// A state changes in one step by no more than its own magnitude or its size, which of an angle is 1.
+  /// Limits the change of a state in one step to its own magnitude or its scale, which for an angle is 1.
   Eigen::VectorXd limits(const Eigen::VectorXd& z) const override {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
     for (Eigen::Index i = 0; i < stiff_unknowns(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
     return most;
   }
 
-  /// How large unknowns and equations are near z.
+  /// Returns the magnitudes of unknowns and equations near z.
   solvers::magnitudes magnitudes_at(const Eigen::VectorXd& z) {
     if (kinds_.unknowns.empty()) look_at_kinds();
     place(z);
@@ -89,9 +88,9 @@ public:
     return of;
   }
 
-  /// What the last residual could not solve, as a sentence.
+  /// Returns what could not be solved in the last residual, as a sentence.
   std::string_view unsolved() const { return unsolved_; }
-  /// [x; p; r] with the unknowns in their places.
+  /// Returns [x; p; r] with the unknowns inserted.
   Eigen::VectorXd values(const Eigen::VectorXd& z) {
     place(z);
     return at_.real();
@@ -102,7 +101,7 @@ private:
     Eigen::Index i = 0;
     for (const int unknown : asked_.unknowns()) at_(unknown) = z(i++);
   }
-  /// By complex steps, whose square is nothing beside any value.
+  /// Differentiates by a complex step, whose square is negligible compared with any value.
   void derive_by(int symbol) {
     at_(symbol).imag(step);
     evaluate_(t_, at_.data(), all_.data());
@@ -110,7 +109,7 @@ private:
   }
   double derivative_of(int function) const { return all_(function).imag() / step; }
 
-  /// Which coordinates are angles, and how long the others are, at the guess.
+  /// Determines which coordinates are angles, and the magnitude of the others, at the guess.
   void look_at_kinds() {
     const deriving::survey& known = asked_.known();
     kinds_.coordinates = known.coordinates;

@@ -9,7 +9,7 @@
 
 namespace kanexpr::trim {
 
-/// KINSOL's search, then Newton's steps as long as they lower what is left.
+/// KINSOL's search, followed by Newton steps as long as they reduce the residual.
 class search {
 public:
   search(const conditions& asked, trim_equations& equations, double tolerance, int most_iterations)
@@ -48,7 +48,7 @@ private:
     while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
   }
 
-  /// False where nothing is gained any more, or nothing to gain.
+  /// Takes a Newton step; returns false if it does not reduce the residual or does not need to.
   bool improve(const solvers::magnitudes& sizes) {
     const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
     if (size(found_.left) < 1e-3 * std::numeric_limits<double>::epsilon()) return false;
@@ -78,7 +78,7 @@ private:
                        (failure_.empty() ? "" : " (" + failure_ + ")");
   }
 
-  /// With columns of one length, so that an unknown of small effect counts.
+  /// Returns the rank with columns scaled to equal length, so that an unknown of small effect counts.
   static int rank(Eigen::MatrixXd slope, const solvers::magnitudes& sizes) {
     for (Eigen::Index j = 0; j < slope.cols(); ++j) {
       slope.col(j).array() *= sizes.unknowns(j) / sizes.equations.array();
@@ -91,13 +91,13 @@ private:
   std::string name_of(Eigen::Index i) const {
     return asked_.name_of(asked_.equations()[static_cast<std::size_t>(i)]);
   }
-  /// "the rate of speed u2 is 0.31", "… in place of 0.3", "velocity constraint 1 is off by 0.31".
+  /// "the rate of speed u2 is 0.31", "… instead of 0.3", "velocity constraint 1 is off by 0.31".
   std::string left_at(Eigen::Index i) const {
     const condition& c = asked_.equations()[static_cast<std::size_t>(i)];
     const double left = found_.left(i);
     if (c.place < asked_.residuals()) return name_of(i) + " is off by " + digits(left);
     return name_of(i) + " is " + digits(left + c.wanted) +
-           (numeric::equal(c.wanted, 0.0) ? "" : " in place of " + digits(c.wanted));
+           (numeric::equal(c.wanted, 0.0) ? "" : " instead of " + digits(c.wanted));
   }
   static std::string digits(double number) {
     char text[32];

@@ -10,24 +10,24 @@
 
 namespace kanexpr::trim {
 
-/// Where the symbols [x; p; r] and the functions [residuals; ẋ] stand, and of which kind they are.
+/// The positions and kinds of the symbols [x; p; r] and of the functions [residuals; ẋ].
 struct layout {
   int coordinates = 0, speeds = 0, residuals = 0;
-  std::vector<bool> angles{};   ///< by coordinate: angles, and what belongs to quaternions
+  std::vector<bool> angles{};   ///< by coordinate: angles, and coordinates of quaternions
   std::vector<bool> unknowns{}; ///< by symbol
 
   int rate_of(int state) const { return residuals + state; }
   bool is_angle(int coordinate) const { return angles[static_cast<std::size_t>(coordinate)]; }
 };
 
-/// How large the symbols and the functions of a system are, in whatever units, as far as one point and the
-/// derivatives there tell. Lengths are as large as they are, and next to zero as the longest; speeds as what
-/// accelerates them makes of them on the way that their coordinates have; inputs and parameters that are
-/// sought as what a function takes to change by its size. A function is as large as what its symbols make of
-/// it.
+/// The magnitudes of the symbols and functions of a system, in their units, estimated from one point and the
+/// derivatives there. A length has its own magnitude, or that of the longest if it is near zero; a speed has
+/// the magnitude that its acceleration gives it over the distance of its coordinate; an input or parameter to
+/// be found has the magnitude that changes a function by its magnitude. The magnitude of a function follows
+/// from those of its symbols.
 class sizes {
 public:
-  /// `usual` is a length that is known from elsewhere, or 0.
+  /// `usual` is a length known from elsewhere, or 0.
   sizes(const layout& of, const Eigen::VectorXd& values, const Eigen::MatrixXd& slope, double usual)
       : of_(of), slope_(slope.cwiseAbs()), symbols_(values.cwiseAbs()), usual_(usual) {
     size_coordinates();
@@ -39,7 +39,7 @@ public:
   const Eigen::VectorXd& symbols() const { return symbols_; }
   const Eigen::VectorXd& functions() const { return functions_; }
 
-  /// The longest of the coordinates that are no angles.
+  /// Returns the largest magnitude of the coordinates that are not angles.
   static double longest(const layout& of, const Eigen::VectorXd& values) {
     double length = 0;
     for (int j = 0; j < of.coordinates; ++j)
@@ -52,7 +52,8 @@ private:
     return slope_.row(function).cwiseProduct(symbols_.transpose()).maxCoeff();
   }
 
-  /// What a symbol takes to change one of the functions by its size; 0: none tells.
+  /// Returns the change of a symbol that changes one of the functions by its magnitude; 0 if no function
+  /// depends on it.
   double effective(int symbol) const {
     double least = 0;
     for (int i = 0; i < slope_.rows(); ++i) {
@@ -77,7 +78,7 @@ private:
       }
   }
 
-  /// What moves by rounding alone, or not at all, is as fast as the others usually are.
+  /// A speed that is zero, or due only to rounding, is as fast as the others typically are.
   void size_speeds() {
     Eigen::VectorXd ways = Eigen::VectorXd::Zero(of_.speeds);
     std::vector<double> rates;
@@ -126,7 +127,7 @@ private:
   const layout& of_;
   Eigen::MatrixXd slope_;
   Eigen::VectorXd symbols_, functions_{};
-  double usual_, rate_ = 1; ///< a length, and how fast speeds usually are beside it
+  double usual_, rate_ = 1; ///< a length, and the typical ratio of a speed to its distance
 };
 
 } // namespace kanexpr::trim

@@ -9,7 +9,7 @@
 
 namespace kanexpr::trim {
 
-/// [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r].
+/// Evaluates [norms of quaternions; constraints; ẋ] of a system at the time t and [x; p; r].
 class values_of_equations {
 public:
   using number = std::complex<double>;
@@ -19,7 +19,7 @@ public:
     if (of_.rates != nullptr) rates_.emplace(*of_.rates, of_.known);
   }
 
-  /// What could not be solved there, as a sentence.
+  /// Returns what could not be solved there, as a sentence.
   std::string_view operator()(double t, const number* at, number* all) {
     for (int k = 0; k < norms_.count(); ++k) *all++ = norms_.residual(k, at);
     if (of_.compiled != nullptr) return of_.compiled(t, at, all);

@@ -6,7 +6,7 @@
 
 namespace kanexpr::simulated {
 
-/// The quaternions of a system whose norm 1 its motion keeps.
+/// The quaternions of a system whose unit norm the motion preserves.
 class unit_norms {
 public:
   explicit unit_norms(const deriving::survey& known) : places_(static_cast<std::size_t>(known.quaternions)) {
@@ -24,14 +24,14 @@ public:
   /// Whether a constraint is solved for a coordinate of one of them.
   bool are_bound() const { return are_bound_; }
 
-  /// Gives each of them norm 1; the status names one whose norm is out of the range.
+  /// Normalizes each of them; the status names one whose norm is out of range.
   status normalize(Eigen::VectorXd& x, const lower::norm_range& from) const {
     for (std::size_t k = 0; k < places_.size(); ++k)
       if (!lower::normalize(x, places_[k], from)) return status(far_from_one_[k].view());
     return {};
   }
 
-  /// Their norms less 1, to first order, and the derivatives of these by all coordinates.
+  /// Returns the norm of a quaternion minus 1, to first order.
   template <class Number>
   Number residual(int k, const Number* x) const {
     Number square = 0;
@@ -40,7 +40,8 @@ public:
   }
   const std::vector<int>& places_of(int k) const { return places_[static_cast<std::size_t>(k)]; }
 
-  /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
+  /// Converts derivatives with respect to all coordinates into those of a function that first normalizes the
+  /// quaternions.
   void leave_out(Eigen::MatrixXd& by_all, const Eigen::VectorXd& x) const {
     for (const std::vector<int>& places : places_) lower::leave_norm_out(by_all, x, places);
   }

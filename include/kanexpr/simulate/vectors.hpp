@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-/// What simulations do with vectors, in plain loops: nothing to compile beside Eigen's expressions.
+/// Vector operations of simulations as plain loops, which compile faster than Eigen's expressions.
 namespace kanexpr::simulated {
 
-/// x + h k.
+/// Returns x + h k.
 inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::VectorXd& k) {
   Eigen::VectorXd to(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) to(i) = x(i) + h * k(i);
   return to;
 }
 
-/// The end of a step of the classic Runge-Kutta method.
+/// Returns the end of a step of the classic Runge-Kutta method.
 inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::VectorXd& k1,
                              const Eigen::VectorXd& k2, const Eigen::VectorXd& k3,
                              const Eigen::VectorXd& k4) {
@@ -24,7 +24,7 @@ inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::Ve
   return to;
 }
 
-/// The largest magnitude of a's entries, each measured by b's.
+/// Returns the largest magnitude of the entries of a, each divided by that of b.
 inline double largest(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double most = 0;
   for (Eigen::Index i = 0; i < a.size(); ++i) most = (std::max)(most, std::abs(a(i) / b(i)));

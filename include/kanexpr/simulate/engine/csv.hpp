@@ -11,7 +11,7 @@ namespace kanexpr {
 
 namespace simulated {
 
-/// "run.csv cannot be opened: No such file or directory".
+/// Returns, for example, "run.csv cannot be opened: No such file or directory".
 inline outcome not_opened(const std::string& path) {
   return outcome(path + " cannot be opened: " + std::generic_category().message(errno));
 }
@@ -19,7 +19,7 @@ inline outcome not_opened(const std::string& path) {
 } // namespace simulated
 
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path) {
-  if (!all) return outcome(all.cause()); // before a file is replaced by it
+  if (!all) return outcome(all.cause()); // before it replaces a file
   std::ofstream out(path.text(), std::ios::binary);
   if (!out) return simulated::not_opened(path.text());
   return write_csv(all, out, path.text());

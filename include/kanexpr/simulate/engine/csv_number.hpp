@@ -6,7 +6,7 @@
 
 namespace kanexpr::simulated {
 
-/// A number by its text; the end of a sentence about what it is instead, or empty.
+/// Reads a number from its text. Returns the end of an error sentence; empty on success.
 inline std::string_view read_number(std::string_view text, double& number) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -10,16 +10,16 @@ namespace kanexpr {
 
 namespace simulated {
 
-/// The records of a text: a line each, or several where a quoted field holds the end of a line.
+/// The records of a text: one line each, or several if a quoted field contains line breaks.
 class csv_records {
 public:
   explicit csv_records(std::istream& in) : in_(in) {}
 
-  /// Goes to the next record; false at the end of the text and where a record is not well formed.
+  /// Advances to the next record; returns false at the end of the text and if a record is malformed.
   bool next() {
     line_ = last_ + 1;
     if (!next_line()) return false;
-    if (is_blank()) { // which only the end of the text may be
+    if (is_blank()) { // allowed only at the end of the text
       while (next_line())
         if (!is_blank()) return refuse(" is empty");
       return false;
@@ -34,26 +34,25 @@ public:
   }
 
   const std::vector<std::string>& fields() const { return fields_; }
-  /// Whether a field is in quotes, as only a name has to be.
+  /// Whether a field is quoted; only names may need quotes.
   bool has_quotes() const { return has_quotes_; }
-  /// The line at which the record begins, from 1.
+  /// Returns the line at which the record begins, counted from 1.
   long line() const { return line_; }
-  /// What is wrong with it, as the end of a sentence; empty: nothing.
+  /// Returns the end of an error sentence; empty if the record is well formed.
   const std::string& mistake() const { return mistake_; }
 
 private:
   static constexpr const char* blanks = " \t\r";
-  static constexpr const char* lone_return =
-      " holds a carriage return within; lines end with a line feed, or with both";
+  static constexpr const char* lone_return = " contains a carriage return; lines must end with LF or CR LF";
 
   bool next_line() {
     if (!mistake_.empty() || !std::getline(in_, text_)) return false;
     ++last_;
-    if (last_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the mark of UTF-8
+    if (last_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the byte order mark of UTF-8
     if (last_ == 1 && (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")))
       return refuse(" is not UTF-8 but UTF-16 or UTF-32");
     if (text_.find('\0') != std::string::npos)
-      return refuse(" holds a zero byte: it is not UTF-8, as UTF-16 is not, or no text");
+      return refuse(" contains a zero byte: it is not text in UTF-8");
     return true;
   }
   bool is_blank() const { return text_.find_first_not_of(blanks) == std::string::npos; }
@@ -84,7 +83,7 @@ private:
     ++at_;
     for (std::size_t quote = text_.find('"', at_);; quote = text_.find('"', at_)) {
       field.append(text_, at_, quote - at_);
-      if (quote == std::string::npos) { // goes on in the next line
+      if (quote == std::string::npos) { // continues on the next line
         field += '\n';
         if (!next_line()) return mistake_.empty() && refuse(" opens a quote that is not closed");
         at_ = 0;
@@ -92,7 +91,7 @@ private:
       }
       at_ = quote + 1;
       if (!holds('"')) break;
-      field += '"'; // written twice
+      field += '"'; // a doubled quote
       ++at_;
     }
     fields_.push_back(std::move(field));
@@ -140,16 +139,16 @@ private:
   bool is_of_names(const std::vector<std::string>& fields) {
     for (const auto& [mark, called] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
       if (fields.size() == 1 && fields.front().find(mark) != std::string::npos)
-        return refuse(line() + " is separated by " + called + "; it must be by commas");
+        return refuse(line() + " uses " + called + " as separators; it must use commas");
     if (!std::ranges::all_of(fields, is_number)) return true;
-    return refuse(line() + " holds numbers; it must hold the names of the columns");
+    return refuse(line() + " contains numbers; it must contain the names of the columns");
   }
 
   bool row() {
     const std::vector<std::string>& fields = records_.fields();
     if (fields.size() != columns_.size())
       return refuse(line() + " has " + std::to_string(fields.size()) +
-                    (fields.size() == 1 ? " field" : " fields") + ", the header " +
+                    (fields.size() == 1 ? " field" : " fields") + "; expected " +
                     std::to_string(columns_.size()));
     for (std::size_t j = 0; j < fields.size(); ++j) {
       double number = 0;

@@ -10,7 +10,7 @@ namespace kanexpr {
 
 namespace simulated {
 
-/// A name as a field: in quotes if it would not be read back without them.
+/// Returns a name as a field, quoted if it would not be read back correctly otherwise.
 inline std::string csv_field(const std::string& name) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
   if (name.find_first_of(",;\t\"\r\n") == std::string::npos && !name.empty() && !is_number(name) &&
@@ -26,7 +26,7 @@ inline std::string csv_field(const std::string& name) {
 KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::span<const std::string> names,
                                            std::string called)
     : out_(&out), called_(std::move(called)), columns_(names.size()) {
-  table header; // which takes no name twice
+  table header; // rejects duplicate names
   for (const std::string& name : names) {
     if (done_) done_ = header.add(name, {});
     if (!line_.empty()) line_ += ',';
@@ -49,7 +49,7 @@ KANEXPR_SIMULATIONS bool csv_writer::row(std::span<const double> numbers) {
   ++rows_;
   if (numbers.size() != columns_) {
     done_ = outcome("row " + std::to_string(rows_) + " has " + std::to_string(numbers.size()) +
-                    (numbers.size() == 1 ? " number" : " numbers") + ", the header " +
+                    (numbers.size() == 1 ? " number" : " numbers") + ", but the header has " +
                     std::to_string(columns_) + (columns_ == 1 ? " name" : " names"));
     return false;
   }

@@ -17,11 +17,11 @@ inline std::int64_t nanoseconds_now() {
   return std::chrono::duration_cast<nanoseconds>(now).count();
 }
 
-/// How much of a span has passed, from 0 to 1; time may run backwards.
+/// Returns the fraction of a span that has passed, from 0 to 1; time may run backward.
 inline double part_of(double t, double from, double to) {
   if (numeric::equal(t, to)) return 1;
   const double part = (t - from) / (to - from);
-  return part >= 1 ? 1 : part > 0 ? part : 0; // of what is not a number, 0
+  return part >= 1 ? 1 : part > 0 ? part : 0; // 0 for NaN
 }
 
 } // namespace simulated

@@ -9,11 +9,11 @@ namespace kanexpr {
 KANEXPR_SIMULATIONS outcome table::add(std::string name, std::vector<double> values) {
   if (!read_) return read_;
   if (name.empty()) return outcome("a column has no name");
-  if (name.find('\0') != std::string::npos) return outcome("the name of a column holds a zero byte");
-  if (place_of(name) < columns()) return outcome("there is a column " + name + " already");
+  if (name.find('\0') != std::string::npos) return outcome("the name of a column contains a zero byte");
+  if (place_of(name) < columns()) return outcome("column " + name + " already exists");
   if (columns() != 0 && values.size() != rows())
     return outcome("column " + name + " has " + std::to_string(values.size()) +
-                   (values.size() == 1 ? " number" : " numbers") + ", the columns before it " +
+                   (values.size() == 1 ? " number" : " numbers") + ", but the columns before it have " +
                    std::to_string(rows()));
   names_.push_back(std::move(name));
   values_.push_back(std::move(values));

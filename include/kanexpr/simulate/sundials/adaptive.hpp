@@ -15,7 +15,7 @@
 
 namespace kanexpr::solvers {
 
-/// What the integrators of SUNDIALS have in common. `Calls` names the functions of one of them.
+/// The common part of the SUNDIALS integrators. `Calls` names the functions of one of them.
 template <class Calls>
 class adaptive : public stepper {
 public:
@@ -24,7 +24,7 @@ public:
   ~adaptive() override { Calls::free(&memory_); }
 
   arrival advance(double target) override {
-    if (is_at(target)) { // as after an event, from where SUNDIALS would find it too close to begin
+    if (is_at(target)) { // as after an event, where SUNDIALS would reject the target as too close
       t_ = target;
       return arrival::step;
     }
@@ -82,8 +82,8 @@ public:
   }
 
 protected:
-  static constexpr int root_return = 2;         // of all three
-  static constexpr double steps_of_return = 10; // fewer would be felt by the error test
+  static constexpr int root_return = 2;         // the same in all three packages
+  static constexpr double steps_of_return = 10; // fewer would affect the error test
 
   adaptive(watched_problem& problem, double from, std::vector<double> start, stepper_options options)
       : watched_(problem), options_(std::move(options)) {
@@ -98,7 +98,7 @@ protected:
     return target - t_ <= 8 * std::numeric_limits<double>::epsilon() * latest;
   }
 
-  /// One call of the integrator, which moves t and y.
+  /// Calls the integrator once; it advances t and y.
   virtual int solve(double target) = 0;
 
   sunindextype size() const { return static_cast<sunindextype>(y_.size()); }
@@ -110,9 +110,9 @@ protected:
     return false;
   }
 
-  /// Settings that all of them take, for one whose first state is set.
+  /// Applies the settings that all of them share, after the first state is set.
   bool set_common() {
-    return done(Calls::set_user_data(memory_, this), "its user's data") &&
+    return done(Calls::set_user_data(memory_, this), "the user data") &&
            done(Calls::set_weights(memory_, weigh), "the tolerances") &&
            done(Calls::set_first_step(memory_, options_.first_step), "the first step") &&
            done(Calls::set_least_step(memory_, options_.least_step), "the least step") &&
@@ -123,12 +123,12 @@ protected:
 
   bool done(int flag, const char* what) {
     if (flag == 0) return true;
-    failed_ = {std::string("SUNDIALS does not take ") + what +
+    failed_ = {std::string("SUNDIALS rejected ") + what +
                (error_.message.empty() ? "" : ": " + error_.message)};
     return false;
   }
 
-  /// Newton's method with dense matrices, and the problem's own derivatives if it has them.
+  /// Selects Newton's method with dense matrices, and the problem's own Jacobian if it has one.
   template <class Problem, class Jacobian>
   bool set_newton(const Problem& problem, Jacobian jacobian) {
     matrix_.reset(SUNDenseMatrix(size(), size(), context_));
@@ -144,9 +144,9 @@ protected:
     return numbers_of(weights_.get());
   }
 
-  /// Brings the state that is shown to a manifold that the formulas leave, by a function (t, y, weights,
-  /// correction). The formulas are led back in some steps to come, by a part of their rates: they would have
-  /// to begin anew from a state that is moved, with low orders, which leave it fastest.
+  /// Projects the reported state onto a manifold from which the formulas drift, by a function (t, y, weights,
+  /// correction). The formulas themselves are led back over the next steps by a term added to their rates:
+  /// restarting them from a corrected state would begin at low orders, which drift fastest.
   template <class Project>
   bool correct(const Project& project) {
     correction_.assign(y_.size(), 0);
@@ -166,7 +166,7 @@ protected:
     return true;
   }
 
-  /// A new start may clear what was counted.
+  /// Saves the counters, which a restart may clear.
   void keep_counts() { before_restart_ = statistics(); }
 
   watched_problem& watched_;
@@ -177,7 +177,7 @@ protected:
   linear_solver_handle solver_{};
   void* memory_ = nullptr;
   std::vector<double> correction_{};
-  std::vector<double> way_back_{}; ///< to the manifold, a part of the rates
+  std::vector<double> way_back_{}; ///< toward the manifold; added to the rates
 
 private:
   bool set_watched() {
@@ -187,10 +187,10 @@ private:
     for (int i = 0; i < count; ++i) directions[static_cast<std::size_t>(i)] = watched_.direction(i);
     return done(Calls::watch(memory_, count, watch), "the events") &&
            done(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
-           done(Calls::no_warnings(memory_), "to be silent");
+           done(Calls::no_warnings(memory_), "the suppression of warnings");
   }
 
-  /// By tolerances that may change between two steps.
+  /// Computes weights from tolerances that may change between two steps.
   static int weigh(N_Vector y, N_Vector weights, void* of) {
     const stepper_options& o = static_cast<adaptive*>(of)->options_;
     for (std::size_t i = 0; i < o.absolute_tolerances.size(); ++i) {
@@ -208,16 +208,16 @@ private:
     return watch(t, y, values, of);
   }
 
-  /// What keeps steps long, beside rounding.
+  /// Returns the end of a sentence about a lower limit of the step size, unless the limit is only rounding.
   std::string limit() const {
     if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
     return "; the least step is " + simulated::digits(options_.least_step);
   }
 
-  /// Codes from −2 to −7 are those of all three.
+  /// Codes from −2 to −7 have the same meaning in all three packages.
   failure why(int flag) const {
     switch (flag) {
-    case -2: return {"the tolerances ask for more digits than numbers have"};
+    case -2: return {"the tolerances are too small for double precision"};
     case -3:
       return {"the step size collapsed: no step was short enough to keep the error within the tolerances" +
               limit()};
@@ -230,7 +230,7 @@ private:
     if (flag == Calls::event_failed) return {"an event could not be evaluated"};
     if (Calls::is_projection(flag)) return {"the state could not be brought back to the constraints"};
     if (Calls::is_evaluation(flag)) return {"the equations of motion could not be evaluated"};
-    return {"SUNDIALS gave up: " + error_.message};
+    return {"SUNDIALS failed: " + error_.message};
   }
 
   last_error error_{};

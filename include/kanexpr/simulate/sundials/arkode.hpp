@@ -38,9 +38,9 @@ struct arkode_calls {
   static constexpr bool is_projection(int flag) { return flag == ARK_POSTPROCESS_STEP_FAIL; }
 };
 
-/// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): Dormand & Prince's, explicit, and Kvaerno's,
-/// implicit and L-stable, both of order 5. Each step begins anew, so that events and projections cost them
-/// nothing.
+/// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): the explicit one of Dormand & Prince and the
+/// implicit, L-stable one of Kvaerno, both of order 5. Each step starts afresh, so events and projections
+/// cost nothing extra.
 class arkode final : public adaptive<arkode_calls> {
 public:
   enum class formulas { explicit_stages, implicit_stages };
@@ -62,7 +62,7 @@ public:
 
   int degree() const override { return ARK_INTERP_MAX_DEGREE; }
 
-  // ARKStepReset would keep the size of the steps, but finds no events after it.
+  // ARKStepReset would keep the step size, but it finds no events afterward.
   bool restart() override {
     keep_counts();
     return done(ARKStepReInit(memory_, explicit_, implicit_, t_, at_.get()), "a new state") && set_end();

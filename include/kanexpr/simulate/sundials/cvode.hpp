@@ -88,8 +88,8 @@ private:
     return set_newton(problem_, jacobian);
   }
 
-  /// Adams' formulas cannot be projected from within. The state that is shown is on the constraints, and what
-  /// the formulas have drifted is led back.
+  /// CVODE cannot project Adams' formulas itself. The reported state is projected instead, and the drift of
+  /// the formulas is led back.
   bool projects_itself() const { return formulas_ == formulas::adams && problem_.has_constraints(); }
 
   bool return_to_constraints() {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <type_traits>
 
-/// What SUNDIALS hands out, freed when it is left.
+/// Owning handles to SUNDIALS objects.
 namespace kanexpr::solvers {
 
 struct freed {
@@ -25,7 +25,7 @@ using matrix_handle = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, freed>;
 using linear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, freed>;
 using nonlinear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, freed>;
 
-/// A vector of SUNDIALS over numbers that someone else keeps.
+/// Returns a SUNDIALS vector over numbers that it does not own.
 inline vector_handle vector_on(double* numbers, sunindextype size, SUNContext context) {
   return vector_handle(N_VMake_Serial(size, numbers, context));
 }

@@ -45,7 +45,7 @@ struct ida_calls {
 };
 
 /// Backward differentiation of a differential-algebraic system by IDA (Brenan, Campbell & Petzold 1996).
-/// Entries whose rates are in no equation are left out of the error test, as multipliers must be.
+/// Entries whose rates appear in no equation, such as multipliers, are excluded from the error test.
 class ida final : public adaptive<ida_calls> {
 public:
   ida(implicit_problem& problem, double from, std::vector<double> start, std::vector<double> start_rates,
@@ -66,8 +66,8 @@ public:
 
   bool shows_projected() const override { return problem_.has_invariants(); }
 
-  /// The state that is shown keeps to what is not among the equations, and what the formulas have drifted
-  /// from it is led back.
+  /// Projects the reported state onto the invariants that are not among the equations, and leads back the
+  /// drift of the formulas.
   arrival advance(double target) override {
     const arrival at = adaptive::advance(target);
     return at == arrival::failed || !problem_.has_invariants() || keep_invariants() ? at : arrival::failed;
@@ -94,7 +94,7 @@ private:
     });
   }
 
-  /// The rates as the equations give them.
+  /// Returns the rates as the equations define them.
   const double* without_way_back(const double* ydot) {
     if (way_back_.empty()) return ydot;
     plain_rates_.assign(ydot, ydot + y_.size());
@@ -102,9 +102,9 @@ private:
     return plain_rates_.data();
   }
 
-  /// A hundredth of the time in which the state would change by its own size, in tolerances (Hairer, Nørsett
-  /// & Wanner, II.4). IDA itself asks that it change by less than a tolerance, and numbers are too coarse for
-  /// that.
+  /// Returns a hundredth of the time in which the state would change by its own magnitude, measured in
+  /// tolerances (Hairer, Nørsett & Wanner, II.4). IDA's own estimate requires a change of less than a
+  /// tolerance, which is too small for double precision.
   double first_step() const {
     double size_of_state = 0, size_of_rates = 0;
     for (std::size_t i = 0; i < y_.size(); ++i) {

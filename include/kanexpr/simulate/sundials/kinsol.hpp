@@ -11,28 +11,29 @@
 
 namespace kanexpr::solvers {
 
-/// f(z) = 0, of any number of equations and unknowns.
+/// f(z) = 0, with any number of equations and unknowns.
 class nonlinear_equations {
 public:
   virtual ~nonlinear_equations() = default;
   virtual int equations() const = 0;
-  /// How many of the unknowns, the first of them, give way only where the others cannot.
+  /// Returns how many of the unknowns, counted from the first, change only if the others cannot solve the
+  /// equations.
   virtual int stiff_unknowns() const = 0;
-  /// Whether f has a value at z.
+  /// Evaluates f at z; returns whether f has a value there.
   virtual bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) = 0;
   virtual bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) = 0;
-  /// By how much each unknown may change in one step.
+  /// Returns by how much each unknown may change in one step.
   virtual Eigen::VectorXd limits(const Eigen::VectorXd& z) const = 0;
 };
 
-/// How a search ended. KINSOL's own word for success is not taken: the caller looks at what is left.
+/// The outcome of a search. KINSOL's own report of success is not relied on: the caller checks the residuals.
 struct search_end {
   int iterations = 0;
-  std::string failure; ///< "the line search finds no better point"; empty: it was content
+  std::string failure; ///< "the line search finds no better point"; empty if KINSOL succeeded
 };
 
-/// KINSOL: Newton's method with line search (Hindmarsh et al. 2005), here with the least step of least
-/// squares.
+/// KINSOL: Newton's method with line search (Hindmarsh et al. 2005), here with the smallest least-squares
+/// step.
 class kinsol {
 public:
   kinsol(nonlinear_equations& of, const magnitudes& sizes, double tolerance, int most_iterations)
@@ -48,7 +49,7 @@ public:
   kinsol& operator=(const kinsol&) = delete;
   ~kinsol() { KINFree(&memory_); }
 
-  /// Goes from z to where the search ends.
+  /// Searches from z, which is set to the point where the search ends.
   search_end solve(Eigen::VectorXd& z) {
     if (refused_) return {0, refused_.sentence};
     at_.head(unknowns_) = z;
@@ -76,7 +77,7 @@ private:
     }
     constexpr double any = 1e100;
     static_cast<void>(done(KINSetErrHandlerFn(memory_, last_error::take, &error_), "an error handler") &&
-                      done(KINSetUserData(memory_, this), "its user's data") &&
+                      done(KINSetUserData(memory_, this), "the user data") &&
                       done(KINInit(memory_, residual, z_.get()), "the equations") &&
                       done(KINSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver") &&
                       done(KINSetJacFn(memory_, jacobian), "the Jacobian") &&
@@ -103,18 +104,18 @@ private:
     case KIN_LINESEARCH_NONCONV:
     case KIN_LINESEARCH_BCFAIL: return "the line search finds no better point";
     case KIN_MAXITER_REACHED: return "after " + std::to_string(most_iterations_) + " iterations";
-    case KIN_MXNEWT_5X_EXCEEDED: return "the steps do not become smaller";
+    case KIN_MXNEWT_5X_EXCEEDED: return "the steps do not get smaller";
     case KIN_SYSFUNC_FAIL:
     case KIN_FIRST_SYSFUNC_ERR:
-    case KIN_REPTD_SYSFUNC_ERR: return "the equations have no value farther on";
+    case KIN_REPTD_SYSFUNC_ERR: return "the equations have no value beyond this point";
     case KIN_LSETUP_FAIL:
     case KIN_LSOLVE_FAIL:
     case KIN_LINSOLV_NO_RECOVERY: return "the derivatives of the equations are not finite";
-    default: return refusal("to go on").sentence; // for want of memory, or by a mistake in this library
+    default: return refusal("to continue").sentence; // out of memory, or a mistake in this library
     }
   }
 
-  // what KINSOL calls; a positive answer makes it try a shorter step
+  // KINSOL's callbacks; a positive return value makes it try a shorter step
   static int residual(N_Vector z, N_Vector f, void* of) {
     kinsol& self = *static_cast<kinsol*>(of);
     Eigen::VectorXd left;

@@ -12,14 +12,14 @@
 
 namespace kanexpr::solvers {
 
-/// How large unknowns and equations are, so that they can be compared.
+/// The magnitudes of unknowns and equations, by which they are scaled.
 struct magnitudes {
   Eigen::VectorXd unknowns, equations;
 };
 
-/// Newton's step for any number of equations: among those that leave the least of the linearized equations
-/// the one that changes the first `stiff` unknowns least, and then the others. It is cut short where an
-/// unknown would change by more than its limit.
+/// Newton's step for any number of equations: among the steps that minimize the linearized residual, the one
+/// that changes the first `stiff` unknowns least, and then the others. The step is shortened if an unknown
+/// would change by more than its limit.
 class least_squares_step {
 public:
   least_squares_step(magnitudes sizes, Eigen::Index stiff) : sizes_(std::move(sizes)), stiff_(stiff) {}
@@ -37,7 +37,7 @@ public:
     first_.emplace(by_stiff_ - reached.lazyProduct(reached.transpose().lazyProduct(by_stiff_).eval()), least);
   }
 
-  /// Of what the equations leave, with the sign changed.
+  /// Returns the step for the residual of the equations with its sign changed.
   Eigen::VectorXd operator()(const Eigen::VectorXd& wanted) const {
     const Eigen::VectorXd b = wanted.cwiseQuotient(sizes_.equations);
     Eigen::VectorXd step(slope_.cols());
@@ -60,9 +60,8 @@ private:
   std::optional<numeric::complete_orthogonal> first_{}, others_{};
 };
 
-/// The step as a linear solver of SUNDIALS. Its matrix is square; rows and columns that are too many are
-/// zero. The right side comes back as what the step changes in the equations, by which a line search
-/// measures.
+/// Wraps the step as a linear solver of SUNDIALS. Its matrix is square; surplus rows and columns are zero.
+/// The right-hand side returns the change of the equations along the step, which the line search uses.
 inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContext context) {
   linear_solver_handle solver(SUNLinSolNewEmpty(context));
   if (solver == nullptr) return solver;

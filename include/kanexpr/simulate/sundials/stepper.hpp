@@ -13,52 +13,54 @@ struct stepper_options {
   std::vector<double> absolute_tolerances{}; ///< one for each entry
   double first_step = 0;                     ///< 0: the integrator chooses
   double least_step = 0;
-  double greatest_step = 0; ///< 0: any
+  double greatest_step = 0; ///< 0: no limit
   bool analytic_jacobian = true;
 };
 
 enum class arrival { step, event, failed };
 
-/// An integrator with adaptive steps, behind one face. Its times are those since the start.
+/// The common interface of integrators with adaptive steps. Times are counted from the start.
 class stepper {
 public:
   virtual ~stepper() = default;
 
-  /// What went wrong when it was made or in its last step.
+  /// Returns the failure of the construction or of the last step.
   const failure& failed() const { return failed_; }
 
-  /// Goes one step, or less to an event or to a target.
+  /// Takes one step, or a shorter one up to an event or a target.
   virtual arrival advance(double target) = 0;
-  /// Sets what errors are measured by from here on; of further entries nothing changes.
+  /// Sets the tolerances from here on; those of further entries do not change.
   virtual void set_tolerances(double relative, const std::vector<double>& absolute) = 0;
-  /// Whether the states that it shows are brought to the constraints beside its own.
+  /// Whether the reported states are projected onto the constraints separately from the integrator's own
+  /// states.
   virtual bool shows_projected() const { return false; }
 
-  /// Where it stands: the end of its last step, the target or the event.
+  /// Returns the current time: the end of the last step, the target or the event.
   double time() const { return t_; }
   int entries() const { return static_cast<int>(y_.size()); }
   double* state() { return y_.data(); }
   const double* state() const { return y_.data(); }
-  /// The rates there, where the integrator keeps them; they are set before it goes on from another state.
+  /// Returns the rates at that time if the integrator keeps them; they must be set before it continues from a
+  /// different state.
   virtual double* rates() { return nullptr; }
 
-  /// Whether a watched function passed zero: its sign there, 1 where it rises; 0: it did not.
+  /// Returns for each watched function 1 if it passed zero rising, −1 if falling, 0 if it did not pass zero.
   virtual std::vector<int> events() const = 0;
 
-  /// The derivative of some order of the solution's polynomial over the last step.
+  /// Evaluates a derivative of the solution's polynomial over the last step, of any order.
   virtual bool derivative(double t, int order, double* out) = 0;
-  /// The degree of that polynomial.
+  /// Returns the degree of that polynomial.
   virtual int degree() const = 0;
-  /// Where the last step began and ended.
+  /// Return the times at which the last step began and ended.
   virtual double step_begin() const = 0;
   virtual double step_end() const = 0;
 
-  /// Leaves the way from an earlier time, of which `state` is given before it goes on.
+  /// Goes back to an earlier time; `state` must be set before the integration continues.
   void go_back_to(double t) { t_ = t; }
-  /// Goes on from what `state` was changed to.
+  /// Restarts from the changed `state`.
   virtual bool restart() = 0;
 
-  /// What it counts itself; evaluations of rates are counted by the problem.
+  /// Returns the integrator's own counters; the problem counts evaluations of rates.
   virtual integration_statistics statistics() const = 0;
   virtual long steps() const = 0;
 
