@@ -1,5 +1,5 @@
 // builds: g++
-// The linearized bicycle of the README and docs/guide/linearization.md.
+// The linearized bicycle of docs/tour.md and docs/guide/linearization.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/kanexpr.hpp>
 
@@ -13,11 +13,11 @@ namespace {
 
 using namespace kanexpr;
 
-TEST(readme, linearizes_a_bicycle) {
+TEST(tour, linearizes_a_bicycle) {
   const state<bicycle::BoundSystem> x;
   const parameter_values<bicycle::BoundSystem> p;
   const input_values<bicycle::BoundSystem> r;
-#include <README/linearized.cpp>
+#include <docs/tour/linearized.cpp>
   EXPECT_EQ(Ac.rows(), 6);
 }
 

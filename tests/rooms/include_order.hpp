@@ -54,15 +54,18 @@ inline std::vector<std::string> includes_of(std::string text) {
 /// The rooms of kanexpr, from the lowest, with the folders and files that stand below the rest of a room.
 class order {
 public:
-  /// From the rows of a table: | `room/` | `folder`, `file.hpp`, … |
+  /// From the rows of a table: | `room/` | `folder`, `file.hpp`, … | page |
   explicit order(const std::string& markdown) {
     const std::regex row("\\| `([a-z]+)/` \\|([^\\n]*)\\|");
     for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
       const std::string room = i->str(1);
       for (const std::string& within : matches(i->str(2), "`([a-z0-9_.]+)`")) add(room + "/" + within);
       add(room);
+      rooms_.push_back(room);
     }
   }
+
+  const std::vector<std::string>& rooms() const { return rooms_; }
 
   bool empty() const { return places_.empty(); }
 
@@ -82,7 +85,7 @@ private:
     places_.push_back("kanexpr/" + place + "/engine"); // defines what the place declares
   }
 
-  std::vector<std::string> places_;
+  std::vector<std::string> places_, rooms_;
 };
 
 /// Headers of folders of which the order knows nothing.

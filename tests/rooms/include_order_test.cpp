@@ -41,12 +41,32 @@ TEST(include_order, nothing_includes_itself_by_way_of_others) {
   EXPECT_THAT(rooms::circles(library()), IsEmpty());
 }
 
+bool is_header(const std::string& named) {
+  return library().contains("kanexpr/" + named) || library().contains(named) ||
+         std::filesystem::exists(project / named);
+}
+
 TEST(include_order, headers_named_in_the_documents_are_there) {
-  for (const auto& file : std::filesystem::directory_iterator(project / "docs")) {
+  std::vector<std::filesystem::path> pages{project / "CONTRIBUTING.md"};
+  for (const auto& file : std::filesystem::directory_iterator(project / "docs"))
+    if (file.path().extension() == ".md") pages.push_back(file.path());
+  for (const std::filesystem::path& page : pages)
+    for (const std::string& named : rooms::matches(rooms::text_of(page), "`([a-z_/]+/[a-z_]+\\.hpp)`"))
+      EXPECT_TRUE(is_header(named)) << page << " names " << named << ", which is not there";
+}
+
+TEST(include_order, every_room_has_a_page_whose_headers_are_there) {
+  const std::filesystem::path folder = project / "include/kanexpr";
+  for (const std::string& room : order_of_rooms().rooms())
+    EXPECT_TRUE(std::filesystem::exists(folder / room / "README.md")) << room << " has no README.md";
+  for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
     if (file.path().extension() != ".md") continue;
-    for (const std::string& named : rooms::matches(rooms::text_of(file), "`([a-z_/]+/[a-z_]+\\.hpp)`"))
-      EXPECT_TRUE(library().contains("kanexpr/" + named) || library().contains(named) ||
-                  std::filesystem::exists(project / named))
+    const std::string text = rooms::text_of(file),
+                      here = file.path().parent_path().lexically_relative(folder).generic_string(),
+                      room = here.substr(0, here.find('/'));
+    EXPECT_LE(std::ranges::count(text, '\n'), 60) << file.path() << " has more than 60 lines";
+    for (const std::string& named : rooms::matches(text, "`([a-z0-9_/]+\\.hpp)`"))
+      EXPECT_TRUE(is_header(here + "/" + named) || is_header(room + "/" + named) || is_header(named))
           << file.path() << " names " << named << ", which is not there";
   }
 }

@@ -7,7 +7,7 @@
 
 #include <iostream>
 
-/// Everything that the README does with the bicycle, in one file.
+/// Everything that docs/tour.md does with the bicycle, in one file.
 int main() {
   using namespace bicycle;
   using namespace kanexpr;

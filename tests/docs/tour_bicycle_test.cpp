@@ -1,5 +1,5 @@
 // builds: g++
-// The motions of the bicycle in the README and docs/simulation.md.
+// The motions of the bicycle in docs/tour.md and docs/simulation.md.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
 
@@ -14,10 +14,10 @@ namespace {
 
 using namespace kanexpr;
 
-TEST(readme, simulates_a_bicycle) {
-#include <README/simulated.cpp>
+TEST(tour, simulates_a_bicycle) {
+#include <docs/tour/simulated.cpp>
   ASSERT_TRUE(run) << run.cause();
-#include <README/read.cpp>
+#include <docs/tour/read.cpp>
   EXPECT_NEAR(run.events[0].t, 0.8364, 5e-5);
   const auto lean = run.trajectory[q2];
   EXPECT_EQ(lean.size(), 501);

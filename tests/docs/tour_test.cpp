@@ -1,4 +1,4 @@
-// The README, but for its first program, which docs/first_program runs, and the bicycle.
+// docs/tour.md, except for the bicycle and the robots.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
 #include "models/four_bar.hpp"
@@ -18,15 +18,15 @@ namespace linkage {
 
 using namespace four_bar;
 
-#include <README/four_bar.cpp>
+#include <docs/tour/four_bar.cpp>
 
 using eom = equations_of_motion<System>;
 
-TEST(readme, assembles_a_linkage) {
+TEST(tour, assembles_a_linkage) {
   const eom::parameters p{{l0, 2}, {l1, 1}, {l2, 2},   {l3, 1.5}, {d1, 0.5}, {d2, 1},   {d3, 0.75},
                           {m1, 1}, {m2, 2}, {m3, 1.5}, {I1, 0.1}, {I2, 0.7}, {I3, 0.3}, {g, 9.81}};
   const eom::inputs r{{T, 0}};
-#include <README/assembled.cpp>
+#include <docs/tour/assembled.cpp>
   EXPECT_TRUE(a.status);
   EXPECT_TRUE(check_consistency<System>(x, p, r));
   EXPECT_EQ(a.size(), 3);
@@ -39,18 +39,18 @@ namespace pendulum {
 
 using namespace simple_pendulum;
 
-TEST(readme, prints_linearized_equations) {
+TEST(tour, prints_linearized_equations) {
   const docs::printed here;
-#include <README/symbols.cpp>
-  EXPECT_EQ(here.text(), docs::text("README/symbols.text"));
+#include <docs/tour/symbols.cpp>
+  EXPECT_EQ(here.text(), docs::text("docs/tour/symbols.text"));
 }
 
-TEST(readme, makes_a_step) {
+TEST(tour, makes_a_step) {
   state<System> x{{q, 0.3}, {u, 0}};
   const parameter_values<System> p{{m, 2}, {l, 0.5}, {g, 9.81}, {c, 0.1}};
   input_values<System> r;
   double t = 0;
-#include <README/stepped.cpp>
+#include <docs/tour/stepped.cpp>
   EXPECT_EQ(t, 1e-3);
 }
 
